@@ -20,6 +20,7 @@ from dynsplines.solver.surface import static_surfaces
 from ..errors import UserError
 from ..motion import Saved
 from ..scene.assets import Scene
+from ..scene.vertical import vertical_notes
 from .constraints import constraints, weight_factors
 from .context import Context
 from .kinds import KINDS
@@ -159,7 +160,8 @@ def build(
         context, resting = context.scheduled(keys=problem.raw), (note + FREE_NOTE,)
     soft_constraints = constraints(context, source.options)
     problem = replace(problem, penalties=soft_constraints.penalties)
-    notes = (*unsupported(figure.model), *soft_constraints.notes, *resting, *_too_many(problem))
+    of_model = (*unsupported(figure.model), *vertical_notes(figure.model))
+    notes = (*of_model, *soft_constraints.notes, *resting, *_too_many(problem))
     return Clip(source.name, source.text, scene, fps, problem, soft_constraints.context, notes)
 
 

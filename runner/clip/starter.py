@@ -27,6 +27,7 @@ from ..errors import UserError, words_of
 from ..scene.compose import compose, figure_spec, quietly
 from ..scene.configuration import first_wrong, posed
 from ..scene.urdf import fixed_base
+from ..scene.vertical import vertical_notes
 from .load import compiled_keys
 from .posing.couplings import follow
 from .posing.equalities import Equalities, in_words
@@ -92,7 +93,7 @@ def starter(source: str, target: Path, report: Callable[[str], None] = lambda _:
     soles = sole_points(figure, poses)
     has_keys = bool(len(poses))
     equalities = Equalities(figure)
-    notes = [line] if (line := fixed_base(source, figure.model)) else []
+    notes = [*([line] if (line := fixed_base(source, figure.model)) else []), *vertical_notes(figure.model)]
     if not has_keys:
         times, poses = np.zeros(1), rest_within_ranges(figure)[None]
     given_poses, poses = poses, np.array([_settled(figure, qpos) for qpos in poses])

@@ -1,0 +1,61 @@
+"""Notes on models that do not fit the solver's vertical: z points up, and a floor is added where a model has none."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver.figure.figure import WEIGHTLESS
+from dynsplines.solver.figure.forward import boxes, kinematics
+from dynsplines.solver.figure.naming import geom_name
+from dynsplines.solver.surface.touch import TOUCHING, collides, grounds, is_scenery, solids
+
+from ..errors import listed
+from .compose import PREFIX
+
+TILTED = 0.02  # [1] sine of the angle between gravity and -z from which a note is printed, about 1°
+
+
+def vertical_notes(model: mujoco.MjModel) -> list[str]:
+    """Return notes on gravity that is not along -z, and on static geoms below a floor that `compose` added."""
+    return [*_tilted_gravity(model), *_below_added_floor(model)]
+
+
+def _tilted_gravity(model: mujoco.MjModel) -> Iterator[str]:
+    gravity = np.array(model.opt.gravity)
+    sideways = float(np.linalg.norm(gravity[:2]))
+    if model.opt.disableflags & WEIGHTLESS or (gravity[2] <= 0 and sideways <= TILTED * np.linalg.norm(gravity)):
+        return
+    axes = ", ".join(f"{axis:g}" for axis in gravity)
+    yield (
+        f"gravity is [{axes}] m/s², not along -z; floors, heights of feet, headings and the camera assume that z "
+        "points up, while forces and flights follow gravity; rotate the model so that z points up"
+    )
+
+
+def _below_added_floor(model: mujoco.MjModel) -> Iterator[str]:
+    data = kinematics(model)
+    added = [geom for geom in grounds(model) if _is_added(model, geom)]
+    others = [
+        i for i in solids(model) if model.geom_type[i] != mujoco.mjtGeom.mjGEOM_PLANE and not is_scenery(model)[i]
+    ]
+    if not added or not others:
+        return
+    floor = float(data.geom_xpos[added[0], 2])
+    centre, reach = boxes(model, data, np.array(others))
+    tops = centre[:, 2] + reach[:, 2]
+    below = [geom_name(model, geom) for geom, top in zip(others, tops, strict=True) if top < floor - TOUCHING]
+    if below:
+        yield (
+            f"the model has no level plane, so a floor was added at z = {floor:g} m, above {listed(below)}; for "
+            'another height, add it to the model: <geom type="plane" size="0 0 1" pos="0 0 HEIGHT"/>'
+        )
+
+
+def _is_added(model: mujoco.MjModel, geom: int) -> bool:
+    """Return whether a level plane is the floor of the stage, which does not collide in MuJoCo."""
+    material = int(model.geom_matid[geom])
+    is_staged = material >= 0 and model.material(material).name == PREFIX + "floor"
+    return is_staged and model.geom(geom).name in ("floor", PREFIX + "floor") and not collides(model)[geom]
