@@ -132,7 +132,7 @@ def test_in_a_browser_it_plays_and_its_slider_moves_the_figure(tab, saved):
     page.evaluate("document.getElementById('loop').checked = true")
     if not page.evaluate("player.playing"):
         page.keyboard.press(" ")
-    assert page.evaluate("player.playing")
+    assert until(page, "player.playing")
     take = SampledTrajectory.of(saved)
     at = 5
     page.evaluate(
