@@ -1,4 +1,4 @@
-"""Footsteps: the steps of two feet in turn, inferred between keyframes in which both feet stand at different places."""
+"""Footsteps: the steps of two feet in turn, inferred between two keyframes if both feet change their places."""
 
 from __future__ import annotations
 
@@ -14,11 +14,14 @@ from .keyframe_points import KeyframePoints
 from .stance import Rest, Stance
 from .steps import same_leg
 
-OVERLAP = 0.08  # [1] time from the landing of a foot to the middle of the time on both feet, relative to a step
+OVERLAP = 0.08  # [1] half of the time on both feet between two steps, relative to the time of a step
 FIRM = 10.0  # [1] weight of the stances, relative to those between keyframes of the same position
-WIDEST = 1.75  # [rad] largest angle by which one foot turns before the other
-TOE_IN = 0.35  # [rad] largest angle by which a foot overtakes the other one
-PASSING = 0.25  # [1] largest displacement sideways of a foot that overtakes the other one, relative to their distance
+WIDEST = 1.75  # [rad] largest turn of one foot ahead of the other
+PASSING_TURN = 0.35  # [rad] likewise of a foot that overtakes the other one
+PASSING = 0.25  # [1] largest lead sideways of a foot that overtakes the other one, relative to their distance sideways
+SIDEWAYS = 0.05  # [1] travel to the side, relative to all travel, from which it decides which foot steps first
+MOST_TRIED = 4  # patterns of steps that are tried if there is no ground for them
+ROUNDING = 1e-9  # [s] rounding tolerance of times
 STEEP = 0.3  # [1] height of a foot in the middle of a short step, relative to its length
 UP = np.array([0.0, 0, 1])
 
@@ -33,7 +36,8 @@ class Footsteps:
         count: The number of steps.
         stances: The stances before, between and after the steps.
         swings: The points of the feet, each with an interval in which it moves.
-        poses: Times [s] in the middle of steps and between them, with approximate positions (3, n) [m] of all points.
+        poses: Times [s] in the middle of each step and between steps, with positions (3, n) [m] of all sole points for
+            the initial guess.
     """
 
     segment: int
@@ -48,15 +52,15 @@ def footsteps(soles: KeyframePoints) -> tuple[tuple[Footsteps, ...], ...]:
     """Return the steps between keyframes, each in all possible orders.
 
     In both keyframes, all points of both feet are near a surface, and both feet move by more than 8 cm (for an adult).
-    They take as few steps in turn as possible, of at least 0.4 s each: neither is more than 70 cm and 100° ahead of the
-    other, compared to the keyframes, and they do not cross. In between they stand on the ground.
+    They take as few steps in turn as possible, of at least 0.4 s each, which fill the time between the keyframes.
+    Neither foot gets more than 70 cm or 100° ahead of the other, each measured along its way, and they do not cross.
+    Between the steps they stand on the ground.
 
     In the first order, the leading foot is the one on the side to which the figure moves or turns, so that legs do not
     cross; if it does neither, the foot behind.
 
-    One foot may also be in the air in one keyframe, if these are at least 0.6 s apart and the other foot moves by at
-    most 70 cm. In the first keyframe it is the leading foot, in the second one the following foot, and there is no
-    other order.
+    If one foot is in the air in one keyframe, these are at least 0.6 s apart and the other foot moves by at most 70 cm,
+    it is the leading foot in the first keyframe and the following foot in the second one, and there is no other order.
     """
     feet = _feet(soles)
     if len(feet) != 2:
@@ -68,7 +72,7 @@ def footsteps(soles: KeyframePoints) -> tuple[tuple[Footsteps, ...], ...]:
     moves = (least > limits.same_spot) & (most > limits.strode)
     result = list[tuple[Footsteps, ...]]()
     for foot, other in ((0, 1), (1, 0)):
-        is_step = moves[other] & (most[other] < limits.longest_step) & (spans >= 1.5 * limits.far_apart)
+        is_step = moves[other] & (most[other] < limits.longest_step) & (spans >= 1.5 * limits.far_apart - ROUNDING)
         is_step &= stands[other, :-1] & stands[other, 1:]
         for k in np.flatnonzero(is_step & raised[foot, :-1] & stands[foot, 1:]).tolist():
             result.append((_Walk(soles, k, feet[foot], feet[other]).landing,))
@@ -77,7 +81,8 @@ def footsteps(soles: KeyframePoints) -> tuple[tuple[Footsteps, ...], ...]:
     for k in np.flatnonzero(stands[:, :-1].all(axis=0) & stands[:, 1:].all(axis=0) & moves.all(axis=0)).tolist():
         walk = _Walk(soles, k, *feet)
         orders = (walk, walk.reversed) if walk.is_in_order else (walk.reversed, walk)
-        result.append(tuple(steps for order in orders if (steps := order.fewest) is not None))
+        possible = [steps for order in orders if (steps := order.fewest()) is not None]
+        result.append(tuple(sorted(possible, key=lambda steps: steps.count)))
     return tuple(sorted(filter(None, result), key=lambda orders: orders[0].segment))
 
 
@@ -110,14 +115,18 @@ class _Walk:
         """Two steps, of which the second ends in the air and takes half as long as the first."""
         return self._steps((1.0, 1.0), np.array([0.0, 2 / 3, 1.0]), is_lifting=True)
 
-    @property
     def fewest(self) -> Footsteps | None:
-        """The smallest possible number of steps; None without one."""
-        span = float(np.diff(self.soles.keys.times)[self.k])
-        for count in range(2, int(span / self.soles.limits.far_apart + 1e-9) + 1):
+        """Return the smallest possible number of steps; None without one."""
+        tried, span = 0, float(np.diff(self.soles.keys.times)[self.k])
+        for count in range(2, int(span / self.soles.limits.far_apart + ROUNDING) + 1):
             for shares in _patterns(count):
-                if self._fits(np.array(shares)):
+                if not self._is_short(np.array(shares)):
+                    continue
+                if self._has_ground(shares):
                     return self._steps(shares, np.linspace(0, 1, count + 1))
+                tried += 1
+            if tried >= MOST_TRIED:
+                return None
         return None
 
     @property
@@ -127,31 +136,31 @@ class _Walk:
         # if the feet are farther apart sideways after the first step, the figure moves to the side of that foot
         side = np.sign(self._halfway(self._apart).sum(axis=1) @ self._leftward)
         preference = side * (travel @ self._leftward + self.soles.limits.turning * self._turn)
-        if abs(preference) > as_tall:
+        if abs(preference) > as_tall + SIDEWAYS * float(np.linalg.norm(travel)):
             return bool(preference > 0)
         return bool(self._apart[:, 0] @ travel <= 0)
 
-    def _fits(self, shares: Array) -> bool:
-        """Return whether feet may land at these fractions (n,) of their way, in turn."""
+    def _is_short(self, shares: Array) -> bool:
+        """Return whether steps that land at these fractions (n,) of the way are short and do not cross."""
         limits, ahead = self.soles.limits, float(np.abs(np.diff([0.0, *shares])).max())
         moves = self.soles.moves[[*self.leading, *self.following], self.k]
         if ahead * moves.max() >= limits.longest_step or ahead * abs(self._turn) >= WIDEST:
             return False
-        if shares[1] > shares[0]:  # the feet overtake each other
-            sideways = abs(float(self._travel @ self._leftward)) / 2
-            apart = float(np.abs(self._halfway(self._apart).T @ self._leftward).min())
-            if ahead * abs(self._turn) > TOE_IN or ahead * sideways > PASSING * apart:
-                return False
-        places = [
-            (self._place(i, share), self.soles.radii[i])
-            for j, share in enumerate(shares)
-            for i in self._foot(j)
-            if share < 1
-        ]
-        if not places:
+        if shares[1] <= shares[0]:
             return True
-        centres, radii = np.array([centre for centre, _ in places]).T, np.array([radius for _, radius in places])
-        return bool((np.abs(height_above(self.soles.surfaces, centres, radii)) < limits.near_surface).all())
+        # the feet overtake each other
+        sideways = abs(float(self._travel @ self._leftward)) / 2
+        apart = float(np.abs(self._halfway(self._apart).T @ self._leftward).min())
+        return ahead * abs(self._turn) <= PASSING_TURN and ahead * sideways <= PASSING * apart + limits.as_tall
+
+    def _has_ground(self, shares: tuple[float, ...]) -> bool:
+        """Return whether the feet stand on ground at these fractions of the way, between the keyframes."""
+        landings = [(i, share) for j, share in enumerate(shares) for i in self._foot(j) if share < 1]
+        if not landings:
+            return True
+        centres = np.array([self._place(i, share) for i, share in landings]).T
+        height = height_above(self.soles.surfaces, centres, self.soles.radii[[i for i, _ in landings]])
+        return bool((np.abs(height) < self.soles.limits.near_surface).all())
 
     def _steps(
         self, shares: tuple[float, ...], edges: Array, *, is_landing: bool = False, is_lifting: bool = False
@@ -159,7 +168,7 @@ class _Walk:
         """Return steps in turn.
 
         Args:
-            shares: The fractions of the foot's way at which the n steps land.
+            shares: How far along its way the foot is after each of the n steps.
             edges: The limits of the steps relative to the time between the keyframes, (n + 1,).
             is_landing: Whether the leading foot is in the air in the first keyframe.
             is_lifting: Whether the following foot is in the air in the second keyframe.
@@ -216,19 +225,24 @@ class _Walk:
     def _places(self) -> Array:
         """The centres of the two feet in the two keyframes, (2, 3, 2) [m]."""
         at = self.soles.centres[..., self.k : self.k + 2]
-        return np.array([at[:, foot].mean(axis=1) for foot in (self.leading, self.following)])
+        return np.array([at[:, foot].mean(axis=1) for foot in self._both])
 
     @cached_property
     def _ahead(self) -> Array:
         """Vectors from ankles to soles in both keyframes, (3, 2); about zero for feet that are points."""
-        links = self.soles.links[[self.leading[0], self.following[0]]]
+        links = self.soles.links[[foot[0] for foot in self._both]]
         return (self._places - np.moveaxis(self.soles.samples.links.x[:, links, self.k : self.k + 2], 0, 1)).sum(axis=0)
 
     @cached_property
     def _turn(self) -> float:
         """The angle [rad] by which the feet turn about the vertical."""
-        before, after = self._ahead.T
-        return float(np.arctan2(np.cross(before, after) @ UP, before[:2] @ after[:2]))
+        rotation = self.soles.samples.links.rotation[:, :, [self.soles.links[foot[0]] for foot in self._both]]
+        turned = np.einsum("ijf,kjf->ik", rotation[..., self.k + 1], rotation[..., self.k])
+        return float(np.arctan2(turned[1, 0] - turned[0, 1], turned[0, 0] + turned[1, 1]))
+
+    @property
+    def _both(self) -> tuple[list[int], list[int]]:
+        return self.leading, self.following
 
     @property
     def _apart(self) -> Array:
@@ -245,7 +259,7 @@ class _Walk:
         """The unit vector to the left after half of the turn, (3,); for feet that are points along the line between."""
         as_tall, leftward = self.soles.limits.as_tall, np.cross(UP, self._halfway(self._ahead).sum(axis=1))
         if np.linalg.norm(leftward) < as_tall:
-            leftward = self._apart.sum(axis=1) * (1 - UP)
+            leftward = self._apart.sum(axis=1) * [1, 1, 0]
         return leftward / max(float(np.linalg.norm(leftward)), as_tall)
 
     def _halfway(self, vectors: Array) -> Array:
@@ -272,11 +286,11 @@ def _about_vertical(angle: float) -> Array:
 
 
 def _feet(soles: KeyframePoints) -> list[list[int]]:
-    """Return the indices of the points of each foot, which may consist of several links in a chain."""
+    """Return the indices of the points of each foot. Of several links of a foot, that next to the leg comes first."""
     feet: list[list[int]] = []
-    is_same_leg = same_leg(soles.figure)
-    for i, link in enumerate(soles.links):
-        foot = next((foot for foot in feet if is_same_leg[link, soles.links[foot[0]]]), None)
+    is_same_leg, depths = same_leg(soles.figure), soles.figure.tables.path.sum(axis=1)
+    for i in np.argsort(depths[soles.links], kind="stable").tolist():
+        foot = next((foot for foot in feet if is_same_leg[soles.links[i], soles.links[foot[0]]]), None)
         if foot is None:
             feet.append([i])
         else:

@@ -82,12 +82,12 @@ class KeyframePoints:
 
     @property
     def heights(self) -> Array:
-        """The heights of the points' lowest ends above the highest surface below them, (n, K) [m]; ∞ without one."""
+        """The heights of the points' lowest spots above the highest surface below them, (n, K) [m]; ∞ without one."""
         return self._heights[0]
 
     @property
     def nearest(self) -> Index:
-        """The index of that surface, (n, K)."""
+        """The index of the surface that `heights` refers to, (n, K)."""
         return self._heights[1]
 
     @cached_property
@@ -100,12 +100,12 @@ class KeyframePoints:
 
     @cached_property
     def is_known(self) -> Mask:
-        """Whether the keyframe specifies the position, by the animator or by posing, (n, K)."""
+        """Whether the position is fixed, or computed by inverse kinematics, (n, K)."""
         return placed(self.figure, self.keys.known, self.points)
 
     @cached_property
     def is_fixed(self) -> Mask:
-        """Whether the animator specified the position, (n, K)."""
+        """Whether the keyframe fixes the position, (n, K)."""
         return placed(self.figure, self.keys.fixed, self.points)
 
     @property
@@ -119,6 +119,6 @@ class KeyframePoints:
         return np.asarray(self.heights.min(axis=0, initial=np.inf) < self.limits.touching)
 
     def segments(self) -> Iterator[tuple[int, float, float]]:
-        """Yield the index and time [s] of every keyframe but the last, and the time [s] of the next."""
+        """Yield k, the time of keyframe k and the time of keyframe k + 1 [s], for every segment."""
         times = self.keys.times.tolist()
         yield from zip(range(len(times) - 1), times[:-1], times[1:], strict=True)

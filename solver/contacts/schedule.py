@@ -51,6 +51,13 @@ class Contacts:
             for contact in (*self.stances, *self.rests)
         )
 
+    def holds(self, link: int, first: float, last: float) -> bool:
+        """Return whether a specified contact of a link overlaps an interval [s]."""
+        return any(
+            contact.point.link == link and contact.first < last - ROUNDING and first < contact.last - ROUNDING
+            for contact in (*self.stances, *self.rests)
+        )
+
 
 @dataclass(frozen=True, eq=False)
 class ContactSchedule:
@@ -107,16 +114,24 @@ class ContactSchedule:
         """
         if self.specified_footings is not None:
             return ()
-        inferred = footsteps(self._soles)
+        inferred = footsteps(self._soles.with_points(self.stepping_points))
         if not inferred or self.gait_cycle is not None:
             return ()
         fitting = [[steps for steps in orders if self._fits(steps)] for orders in inferred]
         return tuple(orders[0] for orders in fitting if orders)
 
     def _fits(self, steps: Footsteps) -> bool:
-        """Return whether no specified contact or target contradicts steps."""
-        is_held = any(self.contacts.overlaps(swing) for swing in steps.swings)
-        return not is_held and not any(self._leaves(stance) for stance in self._unspecified(steps))
+        """Return whether no specified contact, flight or target contradicts steps."""
+        begin, end = self.keys.times[steps.segment : steps.segment + 2].tolist()
+        flies = any(first < end and begin < last for first, last in self.specified_flights or ())
+        is_held = any(self.contacts.holds(swing.point.link, swing.first, swing.last) for swing in steps.swings)
+        return not (flies or is_held or any(self._leaves(stance) for stance in self._unspecified(steps)))
+
+    @property
+    def stepping_points(self) -> tuple[Point, ...]:
+        """The sole points that can step: those of the first figure on a free joint with feet, else all; not grasped."""
+        root = free_root(self.figure, self.points)
+        return self.exclude_grasped(self.points if root is None else hanging(self.figure, root, self.points))
 
     def _unspecified(self, steps: Footsteps) -> list[Stance]:
         """Return the stances of steps that specified contacts do not replace."""

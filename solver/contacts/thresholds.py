@@ -43,7 +43,7 @@ class Thresholds:
     ankle: float = _metres(0.002)  # height above the toes of the body that carries them
     as_tall: float = _metres(0.001)  # difference between the heights of equally tall poses
     far_apart: float = _seconds(0.4)  # shortest time between keyframes that is long enough for a step
-    longest_step: float = _metres(0.7)  # longest way of a foot in a step from stand to stand
+    longest_step: float = _metres(0.7)  # largest lead of one foot over the other
     mid_step: float = _metres(0.12)  # height of a foot in the middle of a step, in an initial guess
     turning: float = _metres(
         0.1

@@ -36,7 +36,7 @@ from dynsplines.solver.posing import (
 )
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import height_above, heights
-from dynsplines.solver.surface.points import Point, body_points, places_of
+from dynsplines.solver.surface.points import Point, body_points, hanging, places_of
 
 from ...errors import UserError, unknown
 from ..table import BodyTable, KeyframeTable, SiteTable
@@ -48,7 +48,7 @@ from .standing_feet import Stander
 from .unmet_goals import can_move, immovable
 
 HEADING, BALANCE = 2.0, 100.0  # [1/rad], [1/m] weights of preferences relative to 1 rad of a limb joint
-ALIKE = 0.5  # [1] largest difference of the ways of feet that move alike, relative to their mean
+ALIKE = 0.5  # [1] largest deviation of a foot's displacement from the mean, relative to the mean
 MOST_RISES = 10  # attempts to lift the soles out of the ground
 MOST_TURNED = np.radians(45)  # [rad] rotation of a foot from which its heading is corrected
 
@@ -117,7 +117,8 @@ def with_pose(
 ) -> tuple[Frame, Posed]:
     """Return keyframe k posed for its goals, with the joints on which they depend fixed, and the pose with its errors.
 
-    The pose is the nearest one to the spline through the other keyframes, if possible with feet in their stances.
+    The pose is the nearest one to the spline through the other keyframes, if possible with feet in their stances. If
+    all feet are to move alike, the root moves with them first.
     """
     try:
         path = stander.timeline(keys)
@@ -129,7 +130,7 @@ def with_pose(
         home[columns] = quat.normalised(home[columns])
     also = [*stander.beside(path, key, k, goals), *(_planted(figure, keys[k - 1], goals) if k else ())]
     soles = sole_points(figure, np.reshape([frame.state for frame in keys if frame.is_key], (-1, figure.width)))
-    home = _with_feet(figure, home, ~key.fixed, goals, soles)
+    home = _root_above_feet(figure, home, ~key.fixed, goals, soles)
     is_slow = _speed(figure, path, k) < Thresholds.of(figure).travels
     best = None
     for chosen in ([*goals, *also], goals) if also else (goals,):
@@ -147,25 +148,30 @@ def with_pose(
     return posed_key, best
 
 
-def _with_feet(figure: Figure, home: Array, free: Mask, goals: Sequence[Goal], soles: Sequence[Point]) -> Array:
-    """Return the pose `home` with its root above the feet, if all feet are to move about alike and the root is free.
+def _root_above_feet(figure: Figure, home: Array, free: Mask, goals: Sequence[Goal], soles: Sequence[Point]) -> Array:
+    """Return `home` with the root moved horizontally by the feet's mean displacement.
 
-    Otherwise the legs would stretch back to where the figure stood, and it would crouch.
+    Goals place every foot, all in nearly the same direction and distance, and the root's x and y are free. Otherwise
+    the root would lag behind, and the figure would crouch.
     """
-    root = figure.root
+    root, model = figure.root, figure.model
     if root is None or not root.is_free:
         return home
     across = figure.links[root.link].qpos + np.arange(2)
-    feet = {figure.links[point.link].body for point in soles}
+    feet = {figure.links[point.link].body for point in hanging(figure, root.link, soles)}
     points = [goal for goal in goals if isinstance(goal, PointGoal) and not np.isnan(goal.position[:2]).any()]
-    is_placed = any(isinstance(goal, PointGoal) and goal.index == figure.links[root.link].body for goal in goals)
-    if is_placed or not free[across].all() or not feet or feet != {goal.index for goal in points}:
+    if not free[across].all() or any(goal.index == figure.links[root.link].body for goal in points):
         return home
-    data = kinematics(figure.model, home)
-    by_foot = [
-        np.mean([(goal.position - goal.place(data))[:2] for goal in points if goal.index == foot], axis=0)
-        for foot in sorted(feet)
-    ]
+    data, moves = kinematics(model, home), dict[int, list[Array]]()
+    for goal in points:
+        foot = goal.index
+        while int(model.body_parentid[foot]) in feet:  # toes count for their foot
+            foot = int(model.body_parentid[foot])
+        moves.setdefault(foot, []).append((goal.position - goal.place(data))[:2])
+    legs = {foot for foot in feet if int(model.body_parentid[foot]) not in feet}
+    if not legs or not legs <= moves.keys():
+        return home
+    by_foot = [np.mean(moves[foot], axis=0) for foot in sorted(legs)]
     move = np.mean(by_foot, axis=0)
     is_alike = np.linalg.norm(by_foot - move, axis=1).max() < ALIKE * np.linalg.norm(move)
     if not is_alike or np.linalg.norm(move) < Thresholds.of(figure).strode:

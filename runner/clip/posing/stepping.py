@@ -17,7 +17,7 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import BendLimits, Guide, StancePenalty
-from dynsplines.solver.surface.points import places_of
+from dynsplines.solver.surface.points import free_root, places_of
 
 from .standing_feet import Standing, upright
 
@@ -31,7 +31,7 @@ class SteppingStances(StancePenalty, Guide):
         spans: The times [s] of the keyframes before and after steps.
     """
 
-    is_binding = True  # hands at their places cost less on the raw spline, from which feet do not learn to step
+    is_binding = True  # the raw spline may cost less, as if hands have targets, but its feet slide instead of stepping
     poses: tuple[Frame, ...] = ()
     spans: tuple[tuple[float, float], ...] = ()
 
@@ -59,11 +59,12 @@ class SteppingStances(StancePenalty, Guide):
 
 
 def _stepped(schedule: ContactSchedule, bends: BendLimits, state: Array, places: Array) -> Array:
-    """Return a state (N,) with the sole points at `places` (3, n) [m], as far as legs reach.
+    """Return a state (N,) with the sole points at `places` (3, n) [m], as far as the legs reach.
 
-    The trunk keeps its orientation, and the root, if it is free, moves with the feet.
+    The trunk keeps its orientation. A free root that carries the feet moves with them.
     """
-    figure, points, root = schedule.figure, schedule.points, schedule.root
+    figure, points = schedule.figure, schedule.stepping_points
+    root = free_root(figure, points)
     samples, qpos = Samples.still(figure, state[None]), figure.to_qpos(state)
     if root is not None:
         moves = places - places_of(points, samples)[0][..., 0]
