@@ -9,6 +9,8 @@ import numpy as np
 import pytest
 
 from dynsplines import inbetween, recordings
+from dynsplines.solver.contacts.footsteps import Footsteps, footsteps
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 
 
 def clip(forward: float, left: float = 0.0, turn: float = 0.0, time: float = 1.2, more: str = "") -> str:
@@ -214,3 +216,33 @@ def test_a_raised_foot_lands_before_the_other_one_steps_and_lifts_after_it(is_la
     )
     motion = inbetween(loaded)
     assert not [violation for violation in motion.violations if violation.kind in ("float", "slide", "drag", "stance")]
+
+
+def test_specified_flights_and_contacts_of_the_same_foot_replace_steps():
+    flight = "[[penalty]]\nkind = 'flight'\nintervals = [[0.3, 0.7]]\n"
+    contact = "[[contact]]\npoint = 'left_toe'\nfrom = 0\nto = 0.9\n"
+    assert leading(clip(0.4)) is not None
+    assert leading(clip(0.4, more=flight)) is None
+    assert leading(clip(0.4, more=contact)) is None
+
+
+def times(steps: Footsteps) -> set[tuple[float, float]]:
+    """When the foot that steps first stands."""
+    return {(stance.first, stance.last) for stance in steps.stances if stance.point.link == steps.leading}
+
+
+def test_steps_do_not_depend_on_the_order_of_points():
+    schedule = recordings.from_text(clip(2.0, time=3.0), name="steps").context.schedule
+    soles = KeyframePoints.of(schedule.figure, schedule.keys, schedule.points, schedule.surfaces)
+    ((one, *_),) = footsteps(soles)
+    for order in ((3, 2, 1, 0), (1, 3, 0, 2)):
+        ((other, *_),) = footsteps(soles.with_points([schedule.points[i] for i in order]))
+        assert other.count == one.count
+        assert times(other) == times(one)
+
+
+def test_a_hand_with_a_target_does_not_keep_the_root_behind_the_feet():
+    hand = "sites.left_hand = [1.5, 0.3, 1.2]\n"
+    keys = recordings.from_text(clip(1.2, time=3.0) + hand, name="steps").context.keys
+    assert keys.states[1, 0] - keys.states[0, 0] == pytest.approx(1.2, abs=0.1)
+    assert keys.states[1, 2] == pytest.approx(keys.states[0, 2], abs=0.03)
