@@ -170,8 +170,8 @@ class Context:
         worst, others = int(np.where(lost, moves, 0.0).argmax()), int(lost.sum()) - 1
         more = f", as for {others} more pair{'s' if others > 1 else ''} of keyframes" if others else ""
         return [
-            f"keyframes {worst + 1} and {worst + 2}, {gaps[worst]:.2g} s apart, form no gait cycle, so that no "
-            f"steps are added between them, though every foot moves {moves[worst]:.2g} m{more}; add a keyframe, or "
+            f"keyframes {worst + 1} and {worst + 2}, {gaps[worst]:.2g} s apart, form no gait cycle and leave no "
+            f"time or level ground for steps, though every foot moves {moves[worst]:.2g} m{more}; add a keyframe, or "
             "[[penalty]] kind = 'cycle' with its period"
         ]
 

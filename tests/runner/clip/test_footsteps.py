@@ -29,12 +29,12 @@ def clip(forward: float, left: float = 0.0, turn: float = 0.0, time: float = 1.2
 def leading(text: str) -> str | None:
     """The name of the foot that steps first; None without steps."""
     loaded = recordings.from_text(text, name="steps")
-    doubles = loaded.context.schedule.footsteps
+    inferred = loaded.context.schedule.footsteps
     notes = [note for note in loaded.notes if "so they take" in note]
-    assert len(notes) == len(doubles) <= 1
-    if not doubles:
+    assert len(notes) == len(inferred) <= 1
+    if not inferred:
         return None
-    name = loaded.figure.links[doubles[0].leading].name.removesuffix("_ankle")
+    name = loaded.figure.links[inferred[0].leading].name.removesuffix("_ankle")
     assert f"{name}_ankle first" in notes[0]
     return name
 
@@ -206,12 +206,12 @@ def test_a_raised_foot_lands_before_the_other_one_steps_and_lifts_after_it(is_la
         rows, times = [rows[0], raised(0.3), rows[2]], (0.0, seconds, seconds + 0.3)
     keys = "".join(f"[[keyframe]]\ntime = {t}\nothers = 'rest'\n{row}" for t, row in zip(times, rows, strict=True))
     loaded = recordings.from_text('figure = "human"\n' + keys, name="steps")
-    doubles = loaded.context.schedule.footsteps
+    inferred = loaded.context.schedule.footsteps
     if seconds < 0.6:  # no time for two steps
-        assert not doubles
+        assert not inferred
         return
-    (double,) = doubles
-    assert (double.segment, loaded.figure.links[double.leading].name) == (
+    (steps,) = inferred
+    assert (steps.segment, loaded.figure.links[steps.leading].name) == (
         (1, "right_ankle") if is_landing else (0, "left_ankle")
     )
     motion = inbetween(loaded)
