@@ -243,4 +243,6 @@ def _with_unit(amount: float, unit: str) -> str:
         return f"{1000 * amount:.0f} mm" if amount < 1 else f"{amount:.2f} m"
     if unit == "degrees":
         return f"{amount:.0f}°"
-    return f"{amount:.0f} {unit}" if unit else f"{amount:.2f}"
+    if not unit:
+        return f"{amount:.2f}"
+    return f"{amount:.0f} {unit}" if amount >= 100 else f"{amount:.2g} {unit}"
