@@ -29,17 +29,19 @@ def flights(
 ) -> tuple[Interval, ...]:
     """Return the flights that a timeline of keyframes implies.
 
-    A flight begins at the keyframe in which the last foot leaves the ground, or at the start of the clip in the air. It
-    ends at the keyframe in which the first foot lands, or at the end of the clip. Around keyframes in the air, between
-    others on the ground, it begins and ends between keyframes, see `_Arcs`. No foot stands on one spot in two
-    neighbouring keyframes of it. All keyframes fix the feet, or a height at which no foot reaches the ground. No other
-    point of the `body` touches a surface. A foot that leaves has stood before and is no longer flat on the ground; a
-    foot that lands stands afterwards.
+    A flight begins at the keyframe in which the last foot leaves the ground, or at the start of a clip that begins in
+    the air. It ends at the keyframe in which the first foot lands, or at the end of the clip. If keyframes in the air
+    are between keyframes on the ground, take-off and landing are between keyframes, see `_Arcs`.
 
-    The free fall through both ends rises by at most 0.6 m and passes within 15 cm of the keyframes in between (for an
-    adult, see `Thresholds`). In the segments before and after, the centre of mass rises and sinks with at least a fifth
-    of its speeds at take-off and landing, as it does in a push-off and a landing. Keyframes that set the legs but no
-    height are ignored in a flight between others that imply a push-off and a landing.
+    The feet must allow it. All keyframes of the flight fix the feet, or a height at which no foot reaches the ground.
+    No foot keeps its place in two neighbouring keyframes, and no other point of the `body` touches a surface. A foot
+    that leaves has stood before and is no longer flat on the ground. A foot that lands stands afterwards.
+
+    The motion must be a free fall. It rises by at most 0.6 m and passes within 15 cm of the keyframes in between (for
+    an adult, see `Thresholds`). In the segments before and after, the centre of mass rises and sinks with at least a
+    fifth of its speeds at take-off and landing, as in a push-off and a landing.
+
+    Keyframes that set the legs but no height are ignored in a flight between others that imply push-off and landing.
     """
     figure = soles.figure
     if not soles.points or not soles.surfaces or not figure.gravity.any():
@@ -48,7 +50,7 @@ def flights(
     has_height = _tell_height(root, soles)
     is_posed = soles.keys.known[:, column] & ~has_height
     if is_posed.any():  # such keyframes count if they stand
-        has_height |= is_posed & _Keys.of(soles, stances, body).flat
+        has_height |= is_posed & _KeyContacts.of(soles, stances, body).flat
     with_height = np.flatnonzero(has_height)
     if with_height.size < 2:
         return ()
@@ -56,7 +58,7 @@ def flights(
     times, rising = np.asarray(soles.keys.times), _centre(soles.samples, root)
     ground, tall = _lowest(soles.points, soles.samples) - soles.heights, _tall(figure, root, soles.points)
     is_high = soles.keys.fixed[:, column] & (rising - ground.max(axis=0) > STRETCHED * tall)
-    contact = _Keys.of(soles, stances, body, is_high)
+    contact = _KeyContacts.of(soles, stances, body, is_high)
     arcs = _Arcs.of(figure, times, contact, rising, ground.min(axis=0), tall)
     intervals, first = arcs.single(), 0
     for k in range(times.size - 1):
@@ -76,7 +78,7 @@ def flights(
 
 
 @dataclass(frozen=True)
-class _Keys:
+class _KeyContacts:
     """Contact in keyframes.
 
     free     (K − 1,) segments that nothing carries
@@ -97,7 +99,7 @@ class _Keys:
         stances: Sequence[Stance | Rest],
         body: Sequence[Point],
         high: Mask | bool = False,
-    ) -> _Keys:
+    ) -> _KeyContacts:
         """Return the contacts in keyframes; `high` (K,) is True where no foot reaches the ground, whatever its pose."""
         height, limits = soles.heights, soles.limits
         low = height < limits.near_surface
@@ -156,12 +158,14 @@ class _Arcs:
     times: Array
     rising: Array
     reach: Array
-    contact: _Keys
+    contact: _KeyContacts
     limits: Thresholds
     gravity: float
 
     @classmethod
-    def of(cls, figure: Figure, times: Array, contact: _Keys, rising: Array, ground: Array, tall: float) -> _Arcs:
+    def of(
+        cls, figure: Figure, times: Array, contact: _KeyContacts, rising: Array, ground: Array, tall: float
+    ) -> _Arcs:
         """Return the falls over the ground (K,) [m] below each keyframe, for a figure as tall as `tall` [m] or more."""
         tall = max(tall, float((rising - ground)[contact.touched].max(initial=0.0)))
         gravity = float(np.linalg.norm(figure.gravity))
