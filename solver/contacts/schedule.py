@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -44,19 +44,17 @@ class Contacts:
 
     def overlaps(self, stance: Stance | Rest) -> bool:
         """Return whether a specified contact of the same point overlaps a stance in time."""
-        return any(
-            contact.point.coincides(stance.point)
-            and contact.first < stance.last - ROUNDING
-            and stance.first < contact.last - ROUNDING
-            for contact in (*self.stances, *self.rests)
-        )
+        return any(contact.point.coincides(stance.point) for contact in self._during(stance.first, stance.last))
 
     def holds(self, link: int, first: float, last: float) -> bool:
         """Return whether a specified contact of a link overlaps an interval [s]."""
-        return any(
-            contact.point.link == link and contact.first < last - ROUNDING and first < contact.last - ROUNDING
-            for contact in (*self.stances, *self.rests)
-        )
+        return any(contact.point.link == link for contact in self._during(first, last))
+
+    def _during(self, first: float, last: float) -> Iterator[Stance | Rest]:
+        """Yield the specified contacts that overlap an interval [s]."""
+        for contact in (*self.stances, *self.rests):
+            if contact.first < last - ROUNDING and first < contact.last - ROUNDING:
+                yield contact
 
 
 @dataclass(frozen=True, eq=False)
