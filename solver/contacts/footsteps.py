@@ -8,6 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
+from .. import quaternion as quat
 from ..array import Array
 from ..surface.heights import height_above
 from .keyframe_points import KeyframePoints
@@ -66,7 +67,7 @@ def footsteps(soles: KeyframePoints) -> tuple[tuple[Footsteps, ...], ...]:
     if len(feet) != 2:
         return ()
     limits, spans = soles.limits, np.diff(soles.keys.times)
-    low, high = soles.is_near, (soles.heights > soles.limits.near_surface) & soles.is_known
+    low, high = soles.is_near, (soles.heights > limits.near_surface) & soles.is_known
     stands, raised = (np.array([points_at[foot].all(axis=0) for foot in feet]) for points_at in (low, high))
     least, most = (np.array([end(soles.moves[foot], axis=0) for foot in feet]) for end in (np.min, np.max))
     moves = (least > limits.same_spot) & (most > limits.strode)
@@ -281,8 +282,7 @@ def _patterns(count: int) -> Iterator[tuple[float, ...]]:
 
 def _about_vertical(angle: float) -> Array:
     """Return the matrix (3, 3) of a rotation about the vertical by an angle [rad]."""
-    cos, sin = np.cos(angle), np.sin(angle)
-    return np.array([[cos, -sin, 0], [sin, cos, 0], [0, 0, 1.0]])
+    return quat.matrices(quat.from_rotation_vector(angle * UP))
 
 
 def _feet(soles: KeyframePoints) -> list[list[int]]:

@@ -59,21 +59,26 @@ class KeyframePoints:
     def limits(self) -> Thresholds:
         return Thresholds.of(self.figure)
 
-    @cached_property
+    @property
     def links(self) -> Index:
         """The links of the points, (n,)."""
-        return arrays_of(self.points)[0]
+        return self._arrays[0]
 
-    @cached_property
+    @property
     def radii(self) -> Array:
         """The radii of the points, (n,) [m]."""
-        return arrays_of(self.points)[2]
+        return self._arrays[2]
 
     @cached_property
     def centres(self) -> Array:
         """The centres of the points, (3, n, K) [m]."""
-        links, positions, _ = arrays_of(self.points)
+        links, positions, _ = self._arrays
         return self.samples.links.points(links, positions)[0]
+
+    @cached_property
+    def _arrays(self) -> tuple[Index, Array, Array]:
+        """Links (n,), positions (3, n) and radii (n,) of the points."""
+        return arrays_of(self.points)
 
     @cached_property
     def moves(self) -> Array:
