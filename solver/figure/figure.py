@@ -175,6 +175,15 @@ class Figure:
             state[..., columns] = relative
         return state
 
+    def to_state_near(self, qpos: ArrayLike, states: Array) -> Array:
+        """Return `to_state` with every quaternion on the hemisphere of that in `states` (..., N)."""
+        out = self.to_state(qpos)
+        for columns in self.tables.quaternion_columns.T:
+            out[..., columns] *= np.where(np.sum(out[..., columns] * states[..., columns], axis=-1) < 0, -1, 1)[
+                ..., None
+            ]
+        return out
+
     def to_qpos(self, state: ArrayLike) -> Array:
         """Return configurations (..., nq), with unit quaternions, of states (..., N) with quaternions of any length."""
         state = np.asarray(state, float)

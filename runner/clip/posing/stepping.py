@@ -75,7 +75,4 @@ def _stepped(schedule: ContactSchedule, bends: BendLimits, state: Array, places:
         turn = quat.from_matrix(samples.links.rotation[:, :, link, 0])
         goals += Standing(tuple(points[i] for i in foot), places[:, foot].T, turn).goals(figure)
     pose = upright(figure, qpos, np.ones(figure.width, bool), goals, bends)
-    stepped = figure.to_state(pose.qpos)
-    for columns in figure.tables.quaternion_columns.T:
-        stepped[columns] *= -1 if stepped[columns] @ state[columns] < 0 else 1
-    return stepped
+    return figure.to_state_near(pose.qpos, state)

@@ -90,12 +90,7 @@ class OvershootPenalty(JointRange, Guide):
                 qpos[during, columns] = joint.home
             else:
                 qpos[during, link.qpos + joint.column] = 0.5 * (joint.low + joint.high)
-        held_states = self.figure.to_state(qpos)
-        for columns in self.figure.tables.quaternion_columns.T:
-            held_states[:, columns] *= np.where(
-                np.sum(held_states[:, columns] * states[:, columns], axis=1) < 0, -1, 1
-            )[:, None]
-        return held_states
+        return self.figure.to_state_near(qpos, states)
 
 
 def root_limits(holds: Holds, times: Array, durations: Array) -> JointRange | None:

@@ -105,9 +105,7 @@ class Cycle(Guide):
         target = self._at(times)[0]
         qpos[:, pose_map.columns.T] = target[:, : self._turns].reshape(times.size, pose_map.links.size, 4)
         qpos[:, self._columns[0]] = target[:, self._turns :]
-        states = self.figure.to_state(qpos)
-        for columns in self.figure.tables.quaternion_columns.T:
-            states[:, columns] *= np.where(np.sum(states[:, columns] * plain[:, columns], axis=1) < 0, -1, 1)[:, None]
+        states = self.figure.to_state_near(qpos, plain)
         return np.where(self._covers(times)[:, None], states, plain)
 
     @property
