@@ -27,6 +27,7 @@ from .penalty.penalty import instants_of
 
 # see `tension`: LONG [s] time between keyframes from which tension rises; exponent of the rise; upper limit of tension
 LONG, TENSION_POWER, MAX_TENSION = 0.25, 4.0, 8.0
+FROM_REST = 0.3  # [1] share of the first or the last segment over which tension rises from an end at rest
 SMALL_SHARE = 0.01  # [1] share of the clip's length in the smallest divisor of a term, see `renormalised`
 # [1] see `_typical`: percentile of segment means, cap in multiples of that percentile, smallest share of an integral
 MOST_OF_TIME, VIOLENT, LEAST_TYPICAL = 0.8, 4.0, 0.1
@@ -61,6 +62,7 @@ class Objective:
             which would make tolerances loose.
         key_times: Times of the keyframes, (K,) [s], from which tension is computed. If None, the tension is 1
             everywhere.
+        at_rest: Whether the figure is at rest at the first and at the last keyframe, as end conditions.
     """
 
     figure: Figure
@@ -68,6 +70,7 @@ class Objective:
     quadrature: Quadrature = field(default_factory=Quadrature)
     heavy: float = np.inf
     key_times: Array | None = None
+    at_rest: tuple[bool, bool] = (False, False)
 
     @classmethod
     def of(
@@ -167,15 +170,21 @@ class Objective:
         """Return the dimensionless tension (S,) at times t (S,) [s].
 
         The tension is 1 where neighbouring keyframes are at most LONG apart. Beyond LONG, it rises with the fourth
-        power of the time between them, up to MAX_TENSION. Keyframes that are far
-        apart determine the acceleration between them poorly. Acceleration terms are divided by the tension there, so
-        that joints do not overshoot, see `Normalization.by_tension`.
+        power of the time between them, up to MAX_TENSION. Keyframes that are far apart determine the acceleration
+        between them poorly. Acceleration terms are divided by the tension there, so that joints do not overshoot, see
+        `Normalization.by_tension`. Next to an end at rest, tension rises gradually, so that the figure does not start
+        or stop with a jerk.
         """
         if self.key_times is None:
             return np.ones(t.size)
-        segment = np.searchsorted(self.key_times, t, side="right").clip(1, self.key_times.size - 1) - 1
-        gaps = np.diff(self.key_times)[segment]
-        return ((gaps / (LONG * Size.of(self.figure).time)) ** TENSION_POWER).clip(1.0, MAX_TENSION)
+        segment = segments_at(self.key_times, t)
+        gaps = np.diff(self.key_times)
+        tension = ((gaps / (LONG * Size.of(self.figure).time)) ** TENSION_POWER).clip(1.0, MAX_TENSION)[segment]
+        for at_rest, end, first in zip(self.at_rest, (0, -1), (0, gaps.size - 1), strict=True):
+            if at_rest:
+                share = np.abs(t - self.key_times[end]) / (FROM_REST * gaps[end])
+                tension = np.where(segment == first, 1 + (tension - 1) * share.clip(0, 1), tension)
+        return tension
 
     def factor(self, term: Term, t: Array) -> Array:
         """Return `term.factor` times the power of tension in its normalization, at times t (S,) [s]; (S,)."""

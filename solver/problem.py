@@ -159,8 +159,9 @@ def renormalised(objective: Objective, raw: Timeline) -> Objective:
     """
     guide = guide_of(objective)
     out = objective.renormalised(path_of(raw), None if guide is None else path_of(guide.initial_guess(raw, None)))
-    is_tense = any(isinstance(term.penalty, Posture) and term.weight > 0 for term in objective.terms)
-    return replace(out, key_times=raw.times) if is_tense else out
+    if not any(isinstance(term.penalty, Posture) and term.weight > 0 for term in objective.terms):
+        return out
+    return replace(out, key_times=raw.times, at_rest=raw.at_rest)
 
 
 @dataclass(frozen=True)

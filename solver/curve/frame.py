@@ -163,6 +163,12 @@ class Timeline:
         return self.ends in ("free", "clamped end"), self.ends in ("free", "clamped start")
 
     @property
+    def at_rest(self) -> tuple[bool, bool]:
+        """Whether the slopes at the start and at the end are given as zero."""
+        start, end = ~self.end_slope.any(axis=1) & ~np.array(self.free_slopes) & (self.ends != "periodic")
+        return bool(start), bool(end)
+
+    @property
     def width(self) -> int:
         """N, the number of entries of a state."""
         return self.frames[0].state.size

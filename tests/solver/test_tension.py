@@ -108,6 +108,19 @@ def test_joints_overshoot_less_between_keyframes_that_are_farther_apart():
     assert long < 0.5 * plain[0]
 
 
+def test_a_joint_starts_and_stops_gently():
+    """From rest to rest, the spline of least acceleration has a peak of 6 rad/s² for a turn of 1 rad in 1 s."""
+    figure = figure_of(CHAIN.format("ball"))
+    bent = quat.from_rotation_vector(np.array([0, 1.0, 0]))
+    keys = [Frame.key(0.0, [1, 0, 0, 0, 1, 0, 0, 0]), Frame.key(1.0, np.concatenate([[1, 0, 0, 0], bent]))]
+    slope = np.zeros((2, figure.width))
+    problem = Problem(figure, keys, PENALTIES, Settings(tolerance=1e-6), ends="clamped", end_slope=slope)
+    motion, t = inbetween(problem), np.linspace(0, 1, 501)
+    angle = quat.angle_between(np.array([1.0, 0, 0, 0]), motion.at(t)[:, 4:])
+    assert np.abs(np.gradient(np.gradient(angle, t), t)[2:-2]).max() < 9
+    assert problem.objective.at_rest == (True, True)
+
+
 def test_only_the_soft_constraint_of_posture_brings_it():
     figure, keys = hinged(), hinge_keys()
     with_posture, without = (Problem(figure, keys, PENALTIES[:count]).objective for count in (4, 3))
