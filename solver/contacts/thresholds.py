@@ -102,7 +102,7 @@ class Thresholds:
     floor_level: float = _metres(0.05)  # range of ground heights that count as level
     low: float = _metres(0.04)  # height above the lowest height of a sole that is to stand
     any_period: tuple[float, float] = field(default=(0.3, 3.0), metadata={"time": 1})  # without travel
-    smooth: float = _seconds(0.25)  # correlation time of motion that is not periodic
+    smooth: float = _seconds(0.18)  # correlation time of motion that is not periodic
     alike: tuple[float, ...] = field(default=(0.15, 0.25, 0.5, 1.0), metadata={"time": 1})  # of rival models
     tick: float = _seconds(0.02)  # between the poses of a cycle
     height_turn: float = _of(5.0, -1, 0)  # [rad/m] rotation of a joint as large as a metre of height
