@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
@@ -12,7 +13,7 @@ from .. import quaternion as quat
 from ..array import Array
 from ..surface.heights import height_above
 from .keyframe_points import KeyframePoints
-from .stance import Rest, Stance
+from .stance import Stance
 from .steps import same_leg
 
 OVERLAP = 0.08  # [1] half of the time on both feet between two steps, relative to the time of a step
@@ -23,8 +24,25 @@ PASSING = 0.25  # [1] largest lead sideways of a foot that overtakes the other o
 SIDEWAYS = 0.05  # [1] travel to the side, relative to all travel, from which it decides which foot steps first
 MOST_TRIED = 4  # patterns of steps that are tried if there is no ground for them
 ROUNDING = 1e-9  # [s] rounding tolerance of times
+CLEAR = 0.4  # [1] least height of a foot in the middle of a step, relative to that of the initial guess
 STEEP = 0.3  # [1] height of a foot in the middle of a short step, relative to its length
 UP = np.array([0.0, 0, 1])
+
+
+@dataclass(frozen=True)
+class Swing(Stance):
+    """A point of a foot that takes a step from `spot` to `landed`.
+
+    Attributes:
+        height: How far the point stays above the line between them in the middle of the step, at least [m].
+    """
+
+    height: float = 0.0
+
+    def lowest(self, t: Array) -> Array:
+        """Return the smallest height of the point at times t (S,) [s], (S,) [m]."""
+        share = (t - self.first) / (self.last - self.first)
+        return np.asarray(self.place(t)[2] + self.height * np.sin(np.pi * share) ** 2)
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +54,7 @@ class Footsteps:
         leading: The link of the foot that steps first.
         count: The number of steps.
         stances: The stances before, between and after the steps.
-        swings: The points of the feet, each with an interval in which it moves.
+        swings: The movements of the points of the feet between the stances.
         poses: Times [s] in the middle of each step and between steps, with positions (3, n) [m] of all sole points for
             the initial guess.
     """
@@ -45,7 +63,7 @@ class Footsteps:
     leading: int
     count: int
     stances: tuple[Stance, ...]
-    swings: tuple[Rest, ...]
+    swings: tuple[Swing, ...]
     poses: tuple[tuple[float, Array], ...]
 
 
@@ -179,17 +197,22 @@ class _Walk:
         overlap = OVERLAP * (end - begin) / count
         lifts, lands = times[:-1] + overlap, times[1:] - overlap
         lifts[0], lands[-1] = begin if is_landing else lifts[0], end if is_lifting else lands[-1]
-        stances, swings = list[Stance](), list[Rest]()
+        stances, swings = list[Stance](), list[Swing]()
         for first in (0, 1):
             turns = range(first, count, 2)
             bounds = [begin, *(t for j in turns for t in (float(lifts[j]), float(lands[j]))), end]
             landed = 0.0, *(shares[j] for j in turns)
+            heights = [CLEAR * self._raised(first, after - before) for before, after in pairwise(landed)]
             for i in self._foot(first):
-                swings += [Rest(self.soles.points[i], float(lifts[j]), float(lands[j])) for j in turns]
-                for share, start, stop in zip(landed, bounds[::2], bounds[1::2], strict=True):
+                point, spots = self.soles.points[i], [self._place(i, share) for share in landed]
+                for spot, start, stop in zip(spots, bounds[::2], bounds[1::2], strict=True):
                     if start < stop:
-                        spot = self._place(i, share)
-                        stances.append(Stance(self.soles.points[i], start, stop, spot, spot, FIRM))
+                        stances.append(Stance(point, start, stop, spot, spot, FIRM))
+                for way, start, stop, height in zip(
+                    pairwise(spots), bounds[1:-1:2], bounds[2::2], heights, strict=True
+                ):
+                    is_whole = not ((is_landing and start == begin) or (is_lifting and stop == end))
+                    swings.append(Swing(point, start, stop, *way, height=height * is_whole))
         leading = int(self.soles.links[self.leading[0]])
         poses = tuple(self._poses(shares, times))
         return Footsteps(self.k, leading, count, tuple(stances), tuple(swings), poses)
@@ -199,8 +222,7 @@ class _Walk:
         at = [0.0, 0.0]  # the fractions of the way of the two feet
         for j, share in enumerate(shares):
             for is_landed, time in ((False, times[j : j + 2].mean()), (True, times[j + 1])):
-                step = abs(share - at[j % 2]) * float(self.soles.moves[self._foot(j), self.k].max())
-                raised = min(STEEP * step, self.soles.limits.mid_step) * UP * (not is_landed)
+                raised = self._raised(j, share - at[j % 2]) * UP * (not is_landed)
                 at[j % 2] = share if is_landed else (at[j % 2] + share) / 2
                 places = np.empty((3, len(self.soles.points)))
                 for foot in (0, 1):
@@ -208,6 +230,11 @@ class _Walk:
                         places[:, i] = self._place(i, at[foot]) + raised * (foot == j % 2)
                 if j + 1 < len(shares) or not is_landed:
                     yield float(time), places
+
+    def _raised(self, step: int, share: float) -> float:
+        """Return the height [m] of a foot in the middle of a step over a fraction of its way, in the initial guess."""
+        length = abs(share) * float(self.soles.moves[self._foot(step), self.k].max())
+        return min(STEEP * length, self.soles.limits.mid_step)
 
     def _foot(self, step: int) -> list[int]:
         """Return the points of the foot that takes a step."""

@@ -6,6 +6,7 @@ initial guess has poses in the middle of steps and between them, see `Footsteps.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,10 +14,13 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import ContactSchedule, Stance
+from dynsplines.solver.contacts.footsteps import Swing
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.algebra import applied
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import BendLimits, Guide, StancePenalty
+from dynsplines.solver.figure.wrenches import of_point
+from dynsplines.solver.penalty import BendLimits, Block, Guide, StancePenalty
 from dynsplines.solver.surface.points import free_root, places_of
 
 from .standing_feet import Standing, upright
@@ -24,14 +28,19 @@ from .standing_feet import Standing, upright
 
 @dataclass(frozen=True)
 class SteppingStances(StancePenalty, Guide):
-    """The stances of a clip with footsteps.
+    """The stances of a clip with footsteps, and the squared depths [m²] of points below `Swing.lowest` in steps.
+
+    Without these depths, the search would press feet to the ground that the initial guess raises, as low feet need less
+    acceleration, and slipping costs nothing at the height of the guess.
 
     Attributes:
+        swings: The movements of sole points in steps.
         poses: Variable frames in the poses of the steps.
         spans: The times [s] of the keyframes before and after steps.
     """
 
     is_binding = True  # the raw spline may cost less, as if hands have targets, but its feet slide instead of stepping
+    swings: tuple[Swing, ...] = ()
     poses: tuple[Frame, ...] = ()
     spans: tuple[tuple[float, float], ...] = ()
 
@@ -44,7 +53,19 @@ class SteppingStances(StancePenalty, Guide):
             for state, (time, places) in zip(states, steps.poses, strict=True):
                 poses.append(Frame.variable(time, _stepped(schedule, bends, state, places)))
         segments = [steps.segment for steps in schedule.footsteps]
-        return cls(stances, tuple(poses), tuple((float(times[k]), float(times[k + 1])) for k in segments))
+        swings = tuple(swing for steps in schedule.footsteps for swing in steps.swings if swing.height)
+        return cls(stances, swings, tuple(poses), tuple((float(times[k]), float(times[k + 1])) for k in segments))
+
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        yield from super().residuals(samples)
+        for swing in self.swings:
+            at = np.flatnonzero((samples.t > swing.first) & (samples.t < swing.last))
+            link = np.full(at.size, swing.point.link)
+            origin, rotation = samples.links.poses(link * samples.count + at)
+            offset = applied(rotation, np.tile(swing.point.position[:, None], at.size))
+            depth = swing.lowest(samples.t[at]) - (origin + offset)[2]
+            down = np.tile([[0.0], [0.0], [-1.0]], at.size)
+            yield Block(at, depth, (of_point(at, link, offset, down),), one_sided=True)
 
     def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
         """Return the timeline with the poses of steps instead of its variable frames there, if `most` permits it."""

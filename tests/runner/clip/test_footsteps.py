@@ -7,10 +7,13 @@ from itertools import pairwise
 import mujoco
 import numpy as np
 import pytest
+from penalty_slope import penalty_slope
 
 from dynsplines import inbetween, recordings
 from dynsplines.solver.contacts.footsteps import Footsteps, footsteps
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.penalty import StancePenalty
 
 
 def clip(forward: float, left: float = 0.0, turn: float = 0.0, time: float = 1.2, more: str = "") -> str:
@@ -159,6 +162,25 @@ def test_a_figure_walks_between_two_keyframes(move):
     standing = speed.max(axis=2).min(axis=1)  # of the foot that moves less
     assert np.quantile(standing, 0.95) < 0.25
     assert not [v for v in motion.violations if v.kind in ("float", "slide", "drag", "stance", "penetration")]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("move", [{"forward": 0.1, "time": 1.0}, {"forward": 0.4, "time": 0.8}])
+def test_feet_do_not_drag_over_the_ground_in_short_steps(move):
+    motion = inbetween(recordings.from_text(clip(**move), name="steps"))
+    assert not [v for v in motion.violations if v.kind in ("float", "slide", "drag", "stance", "penetration")]
+
+
+def test_feet_that_slide_cost_as_much_as_they_are_too_low(rng):
+    """In the middle of a step of 40 cm, two points of a foot are 0.4 · 12 cm too low on the ground."""
+    loaded = recordings.from_text(clip(0.4), name="steps")
+    penalty = next(penalty for penalty, _ in loaded.problem.penalties if penalty.name == "attach.stance")
+    path, swing = path_of(loaded.problem.raw), loaded.context.schedule.footsteps[0].swings[0]
+    middle = loaded.problem.objective.samples(path, np.array([(swing.first + swing.last) / 2]))
+    assert isinstance(penalty, StancePenalty)
+    on_ground, planted = penalty.evaluate(middle), StancePenalty(penalty.stances).evaluate(middle)
+    np.testing.assert_allclose(on_ground - planted, 2 * (0.4 * 0.12) ** 2, rtol=0.1)
+    assert penalty_slope(penalty, loaded.problem.objective.samples(path, np.linspace(0.02, 1.18, 24)), rng) > 1.95
 
 
 @pytest.mark.slow
