@@ -20,7 +20,6 @@ from dynsplines.solver.penalty import (
     Bend,
     BendLimits,
     Between,
-    Bound,
     Contact,
     CouplingPenalty,
     CovariantAcceleration,
@@ -45,6 +44,7 @@ from dynsplines.solver.penalty import (
     StancePenalty,
     Sum,
     Support,
+    Swings,
     Torque,
     UnitMagnitude,
     Upright,
@@ -310,10 +310,8 @@ def _contact(context: Context, options: Options) -> Penalty | None:
 def _no_slip(context: Context, options: Reach) -> Penalty | None:
     if not context.points:
         return None
-    schedule = context.schedule
-    durations, swings = schedule.step_durations, not schedule.flights
-    bound = Bound.of(context.figure, context.keys, context.points, durations, swings=swings)
-    return Skate(context.points, context.surfaces, options.reach or Thresholds.of(context.figure).slip_reach, bound)
+    swings = None if context.schedule.flights else Swings.of(context.figure, context.keys, context.points)
+    return Skate(context.points, context.surfaces, options.reach or Thresholds.of(context.figure).slip_reach, swings)
 
 
 def _grounded(context: Context, options: Reach) -> Penalty | None:

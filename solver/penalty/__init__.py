@@ -23,8 +23,8 @@ from .ground.placement import Placed as Placed
 from .ground.placement import Placement as Placement
 from .ground.rest import RestPenalty as RestPenalty
 from .ground.rest import Rolling as Rolling
-from .ground.skate import Bound as Bound
 from .ground.skate import Skate as Skate
+from .ground.skate import Swings as Swings
 from .ground.stance import StancePenalty as StancePenalty
 from .ground.support import Support as Support
 from .joints.bend import Bend as Bend

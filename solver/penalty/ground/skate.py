@@ -11,7 +11,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ...array import Array, Index, segments_at
+from ...array import Array, Index, Mask, segments_at
 from ...contacts.keyframe_points import KeyframePoints
 from ...contacts.thresholds import Thresholds
 from ...curve.frame import Timeline
@@ -31,50 +31,30 @@ WORTH = 1e-3  # [m² rad⁻² s²] reference value: 3 cm/s of a point on the gro
 
 
 @dataclass(frozen=True, eq=False)
-class Bound:
-    """Factors of the penalty of n points in the segments between keyframes.
+class Swings:
+    """Segments between keyframes in which points belong to a swinging foot, which may pass low over the ground.
 
     Attributes:
         times: The times of the keyframes, (K,) [s].
-        shares: The factor of every point in every segment, from 0 to 1, (n, K − 1).
+        is_swing: Whether each of the n points swings in each segment, (n, K − 1).
     """
 
     times: Array
-    shares: Array
+    is_swing: Mask
 
     @classmethod
-    def of(
-        cls,
-        figure: Figure,
-        keys: Timeline,
-        points: Sequence[Point],
-        durations: Array | None = None,
-        *,
-        swings: bool = True,
-    ) -> Bound:
-        """Return the factors of points.
+    def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point]) -> Swings:
+        """Return the segments of at most 0.25 s in which points move by more than 8 cm between keyframes.
 
-        In segments with more than 0.45 s for a step, the factor falls with the square of this time, because feet may
-        take more steps between the keyframes. If `swings` is set, the factor is zero in segments of at most 0.25 s in
-        which the point moves by more than 8 cm. Such a point belongs to a swinging foot, which may pass low over the
-        ground. The two times and the distance are those of an adult. They are scaled to the size of the figure.
-
-        Args:
-            durations: The time for a step in each segment, (K − 1,) [s]; None: all of the segment.
+        Time and distance are those of an adult. They are scaled to the size of the figure.
         """
-        spans, limits = np.diff(keys.times), Thresholds.of(figure)
-        shares = np.tile(
-            np.minimum(1.0, (limits.long / (spans if durations is None else durations)) ** 2), (len(points), 1)
-        )
-        if swings:
-            feet = KeyframePoints.of(figure, keys, points)
-            is_swing = (feet.moves > limits.strode) & feet.is_known[:, 1:] & feet.is_known[:, :-1]
-            shares[is_swing & (spans <= limits.shortly)] = 0.0
-        return cls(keys.times, shares)
+        feet, limits = KeyframePoints.of(figure, keys, points), Thresholds.of(figure)
+        moves = (feet.moves > limits.strode) & feet.is_known[:, 1:] & feet.is_known[:, :-1]
+        return cls(keys.times, moves & (np.diff(keys.times) <= limits.shortly))
 
-    def at(self, t: Array) -> Array:
-        """Return the factors of the points at times t (S,) [s], (n, S)."""
-        return self.shares[:, segments_at(self.times, t)]
+    def at(self, t: Array) -> Mask:
+        """Return whether the points swing at times t (S,) [s], (n, S)."""
+        return self.is_swing[:, segments_at(self.times, t)]
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,13 +105,13 @@ class Skate(Penalty):
 
     Attributes:
         reach: The height at which the weight of a point is 1/e of the weight on the surface [m].
-        bound: Factors over time that multiply the weights by height; None: 1.
+        swings: Segments in which points may slip; None: none.
     """
 
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
     reach: float = Thresholds.slip_reach
-    bound: Bound | None = None
+    swings: Swings | None = None
 
     name = "no_slip"
     role = Role.CONTACT
@@ -180,4 +160,4 @@ class Skate(Penalty):
     def _weight(self, height: Array, t: Array) -> Array:
         """Return the weights (n, S) of points at heights (n, S) over the ground, relative to the reach."""
         near = np.exp(-height * (height + 0.5) / 1.5)
-        return near if self.bound is None else near * self.bound.at(t)
+        return near if self.swings is None else np.where(self.swings.at(t), 0.0, near)

@@ -65,17 +65,6 @@ def test_the_value_by_hand(figure, rng):
     assert np.count_nonzero(expected) > 1
 
 
-def test_the_minimum_is_sharper_between_keyframes_that_are_far_apart_in_time(figure, rng):
-    samples, grounded = case(figure, rng)
-    grounded = replace(grounded, key_times=np.array([0.0, 0.3, 0.5, 1.5]), long=0.25)
-    blend = 0.2 * np.array([1, 0.25 / 0.3, 1, 1, 1, 1]) ** 2
-    blend[4:] = 0.2 * 0.2
-    low = lowest(samples, grounded, blend)
-    expected = np.where([False, True, True, False, True, True], 0.64 * (1 - np.exp(-((low / 0.8) ** 2))), 0)
-    np.testing.assert_allclose(grounded.evaluate(samples), expected, rtol=1e-9)
-    assert penalty_slope(grounded, samples, rng) > 1.95
-
-
 def test_without_points_or_surfaces_nothing_hovers(figure, rng):
     samples, hover = case(figure, rng)
     assert not replace(hover, points=(), intervals=((0.0, 1.0),)).evaluate(samples).any()

@@ -8,7 +8,6 @@ from figures import BALL, figure_of
 from penalty_slope import penalty_slope
 from random_samples import random_samples
 
-from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
@@ -16,7 +15,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, Skate, UnitMagnitude
-from dynsplines.solver.penalty.ground.skate import Bound
+from dynsplines.solver.penalty.ground.skate import Swings
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point, places_of
@@ -123,24 +122,14 @@ def stepping(rest: float) -> tuple[Figure, Timeline]:
 
 def test_a_point_that_comes_far_between_near_keyframes_swings():
     figure, keys = stepping(0.4)
-    bound = Bound.of(figure, keys, (Point("sole", 1, np.array([0.0, 0, -0.1])),))
-    np.testing.assert_array_equal(bound.at(np.array([0.1, 0.3, 0.7])), [[0, 1, 1]])
+    swings = Swings.of(figure, keys, (Point("sole", 1, np.array([0.0, 0, -0.1])),))
+    np.testing.assert_array_equal(swings.at(np.array([0.1, 0.3, 0.7])), [[True, False, False]])
 
 
-def test_nothing_swings_where_nobody_told_where_the_foot_is():
+def test_nothing_swings_where_no_keyframe_specifies_the_foot():
     figure, keys = stepping(0.4)
     loose = Timeline(tuple(Frame.key(f.time, f.state, np.zeros(7, bool)) for f in keys.frames), keys.end_slope)
-    assert np.all(Bound.of(figure, loose, (Point("sole", 1, np.zeros(3)),)).shares == 1)
-    assert np.all(Bound.of(figure, keys, (Point("sole", 1, np.zeros(3)),), swings=False).shares == 1)
-
-
-def test_what_stands_is_told_the_less_the_longer_nobody_tells():
-    figure, keys = stepping(1.8)
-    bound = Bound.of(figure, keys, (Point("sole", 1, np.zeros(3)),), swings=False)
-    np.testing.assert_allclose(
-        bound.at(np.array([0.1, 0.3, 0.7, 2.5])),
-        [[1, 1, (Thresholds().long / 1.8) ** 2, (Thresholds().long / 1.8) ** 2]],
-    )
+    assert not Swings.of(figure, loose, (Point("sole", 1, np.zeros(3)),)).is_swing.any()
 
 
 def test_a_point_that_swings_is_as_fast_as_it_likes(rng):
@@ -150,6 +139,6 @@ def test_a_point_that_swings_is_as_fast_as_it_likes(rng):
     y = np.tile([0.0, 0, 0.15, 1, 0, 0, 0], (2, 1))
     y_d = rng.normal(size=y.shape)
     samples = Samples(figure, y, y_d, 0 * y, t=t)
-    free, all_ = Skate(points, (floor,), bound=Bound.of(figure, keys, points)), Skate(points, (floor,))
+    free, all_ = Skate(points, (floor,), swings=Swings.of(figure, keys, points)), Skate(points, (floor,))
     np.testing.assert_array_equal(free.evaluate(samples), all_.evaluate(samples) * [0, 1])
     assert penalty_slope(free, samples, rng) > 1.95
