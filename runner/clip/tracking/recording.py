@@ -23,7 +23,6 @@ from dynsplines.solver.edit.retime import repeated
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import TrackingPenalty
-from dynsplines.solver.penalty.motion.tracking import FINEST
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.surface.points import Point, placed, places_of
 
@@ -38,6 +37,13 @@ EASE = 0.4  # [s] default of `blend`
 DETAIL = 0.02  # [1] cost per segment of detail that the spline may lose, less than 1 mm; see `TrackingPenalty.times`
 INNER, MARGIN = 0.75, 6  # share of a blend within which frames are free; fixed frames from there to its end
 EXACT = 2e-4  # [m], [1] error in entries of the state (0.02° in a quaternion) above which a fixed frame is inserted
+# end conditions, by whether the slopes at the start and at the end are those of the recording
+ENDS = {
+    (True, True): "clamped",
+    (True, False): "clamped start",
+    (False, True): "clamped end",
+    (False, False): "free",
+}
 TOLERANCE = 1e-3  # [1] progress relative to E at which a search ends; small, because an edit starts far from its goal
 
 
@@ -101,7 +107,15 @@ class TrackedRecording:
         weights = [(p, self.table.weight * w if p is near else w) for p, w in unweighted.penalties]
         keys = [self._fixed_outside_blends(frame, edits) for frame in unweighted.keys]
         settings = replace(unweighted.settings, tolerance=TOLERANCE)
-        return replace(unweighted, keys=tuple(keys), penalties=tuple(weights), settings=settings)
+        as_recorded = tuple(self.table.blend is not None and self._is_far(t, edits) for t in self.recorded.path.span)
+        return replace(
+            unweighted,
+            keys=tuple(keys),
+            penalties=tuple(weights),
+            settings=settings,
+            ends=ENDS[as_recorded],
+            end_slope=self.recorded.path.at(np.array(self.recorded.path.span), 1),
+        )
 
     def _warped(self, edits: Sequence[Frame]) -> RecordedMotion:
         """Return the recording warped to the poses of keyframes (A. Witkin and Z. Popović 1995). The warp is per joint,
@@ -128,7 +142,7 @@ class TrackedRecording:
         reach = INNER * self.table.blend
         first, last = self.recorded.path.span
         margin = np.linspace(reach, self.table.blend, MARGIN)
-        beside = [first + FINEST, last - FINEST, *(e.time + offset for e in edits for offset in (*margin, *-margin))]
+        beside = [e.time + offset for e in edits for offset in (*margin, *-margin)]
         knots = np.concatenate([self._exact_knots(), np.clip(beside, first, last)])
         far = [np.all([np.abs(t - edit.time) >= reach - ROUNDING for edit in edits], axis=0) for t in (times, knots)]
         frames = np.unique(np.concatenate([times[~far[0]], knots[far[1]]])) if edits else knots
@@ -148,10 +162,13 @@ class TrackedRecording:
 
     def _fixed_outside_blends(self, frame: Frame, edits: Sequence[Frame]) -> Frame:
         """Return a frame, fixed if it is outside all blends."""
-        if self.table.blend is None or frame.fixed.any():
+        if self.table.blend is None or frame.fixed.any() or not self._is_far(frame.time, edits):
             return frame
-        far = all(abs(frame.time - edit.time) >= INNER * self.table.blend for edit in edits)
-        return Frame.key(frame.time, frame.state) if far else frame
+        return Frame.key(frame.time, frame.state)
+
+    def _is_far(self, time: float, edits: Sequence[Frame]) -> bool:
+        """Return whether a time [s] is outside all blends."""
+        return all(abs(time - edit.time) >= INNER * self.width for edit in edits)
 
     def _is_void(self, rest: Rest, edits: Sequence[Frame], specified: Sequence[Rest]) -> bool:
         """Return whether a stance of the recording is invalid in the clip, or outside all blends."""

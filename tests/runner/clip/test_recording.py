@@ -85,6 +85,33 @@ def test_a_reach_is_exact_and_changes_nothing_beyond_its_blend(folder, saved, tm
     np.testing.assert_allclose(np.abs(own_state[key.fixed]), np.abs(key.state[key.fixed]), atol=1e-12)
 
 
+def test_a_recording_that_starts_and_stops_abruptly_stays_the_same_beyond_a_blend(tmp_path):
+    """A loop of three keyframes, whose legs have large accelerations at its ends."""
+    joints = [f"{side}_hip = {{rotvec = [0, {angle}, 0]}}" for side, angle in (("left", -25), ("right", 15))]
+    ahead = f"joints = {{{', '.join(joints)}}}"
+    back = ahead.replace("left", "other").replace("right", "left").replace("other", "right")
+    rows = [
+        f'[[keyframe]]\ntime = {t}\nroot.position = [{x}, 0, 0.9]\n{legs}\nothers = "rest"\n'
+        for t, x, legs in ((0.0, 0.0, ahead), (0.5, 0.4, back), (1.0, 0.8, ahead))
+    ]
+    loop = dynsplines.inbetween(
+        recordings.from_text('figure = "human"\n[solve]\nends = "periodic"\n' + "".join(rows), name="loop")
+    )
+    loop.save(tmp_path / "loop.npz")
+    edit = (
+        'figure = "human"\n[recording]\nfile = "loop.npz"\nblend = 0.15\n'
+        "[[keyframe]]\ntime = 0.5\njoints.right_shoulder = {rotvec = [-60, 0, 0]}\n"
+    )
+    clip = recordings.from_text(edit, name="edit", folder=tmp_path)
+    times = np.linspace(0, 1, 501)
+    edited, original = (
+        bodies(clip.figure, path_of(timeline), times)[0]
+        for timeline in (inbetween(clip.problem).timeline, motion.load(tmp_path / "loop.npz").timeline)
+    )
+    beyond = np.abs(times - 0.5) > 0.15
+    assert np.linalg.norm(edited - original, axis=2)[beyond].max() < 0.001
+
+
 @pytest.mark.slow
 def test_without_keyframes_the_motion_is_the_recording(folder, saved):
     clip = recordings.from_text(BARE, name="bare", folder=folder)
