@@ -89,7 +89,7 @@ class Gait:
 
     @property
     def _cycle_of_all(self) -> GaitCycle | None:
-        if not (self._may_walk and self._is_level):
+        if not (self._may_walk and self._is_level and self._raises_feet):
             return None
         poses = PoseVectors.of(self.figure, self.keys)
         if poses is None or not FEWEST <= poses.times.size <= MOST:
@@ -163,6 +163,12 @@ class Gait:
         places, heights = self._standing
         lowest = heights.argmin(axis=0), np.arange(heights.shape[1])
         return float(np.ptp((places[2] - heights)[lowest])) < self.limits.floor_level
+
+    @property
+    def _raises_feet(self) -> bool:
+        """Whether a sole point is off the ground in a keyframe. Otherwise the keyframes tell nothing of a cycle."""
+        _, heights = self._standing
+        return bool(np.ptp(heights, axis=1).max() > self.limits.near_surface)
 
     @property
     def _root(self) -> Array:

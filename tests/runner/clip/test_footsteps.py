@@ -171,6 +171,18 @@ def test_feet_do_not_drag_over_the_ground_in_short_steps(move):
     assert not [v for v in motion.violations if v.kind in ("float", "slide", "drag", "stance", "penetration")]
 
 
+@pytest.mark.slow
+def test_a_figure_that_stands_in_all_keyframes_walks_between_them():
+    """Equal poses are no gait cycle, although they fit one in which the legs do not move."""
+    stands = (clip(0.5 * k, time=1.0 * k).split("[[keyframe]]")[2] for k in range(1, 5))
+    text = "[[keyframe]]".join((clip(0.0).rpartition("[[keyframe]]")[0], *stands))
+    loaded = recordings.from_text(text, name="stands")
+    assert [steps.segment for steps in loaded.context.schedule.footsteps] == [0, 1, 2, 3]
+    assert loaded.problem.ends == "clamped"
+    motion = inbetween(loaded)
+    assert not [v for v in motion.violations if v.kind in ("float", "slide", "drag", "stance", "penetration")]
+
+
 def test_feet_that_slide_cost_as_much_as_they_are_too_low(rng):
     """In the middle of a step of 40 cm, two points of a foot are 0.4 · 12 cm too low on the ground."""
     loaded = recordings.from_text(clip(0.4), name="steps")
