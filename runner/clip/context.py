@@ -107,9 +107,9 @@ class Context:
     def is_stationary_at_ends(self) -> tuple[bool, bool]:
         """Whether the figure is stationary at the first and at the last keyframe.
 
-        An end is stationary if its keyframe equals the neighbouring keyframe, if all feet are planted and the root is
-        slow (0.5 m/s for an adult), or if the figure has a fixed base and no feet, like a robot arm. Both are False
-        unless the clip has free ends. A partial keyframe is never stationary.
+        An end is stationary if its keyframe equals the neighbouring keyframe, if all feet are planted and then step in
+        turn or the root is slow (0.5 m/s for an adult), or if the figure has a fixed base and no feet, like a robot
+        arm. Both are False unless the clip has free ends. A partial keyframe is never stationary.
         """
         keys, schedule, limits = self.keys, self.schedule, Thresholds.of(self.figure)
         if keys.ends != "free":
@@ -121,12 +121,15 @@ class Context:
             {stance.point.link for stance in inferred if stance.last >= keys.times[-1]},
         )
 
+        stepping = {steps.segment for steps in schedule.footsteps}
+
         def is_stationary(end: int, neighbour: int, links: set[int]) -> bool:
             moves = keys.states[neighbour] - keys.states[end]
             if not keys.fixed[end].all():
                 return False
             travel = np.linalg.norm(moves[self.figure.tables.position_columns[:2]], axis=0).max(initial=0.0)
             is_slow = travel < limits.travels * abs(keys.times[neighbour] - keys.times[end])
+            is_slow |= min(end % keys.times.size, neighbour % keys.times.size) in stepping
             return bool(is_arm or np.abs(moves).max() < REPEATED or (feet and feet <= links and is_slow))
 
         return is_stationary(0, 1, planted[0]), is_stationary(-1, -2, planted[1])
