@@ -153,13 +153,15 @@ def repeated(saved: Saved, count: int) -> Saved:
     with _with_name(saved.name):
         timeline, raw = (retime.repeated(saved.figure, path, count) for path in (saved.timeline, saved.raw))
     times = [key.time + period * i for i in range(count) for key in saved.keys[1 if i else 0 :]]
-    masks = [(key.fixed, key.posed) for i in range(count) for key in saved.keys[1 if i else 0 :]]
-    fixed, posed = zip(*masks, strict=True)
+    seam_key = _seam_key(saved)
+    first, *inside, last = saved.keys
+    masked = [first, *[*inside, seam_key] * (count - 1), *inside, last]
+    fixed, posed = zip(*((key.fixed, key.posed) for key in masked), strict=True)
     keys = Frame.many(times, saved.figure.to_qpos(path_of(timeline).at(np.array(times))), fixed, posed)
     seam = Seam.of(saved.figure, saved.timeline)
     table, flown = _table(saved), _flights(saved) or ()
     rounds = [(i, period * i, partial(seam.moved_points, saved.figure, periods=i)) for i in range(1, count)]
-    targets = [row for row in searched_targets(saved) if row.time > saved.keys[0].time]
+    targets = [row for row in searched_targets(saved) if row.time > first.time or not seam_key.is_key]
     more = TimedTables(
         [row for _, shift, displaced in rounds for row in moved_contacts(_later(table.contact, shift), displaced)],
         [row for _, shift, _ in rounds for row in _later(table.grasp, shift)],
@@ -171,6 +173,14 @@ def repeated(saved: Saved, count: int) -> Saved:
     back = {name: getattr(displacement, name) or 0.0 for name in names}
     text = _keyed(saved, keys, _table(saved).solve.changed(**back), more)
     return replace(saved, text=text, keys=tuple(keys), timeline=timeline, raw=raw, trace=[], report={}, search={})
+
+
+def _seam_key(saved: Saved) -> Frame:
+    """Return the last keyframe of a loop as an inner seam of repeated cycles, with the entries that the first keyframe
+    fixes or poses fixed or posed as well."""
+    first, last = saved.keys[0], saved.keys[-1]
+    fixed, known = first.fixed | last.fixed, first.known | last.known
+    return at_cut(Frame(last.time, last.state, fixed, known & ~fixed), saved.keys, searched_targets(saved))
 
 
 def joined(before: Saved, after: Saved, transition: float, progress: Progress) -> Saved:

@@ -81,6 +81,18 @@ def test_a_repeated_loop_has_its_targets_in_every_period(tmp_path, turn):
     assert [goal.time for goal in reloaded(many, tmp_path).context.placed] == pytest.approx([0.2, 0.61, 1.02])
 
 
+@pytest.mark.parametrize("number", [0, 2])
+def test_a_repeated_loop_has_the_target_of_its_seam_at_every_seam(tmp_path, number):
+    text = tiny.changed("ends =", "travel = [0.3, 0, 0]\nends =", LOOP)
+    entries = "root.position = [0.3, 0, 1]\nroot.rotation = {rotvec = [0, 10, 170]}\n"
+    text = tiny.changed(entries, "", text)
+    if number == 0:
+        text = tiny.changed("root.position = [0, 0, 1]\nroot.rotation = {rotvec = [0, 0, 0]}\n", "", text)
+    many = edits.repeated(solved(tmp_path, with_target(text, number)), 3)
+    times = [goal.time for goal in reloaded(many, tmp_path).context.placed]
+    assert times == pytest.approx([0.41 * (i + number / 2) for i in range(3)])
+
+
 def test_positions_of_contacts_move_with_the_second_motion(tmp_path):
     saved = solved(tmp_path, tiny.changed("[[keyframe]]", CONTACT + "[[keyframe]]"))
     both = edits.joined(saved, saved, 0.2, quiet())

@@ -108,6 +108,20 @@ LOOP = tiny.changed("frames = 2", 'frames = 2\nends = "periodic"\ntravel = [0.3,
 )
 
 
+def test_seams_of_a_repeated_loop_have_the_entries_that_either_end_fixes():
+    text = models.clip_text("walk_loop")
+    loop = solving.unsolved(recordings.from_text(text, name="walk")).saved(quiet(), with_report=False)
+    assert not loop.keys[-1].is_key
+    many = edits.repeated(loop, 3)
+    again = recordings.from_text(many.text, name="again").keys
+    seam = Seam.of(loop.figure, loop.timeline)
+    for number in (1, 2):
+        key = again[number * (len(loop.keys) - 1)]
+        assert key.is_key
+        wanted = loop.figure.to_qpos(seam.moved(loop.timeline.states[:1], number))
+        assert_same(loop, key.state[None], wanted)
+
+
 @pytest.mark.slow
 def test_an_edited_loop_is_still_measured_as_one(tmp_path):
     found = clip.load(str(tiny.written(tmp_path, LOOP)))
