@@ -14,6 +14,7 @@ from typing import TypeVar
 from pydantic import ValidationError
 
 from dynsplines import models
+from dynsplines.solver.contacts import ROUNDING
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.problem import FEW, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA
@@ -228,7 +229,7 @@ def check_times(times: Sequence[float], where: str, fewest: int = 2) -> None:
     for i, (a, b) in enumerate(pairwise(times), 1):
         if not b > a:
             raise UserError(f"{where}: {keyframe_label(i + 1, b)} is not after {keyframe_label(i, a)}; times must rise")
-        if b - a < SHORTEST:
+        if b - a < SHORTEST - ROUNDING:
             raise UserError(f"{where}: {keyframe_label(i + 1, b)} is less than {SHORTEST:g} s after keyframe {i}")
     for i, (a, b, c) in enumerate(zip(times, times[1:], times[2:], strict=False), 1):
         short, long = sorted((b - a, c - b))

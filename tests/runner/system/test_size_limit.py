@@ -167,6 +167,12 @@ def test_keyframes_too_unevenly_apart_for_a_spline_are_refused() -> None:
             check_times(times, "clip")
 
 
+def test_keyframes_can_be_1_ms_apart_in_spite_of_rounding() -> None:
+    check_times([i / 1000 for i in range(100)], "clip")
+    with pytest.raises(UserError, match=r"keyframe 2 \(t = 0\.00999 s\) is less than 0\.001 s after keyframe 1"):
+        check_times([0.009, 0.00999, 1], "clip")
+
+
 def test_the_files_of_a_model_are_held_to_the_same_bound(monkeypatch: pytest.MonkeyPatch) -> None:
     spec = mujoco.MjSpec()
     spec.add_mesh(name="a", file="a.stl")
