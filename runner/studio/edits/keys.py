@@ -52,7 +52,7 @@ def _follow(table: Any, end: str, was: Sequence[float], now: Mapping[int, float]
 
 def _check_order(was: Sequence[float], now: Sequence[float]) -> None:
     for index, (a, b) in enumerate(pairwise(now)):
-        if b - a < SHORTEST:
+        if b - a < SHORTEST - ROUNDING:
             moved = index if abs(now[index] - was[index]) > ROUNDING else index + 1
             other = index + 1 if moved == index else index
             side = "past" if (b <= a) else "on"
@@ -66,7 +66,7 @@ def add_key(tree: Blocks, *, entries: Mapping[str, Any]) -> str:
     """Insert a keyframe with these entries, sorted by time."""
     time, was = number(entries["time"], "the time of a keyframe"), times(tree)
     for index, other in enumerate(was):
-        if abs(other - time) < SHORTEST:
+        if abs(other - time) < SHORTEST - ROUNDING:
             raise UserError(f"there is a keyframe at {other:g} s already: keyframe {index + 1}")
     add(tree, ("keyframe",), {**entries, "time": time}, sum(other < time for other in was))
     return f"add a keyframe at {time:g} s"

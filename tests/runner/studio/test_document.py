@@ -210,6 +210,14 @@ def test_nonsense_is_refused_in_words_and_changes_nothing(name, entries, words):
     assert "time = 0.7" in found.text
 
 
+def test_keyframes_can_be_1_ms_apart_in_spite_of_rounding():
+    found = document()
+    for time in (0.009, 0.008):
+        edited(found, "add_key", {"entries": {"time": time}})
+    edited(found, "move_keys", {"moves": [[1, 0.016], [2, 0.017]]})
+    assert [key["time"] for key in tomllib.loads(found.text)["keyframe"][1:3]] == [0.016, 0.017]
+
+
 def test_contacts_go_along_with_the_keyframes_that_they_end_at():
     found = document()
     edited(found, "set_contact", {"point": "left_heel", "begin": 0.5, "end": 1.0})
