@@ -10,6 +10,7 @@ from typing import TypeVar
 
 import numpy as np
 
+from dynsplines.solver.contacts import ROUNDING
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam
@@ -136,7 +137,8 @@ def trimmed(saved: Saved, first: float, last: float) -> Saved:
     saved = standalone(saved)
     timeline = retime.trimmed(saved.timeline, first, last)
     begin, end = float(timeline.times[0]), float(timeline.times[-1])
-    inside = [key for key in saved.keys if begin + SHORTEST <= key.time <= end - SHORTEST]
+    apart = SHORTEST - ROUNDING
+    inside = [key for key in saved.keys if begin + apart <= key.time <= end - apart]
     edges = (_key_on(saved.figure, timeline, number) for number in (0, -1))
     start, stop = (at_cut(edge, saved.keys, searched_targets(saved)) for edge in edges)
     return _with_keys(saved, (start, *inside, stop), timeline)

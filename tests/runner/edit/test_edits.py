@@ -136,6 +136,12 @@ def test_an_edited_loop_is_still_measured_as_one(tmp_path):
     assert (again.ends, again.travel) == ("periodic", pytest.approx((0.6, 0, 0.2)))
 
 
+def test_a_trimmed_recording_at_1_khz_has_all_its_samples():
+    clip = build("human", [Keyframe(i / 1000, others="rest") for i in range(20)])
+    recorded = solving.unsolved(clip).saved(quiet(), with_report=False)
+    assert len(edits.trimmed(recorded, 0.008, 0.017).keys) == 10
+
+
 # what cannot be
 
 
