@@ -51,6 +51,8 @@ def resolve(
     """
     units = [(match[1].lower() if (match := UNIT.search(name)) else "") for name in names]
     bare = [name if name in components else UNIT.sub("", name).strip() for name in names]
+    for name in dict.fromkeys([*components, "time"]):
+        _check_single(name, bare, numbers, where)
     exact = {name: bare.index(name) for name in components if name in bare}
     matched = set(exact.values())
     aliases = _aliases(model, components, [(i, name) for i, name in enumerate(bare) if i not in matched], where)
@@ -77,6 +79,17 @@ def resolve(
     clock = _clock(bare, units, set(places.values()))
     qpos = numbers[:, [places[name] for name in components]] * np.array(factors)
     return qpos, None if clock is None else numbers[:, clock[0]] * clock[1], is_numbered, tuple(notes)
+
+
+def _check_single(name: str, bare: Sequence[str], numbers: Array, where: object) -> None:
+    """Raise UserError if several columns have a name and differ."""
+    columns = [i for i, column in enumerate(bare) if column == name]
+    for i in columns[1:]:
+        if not np.array_equal(numbers[:, i], numbers[:, columns[0]], equal_nan=True):
+            raise UserError(
+                f"{where}: columns {columns[0] + 1} and {i + 1} are both '{name}', with different numbers; "
+                "remove or rename one of them"
+            )
 
 
 def _factor(unit: str, name: str, *, is_hinge: bool) -> float:

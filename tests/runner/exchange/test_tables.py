@@ -165,3 +165,13 @@ def test_columns_that_are_missing_or_could_both_be_one_are_named(tmp_path):
     names = ["time", "root_x", "base_x", "y", "z", *OURS[3:]]
     with pytest.raises(UserError, match=r"the columns 'root_x' and 'base_x' could both be 'root.x'"):
         read(written(tmp_path / "a.csv", names, np.insert(TIMED, 1, 0, axis=1)))
+
+
+@pytest.mark.parametrize("name", ["root.x", "time"])
+def test_two_columns_of_one_name_must_agree(name, tmp_path):
+    names = ["time", *OURS, name]
+    column = TIMED[:, [names.index(name)]]
+    is_walk(read(written(tmp_path / "a.csv", names, np.hstack([TIMED, column])))[0])
+    message = rf"a\.csv: columns {names.index(name) + 1} and 16 are both '{name}', with different numbers; remove"
+    with pytest.raises(UserError, match=message):
+        read(written(tmp_path / "a.csv", names, np.hstack([TIMED, 2 * column + 1])))
