@@ -72,8 +72,7 @@ def _name(figure: Figure, columns: Index) -> str:
 
 
 def _without_duplicates(time: Array, qpos: Array, notes: list[str]) -> tuple[Array, Array]:
-    step = float(np.median(np.diff(time)))
-    twice = np.append(False, np.diff(time) <= TWICE * step)
+    twice = np.append(False, np.diff(time) <= TWICE * gaps.median_step(time))
     if twice.any():
         first, count = float(time[twice][0]), int(twice.sum())
         notes.append(f"{count} sample{'s come' if count > 1 else ' comes'} twice, first at {first:.3f} s: left out")

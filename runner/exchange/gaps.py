@@ -128,6 +128,12 @@ def repetition_note(time: Array, is_repeated: Mask) -> str:
     )
 
 
+def median_step(time: Array) -> float:
+    """Return the median distance of successive samples at different times (T,), [s]; 0 if all times are equal."""
+    steps = np.diff(time)
+    return float(np.median(steps[steps > 0])) if (steps > 0).any() else 0.0
+
+
 def samples_used(count: int) -> int:
     """Return how many samples of an array are used: the smallest number of the file's arrays, as far as known."""
     gaps = _now.get()

@@ -81,7 +81,8 @@ def read_recording(
     qpos, notes = _unwrapped(model, record.time, record.qpos)
     for note in (*record.notes, *notes):
         progress.report(f"note: {note}")
-    rate = record.fps or (float(np.round(1 / np.median(np.diff(record.time)), 6)) if record.time.size > 1 else 30.0)
+    step = gaps.median_step(record.time)
+    rate = record.fps or (float(np.round(1 / step, 6)) if step else 30.0)
     scene = compose(spec, obstacles, bare=model)
     return ImportedMotion(stem(source), scene, record.time, qpos, rate, record.loops)
 

@@ -40,6 +40,12 @@ def test_samples_that_come_twice_are_left_out():
     assert found.notes == ("1 sample comes twice, first at 0.667 s: left out",)
 
 
+def test_most_samples_can_come_twice_at_times_that_differ_by_rounding():
+    row = np.repeat(np.arange(60), 2)
+    found = mended(TIMES[row] + np.where(np.arange(120) == 41, 1e-6, 0.0), motion()[row])
+    np.testing.assert_array_equal(found.time, TIMES)
+
+
 def test_what_is_no_number_is_bridged_and_its_joint_alone():
     qpos = motion()
     qpos[10:13, ELBOW + 1] = np.nan
