@@ -15,6 +15,7 @@ from dynsplines.solver.figure.figure import Figure
 
 from ..motion import Saved, sampled
 from ..scene.assets import Assets
+from ..system.quantity import positive
 from .skeleton.hinge_joints import HingeModel
 
 
@@ -56,8 +57,11 @@ class SampledTrajectory:
 
     @classmethod
     def of(cls, saved: Saved, fps: float | None = None, options: ExportOptions | None = None) -> SampledTrajectory:
-        """Return a saved motion at its rate or at another; raises UserError for more samples than memory allows."""
-        rate = fps or saved.fps
+        """Return a saved motion at its rate or at another.
+
+        Raises UserError for an invalid rate, and for more samples than memory allows.
+        """
+        rate = saved.fps if fps is None else positive(fps, "fps =")
         at = sampled(saved.figure, saved.timeline, rate)
         return cls(saved, rate, at.time, at.qpos, at.qvel, at.qacc, options=options or ExportOptions())
 

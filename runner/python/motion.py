@@ -35,7 +35,7 @@ from ..solving import Solved
 from ..system.mujoco_warnings import as_python_warnings
 from ..system.output import check_target
 from ..system.progress import Progress, silent
-from ..system.quantity import length
+from ..system.quantity import length, positive
 
 if TYPE_CHECKING:
     from ..exchange.formats import Writer
@@ -216,9 +216,8 @@ class Motion:
         Returns:
             time (T,) [s], qpos (T, nq), qvel and qacc (T, nv) in MuJoCo's order, units and axes.
         """
-        if fps is not None and not 0 < fps < np.inf:
-            raise UserError(f"{self.name}: {fps} samples a second; give a number above 0")
-        return files.sampled(self.saved.figure, self.saved.timeline, fps or self.fps)
+        rate = self.fps if fps is None else positive(fps, "fps =")
+        return files.sampled(self.saved.figure, self.saved.timeline, rate)
 
     def report(self) -> Report:
         """Return measurements of the spline through the keyframes ("before") and of the solution ("after").

@@ -1,10 +1,11 @@
-"""Lengths and speeds with units: "2cm", "20 mm", "1200deg/s"; from Python also numbers in m and rad/s."""
+"""Lengths and speeds with units: "2cm", "20 mm", "1200deg/s"; from Python also numbers in m and rad/s; rates."""
 
 from __future__ import annotations
 
 import math
 import re
 from collections.abc import Mapping
+from numbers import Real
 
 from ..errors import UserError
 
@@ -22,6 +23,13 @@ def length(value: str | float, what: str) -> float:
 def speed(value: str | float, what: str) -> float:
     """Return a speed in radians per second. Raises UserError as for `length`."""
     return _quantity(value, what, RADIANS_A_SECOND, "a speed above 0, such as 20rad/s or 1200deg/s")
+
+
+def positive(value: float, what: str) -> float:
+    """Return a number. Raises UserError unless it is finite and above 0; `what` is the label in errors."""
+    if not (isinstance(value, Real) and 0 < value < math.inf):
+        raise UserError(f"{what} {value}: give a finite number above 0")
+    return float(value)
 
 
 def _quantity(value: str | float, what: str, units: Mapping[str, float], example: str) -> float:

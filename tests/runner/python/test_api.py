@@ -360,6 +360,8 @@ def test_edits_give_new_motions(motion, loop):
         (lambda m: m.thinned(0.02, max_angle=0), "max_angle = 0"),
         (lambda m: m.save("m.txt"), r"\.npz, or as a clip, \.toml"),
         (lambda m: m.export("m.txt"), "its ending is of no known format"),
+        (lambda m: m.export("m.csv", fps=0), "fps = 0: give a finite number above 0"),
+        (lambda m: m.export("m.csv", fps=float("nan")), "fps = nan: give"),
         (lambda m: m.export("m.csv", "bvh"), r"'m\.csv': the name of a file of the format bvh ends in \.bvh"),
         (lambda m: m.render("m.mp4", camera="sde"), "no camera 'sde'; did you mean 'side'"),
         (lambda m: m.render("m.mp4", only="middle"), "not one of before, after, keys"),
