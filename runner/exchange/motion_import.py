@@ -21,6 +21,7 @@ from ..scene.compose import compiled, compose, figure_spec
 from ..scene.obstacle import Obstacle
 from ..solving import unsolved
 from ..system.progress import Progress
+from ..system.quantity import positive
 from . import gaps
 from .formats import Reader, read_by, recording, stem
 
@@ -64,6 +65,9 @@ def read_recording(
 
     Raises UserError.
     """
+    for name, value in (("fps", fps), ("scale", scale)):
+        if value is not None:
+            positive(value, f"{name} =")
     progress = progress or Progress()
     spec = None if figure is None else figure_spec(figure)
     if spec is not None:

@@ -395,6 +395,10 @@ def test_a_recording_is_saved_as_a_clip_of_its_instants(motion, tmp_path):
         import_motion(tmp_path / "m.csv")
     with pytest.raises(UserError, match="--scale does not apply"):
         import_motion(tmp_path / "m.csv", tmp_path / "arm.xml", scale=0.01)
+    with pytest.raises(UserError, match="scale = 0: give a finite number above 0"):
+        import_motion(tmp_path / "m.bvh", scale=0)
+    with pytest.raises(UserError, match="fps = -1: give a finite number above 0"):
+        import_motion(tmp_path / "m.csv", tmp_path / "arm.xml", fps=-1)
     recorded = import_motion(tmp_path / "m.csv", tmp_path / "arm.xml")
     recorded.save(tmp_path / "m.toml")
     again = inbetween(load(tmp_path / "m.toml"))
