@@ -21,6 +21,7 @@ from ..clip.text import TomlTable, keyframe_tables, tables, written
 from ..errors import UserError, words_of
 from ..scene import file_access
 from ..scene.compose import quietly
+from ..scene.configuration import first_wrong
 from ..scene.model_inputs import spec_of
 from ..system.mujoco_warnings import as_python_warnings
 
@@ -143,9 +144,11 @@ def _table(key: Keyframe, figure: Figure | None) -> TomlTable:
     if key.qpos is None or figure is None:
         return out
     qpos = np.asarray(key.qpos, float)
-    if qpos.shape != (figure.width,) or not np.all(np.isfinite(qpos)):
-        wrong = "its numbers are not finite" if qpos.shape == (figure.width,) else f"it is {qpos.shape}"
-        raise UserError(f"keyframe (t = {key.time} s): qpos is ({figure.width},) of finite numbers; {wrong}")
+    where = f"keyframe (t = {key.time} s): qpos"
+    if qpos.shape != (figure.width,):
+        raise UserError(f"{where} is ({figure.width},) of finite numbers; it is {qpos.shape}")
+    if wrong := first_wrong(figure.model, np.zeros(1), qpos[None]):
+        raise UserError(f"{where}: {wrong[1]}; give finite numbers, and quaternions as w, x, y, z")
     whole = tables(keyframe_tables(figure, [Frame.key(0.0, qpos)])[0])
     return (
         whole

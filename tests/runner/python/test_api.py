@@ -247,7 +247,8 @@ def test_the_figure_given_is_not_changed():
         ([Keyframe(0, others="rest")], "at least two"),
         ([Keyframe(0), Keyframe(1, joints={"elbw": 1.0})], r"keyframe 2 \(t = 1 s\): no joint 'elbw'; did you mean"),
         ([Keyframe(0), Keyframe(1, qpos=[1, 0, 0])], r"t = 1 s\): qpos is \(5,\) .*; it is \(3,\)"),
-        ([Keyframe(0), Keyframe(1, qpos=[1, 0, 0, 0, np.nan])], "not finite"),
+        ([Keyframe(0), Keyframe(1, qpos=[1, 0, 0, 0, np.nan])], "not a finite number"),
+        ([Keyframe(0), Keyframe(1, qpos=np.zeros(5))], r"t = 1 s\): qpos: the quaternion of '\w+' is zero; give"),
         ([Keyframe(0), Keyframe(1, sites={"hand": [0, 0, 9]})], "no pose found that puts site 'hand'"),
         ([Keyframe(0), Keyframe("soon")], "time must be a number"),  # type: ignore[arg-type]
     ],
