@@ -6,6 +6,7 @@ import contextlib
 from collections.abc import Generator, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
+from numbers import Integral
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ from ..motion import Saved, sampled
 from ..scene.assets import Scene
 from ..scene.framing import height, middles, spread
 from ..system.progress import Progress
+from ..system.quantity import positive
 from ..system.workers import MOST_WORKERS, cores, in_order
 from . import film, layout
 from .camera import ANGLES, View, plan, still
@@ -30,6 +32,7 @@ KEY_SECONDS = 0.5  # [s] duration of a keyframe in a video of keyframes
 PIXELS_OF_A_PROCESS = 4_000_000  # minimum number of pixels per process; drawing them takes twice its starting time
 KEY_SHADE, VARIABLE_SHADE, BETWEEN_SHADE = 0.0, 0.45, 0.75
 KEY_OPACITY, VARIABLE_OPACITY, BETWEEN_OPACITY = 1.0, 0.55, 0.25  # of ghosts
+SMALLEST = 16  # [pixels] minimum width and height
 MAX_FRAMES = 100_000  # maximum number of video frames, an hour at 30 frames per second
 BETWEEN_RATE = 15.0  # [1/s] rate of in-betweens in a still
 
@@ -60,11 +63,15 @@ class Look:
     at: float | None = None
 
     def check(self, model: mujoco.MjModel, first: float, last: float, *, flags: str = "") -> None:
-        """Raise UserError for a camera, time or number of frames that is invalid for a motion from `first` to `last`
-        [s].
+        """Raise UserError for a size, rate, camera, time or number of frames that is invalid for a motion from `first`
+        to `last` [s].
 
         `flags` is the prefix of names in messages.
         """
+        if not all(isinstance(side, Integral) and side >= SMALLEST for side in (self.width, self.height)):
+            raise UserError(f"{flags}size {self.width}x{self.height}: give whole numbers of pixels from {SMALLEST} on")
+        for name, value in (("fps", self.fps), ("slow", self.slow)):
+            positive(value, f"{flags}{name}")
         cameras = [*ANGLES, *(name for i in range(model.ncam) if (name := model.camera(i).name))]
         if self.camera not in cameras:
             raise UserError(f"{flags}camera: {unknown('camera', self.camera, cameras)}")

@@ -301,7 +301,7 @@ class Motion:
                 still.
             only: "" for before and after side by side, or "before", "after", or "keys" (the keyframes).
             camera: "side", "left", "front", "three_quarter", "back", or a camera of the model.
-            size: Width and height [pixels].
+            size: Width and height [pixels], at least 16.
             fps: Video frames per second [1/s]; default: the motion's.
             slow: Slow-motion factor.
             ghosts: Draw all frames into one .png: keyframes darkest, frames that the solver inserted lighter, other
@@ -321,7 +321,9 @@ class Motion:
 
         if only not in ("", "before", "after", "keys"):
             raise UserError(f"only = '{only}': not one of before, after, keys")
-        look = Look(*size, fps or self.fps, only, ghosts, camera, slow, at)
+        if np.shape(size) != (2,):
+            raise UserError(f"size = {size}: give width and height in pixels, such as (1280, 720)")
+        look = Look(*size, self.fps if fps is None else fps, only, ghosts, camera, slow, at)
         look.check(self.model, self.start, self.end)
         target = Path(path) if path is not None else Path(f"{self.name}.{'png' if ghosts or at is not None else 'mp4'}")
         draw(self.saved, look, choose(), target, workers or 1, Progress() if progress else silent())

@@ -367,6 +367,12 @@ def test_edits_give_new_motions(motion, loop):
         (lambda m: m.render("m.mp4", camera="sde"), "no camera 'sde'; did you mean 'side'"),
         (lambda m: m.render("m.mp4", only="middle"), "not one of before, after, keys"),
         (lambda m: m.render("m.png", at=7), "nothing is at 7"),
+        (lambda m: m.render("m.gif", fps=-1), "fps -1: give a finite number above 0"),
+        (lambda m: m.render("m.gif", fps=0), "fps 0: give"),
+        (lambda m: m.render("m.gif", slow=float("nan")), "slow nan: give"),
+        (lambda m: m.render("m.png", size=(64,)), r"size = \(64,\): give width and height"),
+        (lambda m: m.render("m.png", size=(0, 0)), "size 0x0: give whole numbers of pixels from 16 on"),
+        (lambda m: m.render("m.png", size=(64.5, 48)), "size 64.5x48: give whole numbers"),
     ],
 )
 def test_what_cannot_be_done_is_reported(motion, attempt, complaint, tmp_path, monkeypatch):
