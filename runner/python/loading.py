@@ -14,6 +14,7 @@ from ..errors import UserError
 from ..scene import file_access
 from ..scene.model_inputs import is_text, spec_of_text
 from ..system.mujoco_warnings import as_python_warnings
+from ..system.quantity import positive
 from .motion import Motion
 
 if TYPE_CHECKING:
@@ -48,6 +49,7 @@ def load(
             f"a clip is a name, a path or text, not of type {type(source).__name__}; build makes one of a model"
         )
     source = str(os.fspath(source))
+    fps = None if fps is None else positive(fps, "fps =")
     if is_text(source):
         with file_access.allowed(allow_outside):
             return with_custom_penalties(clips.from_spec("clip", spec_of_text(source), fps, "clip"), custom_penalties)

@@ -111,6 +111,8 @@ def test_a_clip_is_loaded_from_a_path_and_from_text(tmp_path):
     assert isinstance(found, Clip)
     assert [key.time for key in found.keys] == [0, 0.2, 0.41]
     assert load(str(path), fps=50).fps == 50
+    with pytest.raises(UserError, match="fps = 0: give a finite number above 0"):
+        load(str(path), fps=0)
     text = 'figure = "human"\n[[keyframe]]\ntime = 0\nothers = "rest"\n[[keyframe]]\ntime = 1\nothers = "previous"\n'
     assert repr(load(text)) == "<Clip clip: 1.00 s, 2 keyframes, 14 penalties, 39 DOF>"
     with pytest.raises(UserError, match=r"^clip: keyframe 1: time must be a number"):
