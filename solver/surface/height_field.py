@@ -102,10 +102,11 @@ class HeightField:
         return np.where(u >= v, lower, upper)
 
     def _least(self, local: Array) -> Array:
-        """Return a lower bound of the distance, (p,)."""
-        beside = np.maximum(np.abs(local[:2]) - self.half[:, None], 0)
+        """Return a lower bound of the distance outside, and a negative number below the ground, (p,)."""
+        beside = np.hypot(*np.maximum(np.abs(local[:2]) - self.half[:, None], 0))
         over = (local[2] - self._ground(local)) / np.hypot(1, self._steepest)
-        return np.maximum(np.hypot(*beside), np.minimum(over, local[2] - self.elevation.min()))
+        over = np.minimum(over, local[2] - self.elevation.min())
+        return np.where(beside > 0, np.maximum(beside, over), over)
 
     def _distance(self, local: Array, within: Array) -> tuple[Array, Array]:
         """Return the signed distance of points (3, p), and its gradient in field axes; exact up to `within` (p,)

@@ -9,6 +9,7 @@ from oracles import kinematics, tells_height_fields
 from scipy.optimize import nnls
 from taylor import taylor_slope
 
+from dynsplines import Keyframe, build, inbetween
 from dynsplines.solver.array import Array
 from dynsplines.solver.surface import HeightField, Surface, static_surfaces
 from dynsplines.solver.surface.height_field import from_triangle
@@ -173,6 +174,38 @@ def test_under_a_height_field_the_nearest_triangle_or_wall_is_the_way_out(rng):
     assert np.count_nonzero(below) > 40
     np.testing.assert_allclose(GROUND.inside(points)[below, 0], np.minimum(nearest, -wall)[below], atol=1e-9)
     assert not GROUND.inside(points)[~below].any()
+
+
+def test_a_point_of_radius_zero_is_deep_wherever_a_ray_hits_the_height_field_above_it(rng):
+    points, data, geom = about("ground", rng, 300), kinematics(MODEL), MODEL.geom("ground").id
+    drop = np.array([9.0 - _ray(data, geom, np.array([*p[:2], 9.0]), -1.0) for p in points[:, :, 0].T])
+    under = (drop < 9.0) & (points[2, :, 0] < drop)
+    depth, gradient = GROUND.depth(points, np.zeros(300))
+    np.testing.assert_array_equal(depth[:, 0] > 0, under)
+    np.testing.assert_array_equal(GROUND.near(points, np.zeros((300, 1)))[:, 0], under)
+    np.testing.assert_allclose(depth, GROUND.inside(points), atol=1e-12)
+    np.testing.assert_allclose(np.linalg.norm(gradient, axis=0), depth > 0, atol=1e-9)
+    assert 40 < np.count_nonzero(under) < 260
+
+
+HILL = """<mujoco><asset><hfield name="hill" nrow="9" ncol="9" size="2 2 .3 .1" elevation="{elevation}"/>
+  <mesh name="cube" vertex="{corners}"/></asset><worldbody><geom name="hill" type="hfield" hfield="hill"/>
+  <body name="cube" pos="0 0 1"><freejoint name="root"/><geom name="cube" {shape}/></body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize("shape", ['type="mesh" mesh="cube"', 'type="box" size=".1 .1 .1"'])
+def test_a_cube_in_a_hill_is_a_violation_as_deep_as_the_hill_is_high_over_its_bottom(shape):
+    """MuJoCo measures the height of the hill with a ray."""
+    heights = np.exp(-np.add.outer(np.linspace(-1, 1, 9) ** 2, np.linspace(-1, 1, 9) ** 2) / 0.2)
+    corners = 0.1 * np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1).T
+    elevation, text = (" ".join(map(str, np.round(values, 4).ravel())) for values in (heights, corners))
+    keyframes = [Keyframe(t, roots={"root": {"position": [x, 0, 0.2]}}) for t, x in ((0, -1.4), (0.5, 0), (1, 1.4))]
+    motion = inbetween(build(HILL.format(elevation=elevation, corners=text, shape=shape), keyframes))
+    model, data = motion.model, kinematics(motion.model)
+    top = 1 - mujoco.mj_rayHfield(model, data, model.geom("hill").id, np.array([0, 0, 1.0]), np.array([0, 0, -1.0]))
+    violations = [violation for violation in motion.violations if violation.kind == "penetration"]
+    assert [violation.name for violation in violations] == ["cube"]
+    assert violations[0].amount == pytest.approx(top - 0.1, rel=0.05)
 
 
 @pytest.mark.parametrize("along", [0, 1])
