@@ -4,7 +4,8 @@
 between its corners. A rail can also touch parts inside the hull, and faces that bulge between corners. Here every geom
 is therefore filled with spheres about its medial axis: segments in capsules and cylinders, rectangles in boxes. In an
 ellipsoid of half axes a ≥ b ≥ c it is the ellipse of half axes (a² − c²)/a and (b² − c²)/b, where the sphere at (x, y)
-has the radius c √(1 − x²/(a² − c²) − y²/(b² − c²)).
+has the radius c √(1 − x²/(a² − c²) − y²/(b² − c²)). In a mesh, spheres touch its convex hull from inside at the points
+of a grid.
 """
 
 from __future__ import annotations
@@ -16,11 +17,11 @@ import mujoco
 import numpy as np
 
 from .. import quaternion as quat
-from ..array import Array
+from ..array import Array, Index
 from ..figure.figure import Figure
 from ..figure.naming import geom_name
 from ..figure.size import Size
-from . import hull_of
+from . import Hull, hull_of, moving_surface
 from .points import Point, mesh_vertices
 from .solid import TINY
 from .touch import movers
@@ -29,7 +30,11 @@ WIDE = 0.3  # [m] length plus width of a geom's largest face from which it is wi
 GAP = 0.001  # [m] depth to which a straight edge may enter between two spheres
 THINNEST = 0.02  # [m] least radius of spheres beside edges
 CLOSEST = 0.02  # [m] spacing of points on sharp edges
-FINEST = 16  # maximum number of points along a mesh
+FINEST = 16  # maximum number of points along a mesh that is thick
+MOST = 40  # maximum number of points along any mesh
+TOUCHED = 0.002  # [m] distance of a sphere up to which a point on a mesh needs no other sphere
+SLIVER = 1e-9  # [m²] doubled area up to which a triangle is ignored
+FLAT = 1e-6  # [1] 1 − cosine of the angle up to which two faces are parallel
 CORNERS = 60  # maximum number of corners of a mesh's hull
 HIDDEN = 0.0002  # [m] protrusion up to which a sphere counts as inside a larger one
 CLOSE = 0.001  # [m] minimum spacing of spheres' centres
@@ -114,24 +119,58 @@ def filling_spheres(model: mujoco.MjModel, geom: int, gap: float = GAP) -> Spher
 
 
 def _mesh(model: mujoco.MjModel, geom: int) -> Spheres:
-    """Return points on the triangles of a mesh's convex hull, including its corners."""
-    hull = hull_of(mesh_vertices(model, geom), CORNERS)
-    if hull is None:
+    """Return spheres inside a mesh's convex hull that touch a grid of points on it, and points on its edges."""
+    vertices = mesh_vertices(model, geom)
+    coarse, hull = hull_of(vertices, CORNERS), moving_surface(model, geom, np.zeros(3), np.eye(3))
+    if coarse is None or not isinstance(hull, Hull):
         return np.zeros((0, 3)), np.zeros(0)
-    corners, faces = hull
-    places = [corners.T]
-    size = float(np.linalg.norm(np.ptp(corners, axis=1)))
+    size = float(np.linalg.norm(np.ptp(vertices, axis=0)))
     pace = max(CLOSEST, size / FINEST)
-    for face in faces:
-        a, b, c = corners[:, face].T
-        count = int(np.ceil(max(np.linalg.norm(b - a), np.linalg.norm(c - a), np.linalg.norm(c - b)) / pace))
-        if count > 1:
-            i, j = (part.ravel() for part in np.meshgrid(np.arange(count + 1), np.arange(count + 1)))
-            i, j = i[i + j <= count][:, None] / count, j[i + j <= count][:, None] / count
-            places.append(a + i * (b - a) + j * (c - a))
-    points = np.concatenate(places)
-    _, unique = np.unique(np.round(points / (0.5 * pace)), axis=0, return_index=True)
-    return points[unique], np.zeros(unique.size)
+    touched, centres = _touching(*coarse, pace)
+    radii = np.maximum(-hull.least(centres.T), 0)
+    thin = max(radii.max(), size / MOST)
+    if thin < pace:
+        touched, centres = _touching(*coarse, thin)
+        radii = np.maximum(-hull.least(centres.T), 0)
+    outer, rest = list[int](), np.argsort(-radii, kind="stable")
+    while rest.size:
+        i, rest = int(rest[0]), rest[1:]
+        outer.append(i)
+        rest = rest[np.linalg.norm(touched[rest] - centres[i], axis=1) > radii[i] + TOUCHED]
+    return centres[outer], radii[outer]
+
+
+def _touching(corners: Array, faces: Index, pace: float) -> tuple[Array, Array]:
+    """Return points (n, 3) of a grid on a convex hull, and the centres (n, 3) of the largest spheres that touch them.
+
+    A sphere of radius r that touches a face of normal n at p has its centre at p − r n. It is as far from the plane
+    m · x = h of another face if r = (h − m · p) / (1 − m · n). The smallest r of all faces is the largest possible.
+
+    Args:
+        corners: The corners of the hull, (3, v) [m].
+        faces: Its triangles, (f, 3).
+        pace: Maximum spacing of the grid [m].
+    """
+    places = corners.T[faces.T]
+    sides = np.stack([places[k - 1] - places[k - 2] for k in range(3)])  # opposite each corner
+    normals = np.cross(sides[2], -sides[1])
+    areas = np.linalg.norm(normals, axis=1)
+    places, sides, normals = places[:, areas > SLIVER], sides[:, areas > SLIVER], normals[areas > SLIVER]
+    normals /= areas[areas > SLIVER, None]
+    offsets, lengths = np.sum(normals * places[0], axis=1), np.linalg.norm(sides, axis=2)
+    middles = np.sum(places * (lengths / lengths.sum(axis=0))[:, :, None], axis=0)  # of the inscribed circles
+    counts = np.ceil(np.sort(lengths, axis=0)[1] / pace).astype(int)  # the grid is along the two shorter sides
+    touched, centres = [corners.T], [corners.T]
+    for count in np.unique(counts):
+        i, j = (part.ravel() for part in np.meshgrid(np.arange(count + 1), np.arange(count + 1)))
+        shares, which = np.column_stack([i, j, count - i - j])[i + j <= count] / count, np.flatnonzero(counts == count)
+        grid = np.einsum("sk,kfi->fsi", shares, places[:, which])
+        points = np.concatenate([grid, middles[which, None]], axis=1)
+        gaps, turn = np.maximum(offsets - points @ normals.T, 0), 1 - normals[which, None] @ normals.T
+        radii = np.min(np.where(turn > FLAT, gaps / np.maximum(turn, FLAT), np.inf), axis=2)
+        touched.append(points.reshape(-1, 3))
+        centres.append((points - radii[:, :, None] * normals[which, None]).reshape(-1, 3))
+    return np.concatenate(touched), np.concatenate(centres)
 
 
 def _spread(half: float, radius: float, gap: float) -> Array:

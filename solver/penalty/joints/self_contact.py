@@ -2,7 +2,7 @@
 
 The depth of two capsules is the sum of their radii minus the distance of their segments. By the envelope theorem the
 gradient of this distance is that of two points fixed on the links. Ellipsoids, boxes and cylinders are represented by
-spheres that fill them. Links joined to each other, and geoms that overlap at rest, are excluded.
+spheres that fill them. Meshes, links joined to each other, and geoms that overlap at rest are excluded.
 """
 
 from __future__ import annotations
@@ -236,6 +236,8 @@ def _carrier(figure: Figure, link: int, carrying: set[int]) -> int:
 
 def _bars(figure: Figure, geom: int) -> list[Bar]:
     model = figure.model
+    if model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_MESH:
+        return []
     body, size = int(model.geom_bodyid[geom]), np.array(model.geom_size[geom])
     axes = np.stack([quat.rotated(model.geom_quat[geom], e) for e in np.eye(3)], axis=1)
     axis = quat.rotated(figure.body_turn[body], axes[:, 2])

@@ -7,10 +7,12 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.spatial import ConvexHull
 
+from dynsplines import Keyframe, build, inbetween
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.surface import Ellipsoid, Hull, cover, hull_of
+from dynsplines.solver.surface import Ellipsoid, cover
 from dynsplines.solver.surface.cover import covering_points
 
 SIZES = st.floats(0.01, 0.5)
@@ -185,24 +187,75 @@ def test_an_ellipsoids_spheres_touch_it_from_inside_and_leave_little_more_than_t
     assert uncovered(np.array(half) * shell[middle], centres, radii).max() <= 2.2 * cover.GAP
 
 
-def test_a_meshs_points_are_on_its_hull_with_every_corner_and_none_is_far():
-    model = one("mesh")
-    centres, radii = cover.filling_spheres(model, 0)
+def mesh(vertices: Array) -> mujoco.MjModel:
+    text = " ".join(map(str, np.round(vertices, 6).ravel()))
+    return mujoco.MjModel.from_xml_string(ONE.format(geom='type="mesh" mesh="m"', corners=text))
+
+
+def cuboid(*half: float) -> Array:
+    return np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1).T * half
+
+
+MESHES = {
+    "wedge": np.array(CORNERS.split(), float).reshape(-1, 3),
+    "plate": cuboid(0.3, 0.2, 0.01),
+    "cube": cuboid(0.1, 0.1, 0.1),
+    "sheet": cuboid(0.1, 0.05, 0.002),
+    "cloud": np.random.default_rng(5).normal(size=(300, 3)) * [0.1, 0.06, 0.03],
+    "ball": 0.2 * on_ball(np.random.default_rng(6), 500),
+}
+
+
+@pytest.mark.parametrize("name", MESHES)
+def test_spheres_in_a_mesh_are_inside_its_convex_hull_and_cover_it(name):
+    """SciPy computes the hull. Coverage: every point on the hull is near a sphere, and corners are near points."""
+    model = mesh(MESHES[name])
     vertices = np.array(model.mesh_vert, float)
-    found = hull_of(vertices)
-    assert found is not None
-    corners, faces = found
-    np.testing.assert_array_equal(radii, 0)
-    np.testing.assert_allclose(Hull("m", corners, faces).distance(centres.T)[0], 0, atol=1e-9)
-    size = np.linalg.norm(np.ptp(corners, axis=1))
-    pace = max(cover.CLOSEST, size / cover.FINEST)
-    assert uncovered(corners.T, centres, radii).max() <= 0.5 * pace
-    rng = np.random.default_rng(3)
-    shares = rng.dirichlet(np.ones(3), 500)
-    spots = np.einsum("sk,iks->si", shares, corners[:, faces[rng.integers(len(faces), size=500)]].transpose(0, 2, 1))
-    assert uncovered(spots, centres, radii).max() <= pace
-    apart = np.linalg.norm(centres[:, None] - centres, axis=2) + np.eye(len(centres))
-    assert len(centres) < 2000 and apart.min() > 0
+    hull, size = ConvexHull(vertices), np.linalg.norm(np.ptp(vertices, axis=0))
+    centres, radii = cover.filling_spheres(model, 0)
+    over = centres @ hull.equations[:, :3].T + hull.equations[:, 3]
+    assert np.max(over.max(axis=1) + radii) < 1e-5
+    rng, pace = np.random.default_rng(3), max(cover.CLOSEST, size / cover.FINEST)
+    corners = vertices[hull.simplices[rng.integers(len(hull.simplices), size=500)]]
+    spots = np.einsum("sk,ski->si", rng.dirichlet(np.ones(3), 500), corners)
+    assert uncovered(spots, centres, radii).max() <= 0.8 * pace
+    assert np.median(uncovered(spots, centres, radii)) <= 0.01 * size
+    assert len(centres) < 2000
+
+
+@pytest.mark.parametrize("name", ["plate", "cube"])
+def test_no_pole_slips_through_a_mesh_between_its_spheres(name):
+    """Poles of 15 mm diameter, perpendicular to the largest face, anywhere on it."""
+    model = mesh(MESHES[name])
+    centres, radii = cover.filling_spheres(model, 0)
+    half = np.array(model.mesh_vert).max(axis=0)
+    face = np.delete(np.arange(3), np.argmin(half))
+    for place in np.random.default_rng(4).uniform(-half[face], half[face], (300, 2)):
+        assert np.min(np.linalg.norm(centres[:, face] - place, axis=1) - radii) < 0.0075
+
+
+PLATE = """<mujoco><asset><mesh name="plate" vertex="{corners}"/></asset><worldbody>
+  <geom name="floor" type="plane" size="0 0 1"/>
+  <geom name="pole" type="capsule" size=".02" fromto="{x} {y} 0 {x} {y} .6"/>
+  <body name="plate" pos="0 0 1"><joint name="height" type="slide" axis="0 0 1"/>
+  <geom name="plate" type="mesh" mesh="plate"/></body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize(("x", "y"), [(0.07, 0.07), (-0.13, 0.11), (0.0, 0.0)])
+@pytest.mark.parametrize("half", [(0.3, 0.2, 0.01), (0.5, 0.4, 0.03), (0.3, 0.3, 0.1)])
+def test_a_pole_in_a_mesh_plate_is_a_violation_as_deep_as_mujoco_computes(x, y, half):
+    corners = " ".join(map(str, cuboid(*half).ravel()))
+    heights = (0.2, half[2] - 0.4 - 0.01 + 0.02 - 0.005, 0.2)
+    keyframes = [Keyframe(t, joints={"height": z}) for t, z in zip((0, 0.5, 1), heights, strict=True)]
+    motion = inbetween(build(PLATE.format(corners=corners, x=x, y=y), keyframes))
+    model, data = motion.model, mujoco.MjData(motion.model)
+    data.qpos[:] = motion.at(0.5)
+    mujoco.mj_kinematics(model, data)
+    depth = -mujoco.mj_geomDistance(model, data, model.geom("plate").id, model.geom("pole").id, 1, None)
+    violations = [violation for violation in motion.violations if violation.kind == "penetration"]
+    assert [violation.name for violation in violations] == ["plate"]
+    assert 0.01 < depth < 0.02
+    assert depth - 0.006 < violations[0].amount < depth + 0.001
 
 
 PAIR = """<mujoco><asset><mesh name="hand" vertex="0 0 0 .2 0 0 0 .1 0 0 0 .05"/></asset><worldbody>
