@@ -240,8 +240,8 @@ def _body(context: Context, options: CollisionOptions) -> Penalty:
 def body_contacts(context: Context, margin: float = 0.0) -> tuple[Contact, ...]:
     """Return the contacts of the body with surfaces.
 
-    On floors and steps these are its corners, and spheres that fill geoms wider than the edges of steps. Elsewhere they
-    are spheres that fill the body.
+    On floors these are its corners. On steps they are its corners, and spheres in geoms into which an edge may enter
+    between them. Elsewhere they are spheres that fill the body.
     """
     figure = context.figure
     steps = tuple(s for s in context.surfaces if isinstance(s, Box) and s.buried)

@@ -1,6 +1,6 @@
 """A whole body as spheres, so close together that not even a thin rail fits between them.
 
-`body_points` suffices for planes, which touch a body's convex hull, and for steps, unless their edges enter a wide face
+`body_points` suffices for planes, which touch a body's convex hull, and for steps, unless their edges enter a geom
 between its corners. A rail can also touch parts inside the hull, and faces that bulge between corners. Here every geom
 is therefore filled with spheres about its medial axis: segments in capsules and cylinders, rectangles in boxes. In an
 ellipsoid of half axes a ≥ b ≥ c it is the ellipse of half axes (a² − c²)/a and (b² − c²)/b, where the sphere at (x, y)
@@ -27,6 +27,9 @@ from .solid import TINY
 from .touch import movers
 
 WIDE = 0.3  # [m] length plus width of a geom's largest face from which it is wide, for an adult
+NARROW = 0.08  # [m] the same from which an edge may enter between the geom's corners
+THIN = 0.01  # [m] radius of the least of these spheres in geoms that are not wide, for an adult
+STEP_GAP = 0.005  # [m] depth to which the edge of a step may enter a geom that is not wide
 GAP = 0.001  # [m] depth to which a straight edge may enter between two spheres
 THINNEST = 0.02  # [m] least radius of spheres beside edges
 CLOSEST = 0.02  # [m] spacing of points on sharp edges
@@ -51,14 +54,20 @@ def covering_points(figure: Figure) -> tuple[Point, ...]:
 
 @lru_cache(maxsize=2)
 def wide_points(figure: Figure) -> tuple[Point, ...]:
-    """Return spheres that fill the boxes, cylinders and meshes into which an edge may enter between the corners."""
-    return _filled(figure, [geom for geom in movers(figure.model) if _is_wide(figure, geom)])
+    """Return spheres that fill the boxes, cylinders and meshes into which an edge may enter between the corners.
+
+    Geoms that are not wide have fewer of them. Thin ones have none: an edge that passes through them meets other geoms.
+    """
+    length = Size.of(figure).length
+    sizes = {geom: _face_size(figure.model, geom) / length for geom in movers(figure.model)}
+    wide = _filled(figure, [geom for geom, size in sizes.items() if size > WIDE])
+    small = _filled(figure, [geom for geom, size in sizes.items() if NARROW < size <= WIDE], STEP_GAP)
+    return (*wide, *(point for point in small if point.radius >= THIN * length))
 
 
-def _is_wide(figure: Figure, geom: int) -> bool:
-    """Return whether a geom has a straight edge or a flat face that is long or wide for the figure."""
-    model, kinds = figure.model, mujoco.mjtGeom
-    kind, size = int(model.geom_type[geom]), model.geom_size[geom]
+def _face_size(model: mujoco.MjModel, geom: int) -> float:
+    """Return the length plus width [m] of the largest face of a box, cylinder or mesh, 0 of other geoms."""
+    kinds, kind, size = mujoco.mjtGeom, int(model.geom_type[geom]), model.geom_size[geom]
     if kind == kinds.mjGEOM_BOX:
         extents = 2 * size
     elif kind == kinds.mjGEOM_CYLINDER:
@@ -66,18 +75,18 @@ def _is_wide(figure: Figure, geom: int) -> bool:
     elif kind == kinds.mjGEOM_MESH:
         extents = np.ptp(mesh_vertices(model, geom), axis=0)
     else:
-        return False
-    return bool(np.sort(extents)[1:].sum() > WIDE * Size.of(figure).length)
+        return 0.0
+    return float(np.sort(extents)[1:].sum())
 
 
-def _filled(figure: Figure, geoms: Sequence[int]) -> tuple[Point, ...]:
+def _filled(figure: Figure, geoms: Sequence[int], gap: float = GAP) -> tuple[Point, ...]:
     """Return spheres that fill geoms, without those inside others of their link."""
     model = figure.model
     out: list[Point] = []
     by_link: dict[int, list[tuple[str, Array, Array]]] = {}
     for geom in geoms:
         body = int(model.geom_bodyid[geom])
-        centres, radii = filling_spheres(model, geom)
+        centres, radii = filling_spheres(model, geom, gap)
         axes = np.stack([quat.rotated(model.geom_quat[geom], e) for e in np.eye(3)], axis=1)
         link = int(figure.body_link[body])
         places = np.array([figure.point_on_link(body, model.geom_pos[geom] + axes @ c)[1] for c in centres])

@@ -258,6 +258,34 @@ def test_a_pole_in_a_mesh_plate_is_a_violation_as_deep_as_mujoco_computes(x, y, 
     assert depth - 0.006 < violations[0].amount < depth + 0.001
 
 
+FOOT = """<mujoco><asset><mesh name="foot" vertex="{corners}"/></asset><worldbody>
+  <geom name="floor" type="plane" size="0 0 1"/><body name="foot" pos="0 0 1"><freejoint name="root"/>
+  <geom name="foot" {shape}/></body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize(("half", "depth"), [((0.1, 0.045, 0.045), 0.08), ((0.1, 0.045, 0.03), 0.025)])
+@pytest.mark.parametrize("shape", ['type="mesh" mesh="foot"', 'type="box" size="{size}"'])
+def test_the_edge_of_a_step_in_a_foot_between_its_corners_is_a_violation(half, depth, shape):
+    """A foot pitched by 45°, with the edge across the middle of its sole, as deep in it as MuJoCo computes."""
+    corners, size = (" ".join(map(str, values)) for values in (cuboid(*half).ravel(), half))
+    at = np.array([0.5, 0, 0.3]) + np.array([-1, 0, 1]) * np.sqrt(0.5) * (half[2] - depth)
+    away, turn = np.array([-0.3, 0, 0.6]), {"rotvec": [0, -45, 0]}
+    keyframes = [
+        Keyframe(t, roots={"root": {"position": list(place), "rotation": turn}})
+        for t, place in ((0, at + away), (0.5, at), (1, at + away))
+    ]
+    xml = FOOT.format(corners=corners, shape=shape.format(size=size))
+    motion = inbetween(build(xml, keyframes, scene={"step": {"x": 0.5, "height": 0.3}}))
+    model, data = motion.model, mujoco.MjData(motion.model)
+    data.qpos[:] = motion.at(0.5)
+    mujoco.mj_kinematics(model, data)
+    expected = -mujoco.mj_geomDistance(model, data, model.geom("foot").id, model.geom("step").id, 1, None)
+    violations = [violation for violation in motion.violations if violation.kind == "penetration"]
+    assert [violation.name for violation in violations] == ["foot"]
+    assert expected == pytest.approx(depth, abs=1e-3)
+    assert 0.6 * expected < violations[0].amount < expected + 0.001
+
+
 PAIR = """<mujoco><asset><mesh name="hand" vertex="0 0 0 .2 0 0 0 .1 0 0 0 .05"/></asset><worldbody>
   <body name="trunk" pos="0 0 1"><freejoint/>
   <geom name="trunk" type="capsule" size=".1" fromto="0 0 0 .05 0 .4"/>
