@@ -107,14 +107,15 @@ class TrackedRecording:
         weights = [(p, self.table.weight * w if p is near else w) for p, w in unweighted.penalties]
         keys = [self._fixed_outside_blends(frame, edits) for frame in unweighted.keys]
         settings = replace(unweighted.settings, tolerance=TOLERANCE)
-        as_recorded = tuple(self.table.blend is not None and self._is_far(t, edits) for t in self.recorded.path.span)
+        first, last = self.recorded.path.span
+        is_far = [self.table.blend is not None and self._is_far(t, edits) for t in (first, last)]
         return replace(
             unweighted,
             keys=tuple(keys),
             penalties=tuple(weights),
             settings=settings,
-            ends=ENDS[as_recorded],
-            end_slope=self.recorded.path.at(np.array(self.recorded.path.span), 1),
+            ends=ENDS[is_far[0], is_far[1]],
+            end_slope=self.recorded.path.at(np.array([first, last]), 1),
         )
 
     def _warped(self, edits: Sequence[Frame]) -> RecordedMotion:
