@@ -225,9 +225,6 @@ def test_a_foot_lands_and_lifts_as_recorded(is_given):
 
 SIDE_STEP = """
 figure = "human"
-[[penalty]]
-kind = "no_slip"  # with a larger weight, the right foot lifts so slowly that noise hides it
-weight = 1.4
 [[keyframe]]
 time = 0.0
 others = "rest"
