@@ -495,7 +495,7 @@ KINDS = {
                 ),
             ),
         ),
-        Kind("no_slip", (Part(2.0, "speed of heels and toes near a surface", _no_slip),), Reach),
+        Kind("no_slip", (Part(1.4, "speed of heels and toes near a surface", _no_slip),), Reach),
         Kind(
             "grounded",
             (Part(0.3, "height of the lowest point, between keyframes that touch the ground", _grounded),), Reach,
