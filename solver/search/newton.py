@@ -82,9 +82,10 @@ def _run(search: Search, tolerance: float) -> Stop:
         if stop is not None:
             return stop
         gain_ratio, predicted = (before - search.value) / proposal.predicted_reduction, proposal.predicted_reduction
-        # the error of a Newton step is quadratic in the model's error, and predicted reductions decrease with the steps
+        # predicted reductions decrease with the steps, and the error of a full Newton step is quadratic in the model's
+        trend = float(np.clip(predicted / previous, MIN_TREND, 1.0))
         model_error = float(np.clip(MODEL_ERROR * (1 - gain_ratio) ** 2, MIN_MODEL_ERROR, 1.0))
-        remaining = predicted * min(model_error, float(np.clip(predicted / previous, MIN_TREND, 1.0)))
+        remaining = predicted * (min(model_error, trend) if search.damping < FIRST_DAMPING else trend)
         if gain_ratio > GOOD_RATIO and search.is_negligible(remaining, tolerance):
             return Stop.CONVERGED
         previous = predicted
