@@ -181,8 +181,8 @@ def _seam_key(saved: Saved) -> Frame:
     """Return the last keyframe of a loop as an inner seam of repeated cycles, with the entries that the first keyframe
     fixes or poses fixed or posed as well."""
     first, last = saved.keys[0], saved.keys[-1]
-    fixed, known = first.fixed | last.fixed, first.known | last.known
-    return at_cut(Frame(last.time, last.state, fixed, known & ~fixed), saved.keys, searched_targets(saved))
+    fixed, specified = first.fixed | last.fixed, first.known | last.known
+    return at_cut(Frame(last.time, last.state, fixed, specified & ~fixed), saved.keys, searched_targets(saved))
 
 
 def joined(before: Saved, after: Saved, transition: float, progress: Progress) -> Saved:

@@ -208,11 +208,11 @@ class _Walk:
                 for spot, start, stop in zip(spots, bounds[::2], bounds[1::2], strict=True):
                     if start < stop:
                         stances.append(Stance(point, start, stop, spot, spot, FIRM))
-                for way, start, stop, height in zip(
+                for spots_of_step, start, stop, height in zip(
                     pairwise(spots), bounds[1:-1:2], bounds[2::2], heights, strict=True
                 ):
                     is_whole = not ((is_landing and start == begin) or (is_lifting and stop == end))
-                    swings.append(Swing(point, start, stop, *way, height=height * is_whole))
+                    swings.append(Swing(point, start, stop, *spots_of_step, height=height * is_whole))
         leading = int(self.soles.links[self.leading[0]])
         poses = tuple(self._poses(shares, times))
         return Footsteps(self.k, leading, count, tuple(stances), tuple(swings), poses)

@@ -166,7 +166,7 @@ class Gait:
 
     @property
     def _raises_feet(self) -> bool:
-        """Whether a sole point is off the ground in a keyframe. Otherwise the keyframes tell nothing of a cycle."""
+        """Whether a sole point is off the ground in a keyframe. Otherwise the keyframes contain no sign of a cycle."""
         _, heights = self._standing
         return bool(np.ptp(heights, axis=1).max() > self.limits.near_surface)
 
