@@ -129,7 +129,7 @@ class Context:
                 return False
             travel = np.linalg.norm(moves[self.figure.tables.position_columns[:2]], axis=0).max(initial=0.0)
             is_slow = travel < limits.travels * abs(keys.times[neighbour] - keys.times[end])
-            is_slow |= min(end % keys.times.size, neighbour % keys.times.size) in stepping
+            is_slow |= (0 if end == 0 else keys.times.size - 2) in stepping
             return bool(is_arm or np.abs(moves).max() < REPEATED or (feet and feet <= links and is_slow))
 
         return is_stationary(0, 1, planted[0]), is_stationary(-1, -2, planted[1])
