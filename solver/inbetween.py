@@ -224,9 +224,9 @@ class _Loop:
 
         The first search starts from `timeline`, the second from the straight path between keyframes. The order is
         reversed if `timeline` is a pose outlier. If both minima are poor, or differ, two more starts follow. They are
-        minima without the terms that trap limbs: first without contacts of feet and hands, then without joint bends. A
-        good minimum whose cost increased is followed by the last of these starts only. With one evaluation, only the
-        initial path is evaluated.
+        minima near the straight path without the terms that trap limbs: first without contacts of feet and hands, then
+        without joint bends. A good minimum whose cost increased is followed by the last of these starts only. With one
+        evaluation, only the initial path is evaluated.
         """
         ends: list[_End] = []
         values: list[float] = []
@@ -240,8 +240,7 @@ class _Loop:
             if self.stop is Stop.INTERRUPTED:
                 break
             if self._is_settled(ends[-1].timeline, values):
-                is_last_word = len(values) > 1 or not cost_increased(self.objective, self.last)
-                waiting = [] if is_last_word else waiting[-1:]
+                waiting = waiting[-1:] if cost_increased(self.objective, self.last) else []
         selected = select_best(self.objective, [end.timeline for end in reversed(ends)])
         end = next(end for end in reversed(ends) if end.timeline is selected)
         self.stop = Stop.INTERRUPTED if self.stop is Stop.INTERRUPTED else end.stop
@@ -258,7 +257,7 @@ class _Loop:
         return [
             *starts,
             lambda: self.loosened(straightened(figure, timeline), OF_CONTACTS),
-            lambda: self.loosened(timeline, OF_LIMBS),
+            lambda: self.loosened(straightened(figure, timeline), OF_LIMBS),
         ]
 
     def _is_settled(self, timeline: Timeline, values: Sequence[float]) -> bool:

@@ -64,13 +64,14 @@ def violation_dominates(objective: Objective, parts: Mapping[str, float]) -> boo
 
 
 def cost_increased(objective: Objective, parts: Mapping[str, float]) -> bool:
-    """Return whether the motion costs more than COST_RATIO times the raw spline, and an obstacle may be the cause.
+    """Return whether motion and contact with obstacles cost more than COST_RATIO times the raw spline.
 
     Without obstacles the result is False: feet that must clear the floor or a step cost as much on any route.
     """
-    normalized = {term.penalty.name for term in objective.raw_normalized}
-    cost = sum(value for name, value in parts.items() if name in normalized)
-    return cost > COST_RATIO * objective.raw_cost and any(term.penalty.obstructs for term in objective.terms)
+    obstacles = {term.penalty.name for term in objective.terms if term.penalty.obstructs}
+    counted = obstacles | {term.penalty.name for term in objective.raw_normalized}
+    cost = sum(value for name, value in parts.items() if name in counted)
+    return bool(obstacles) and cost > COST_RATIO * objective.raw_cost
 
 
 def largest_deviation(figure: Figure, timeline: Timeline, expected: Path | None = None) -> float:

@@ -180,7 +180,7 @@ def test_violations_of_physics_are_not_a_reason_to_restart():
     assert not violation_dominates(objective, {"acceleration.angular": 0.5, "unit": 0.0, "limits.bend": 3.1})
 
 
-def test_cost_increased_detects_twice_the_raw_cost_where_there_is_an_obstacle():
+def test_motion_and_an_obstacle_that_cost_twice_the_raw_cost_are_a_reason_to_restart():
     raw = path_of(raw_timeline(LIMB, swinging(6)))
     ball, floor = (
         Sphere("ball", centre=np.array([0.0, 0, 5]), radius=0.1),
@@ -192,6 +192,7 @@ def test_cost_increased_detects_twice_the_raw_cost_where_there_is_an_obstacle():
         dear = COST_RATIO * objective.raw_cost
         assert cost_increased(objective, {"acceleration.angular": dear + 0.1}) is found
         assert not cost_increased(objective, {"acceleration.angular": dear - 0.1, "limits.bend": 50.0})
+        assert cost_increased(objective, {"acceleration.angular": dear - 0.1, contact.name: 0.2}) is found
 
 
 # and what is done
