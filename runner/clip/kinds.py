@@ -44,7 +44,7 @@ from dynsplines.solver.penalty import (
     StancePenalty,
     Sum,
     Support,
-    Swings,
+    SwingSegments,
     Torque,
     UnitMagnitude,
     Upright,
@@ -310,7 +310,7 @@ def _contact(context: Context, options: Options) -> Penalty | None:
 def _no_slip(context: Context, options: Reach) -> Penalty | None:
     if not context.points:
         return None
-    swings = None if context.schedule.flights else Swings.of(context.figure, context.keys, context.points)
+    swings = None if context.schedule.flights else SwingSegments.of(context.figure, context.keys, context.points)
     return Skate(context.points, context.surfaces, options.reach or Thresholds.of(context.figure).slip_reach, swings)
 
 

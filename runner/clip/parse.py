@@ -218,6 +218,11 @@ def keyframe_label(number: int, time: float) -> str:
     return f"keyframe {number} (t = {time:g} s)"
 
 
+def is_too_near(a: float, b: float) -> bool:
+    """Return whether neighbouring keyframes at two times [s] are too near each other."""
+    return abs(b - a) < SHORTEST - ROUNDING
+
+
 def check_times(times: Sequence[float], where: str, fewest: int = 2) -> None:
     """Check that the times (K,) [s] of keyframes rise, by steps that are neither too short nor too uneven.
 
@@ -229,7 +234,7 @@ def check_times(times: Sequence[float], where: str, fewest: int = 2) -> None:
     for i, (a, b) in enumerate(pairwise(times), 1):
         if not b > a:
             raise UserError(f"{where}: {keyframe_label(i + 1, b)} is not after {keyframe_label(i, a)}; times must rise")
-        if b - a < SHORTEST - ROUNDING:
+        if is_too_near(a, b):
             raise UserError(f"{where}: {keyframe_label(i + 1, b)} is less than {SHORTEST:g} s after keyframe {i}")
     for i, (a, b, c) in enumerate(zip(times, times[1:], times[2:], strict=False), 1):
         short, long = sorted((b - a, c - b))

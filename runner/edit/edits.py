@@ -10,7 +10,6 @@ from typing import TypeVar
 
 import numpy as np
 
-from dynsplines.solver.contacts import ROUNDING
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam
@@ -28,7 +27,7 @@ from ..clip.contacts import grasps_of
 from ..clip.file import standalone
 from ..clip.load import clip_from_motion, of_motion
 from ..clip.mirror import mirrored_tables
-from ..clip.parse import LONGEST, SHORTEST, check_times, table_of
+from ..clip.parse import LONGEST, SHORTEST, check_times, is_too_near, table_of
 from ..clip.table import ClipTable, ContactTable, GraspTable, KeyframeTable, PenaltyTable, SolveTable
 from ..clip.text import keyframe_tables, written
 from ..errors import UserError
@@ -137,8 +136,8 @@ def trimmed(saved: Saved, first: float, last: float) -> Saved:
     saved = standalone(saved)
     timeline = retime.trimmed(saved.timeline, first, last)
     begin, end = float(timeline.times[0]), float(timeline.times[-1])
-    apart = SHORTEST - ROUNDING
-    inside = [key for key in saved.keys if begin + apart <= key.time <= end - apart]
+    within = [key for key in saved.keys if begin < key.time < end]
+    inside = [key for key in within if not is_too_near(begin, key.time) and not is_too_near(key.time, end)]
     edges = (_key_on(saved.figure, timeline, number) for number in (0, -1))
     start, stop = (at_cut(edge, saved.keys, searched_targets(saved)) for edge in edges)
     return _with_keys(saved, (start, *inside, stop), timeline)

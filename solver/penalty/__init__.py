@@ -24,7 +24,7 @@ from .ground.placement import Placement as Placement
 from .ground.rest import RestPenalty as RestPenalty
 from .ground.rest import Rolling as Rolling
 from .ground.skate import Skate as Skate
-from .ground.skate import Swings as Swings
+from .ground.skate import SwingSegments as SwingSegments
 from .ground.stance import StancePenalty as StancePenalty
 from .ground.support import Support as Support
 from .joints.bend import Bend as Bend

@@ -8,7 +8,7 @@ from typing import Any
 
 from dynsplines.solver.contacts import ROUNDING
 
-from ...clip.parse import SHORTEST
+from ...clip.parse import is_too_near
 from ...errors import UserError
 from .tables import DOTTED, Blocks, add, drop_dotted, number, put, put_dotted, remove, row
 
@@ -52,7 +52,7 @@ def _follow(table: Any, end: str, was: Sequence[float], now: Mapping[int, float]
 
 def _check_order(was: Sequence[float], now: Sequence[float]) -> None:
     for index, (a, b) in enumerate(pairwise(now)):
-        if b - a < SHORTEST - ROUNDING:
+        if b < a or is_too_near(a, b):
             moved = index if abs(now[index] - was[index]) > ROUNDING else index + 1
             other = index + 1 if moved == index else index
             side = "past" if (b <= a) else "on"
@@ -66,7 +66,7 @@ def add_key(tree: Blocks, *, entries: Mapping[str, Any]) -> str:
     """Insert a keyframe with these entries, sorted by time."""
     time, was = number(entries["time"], "the time of a keyframe"), times(tree)
     for index, other in enumerate(was):
-        if abs(other - time) < SHORTEST - ROUNDING:
+        if is_too_near(other, time):
             raise UserError(f"there is a keyframe at {other:g} s already: keyframe {index + 1}")
     add(tree, ("keyframe",), {**entries, "time": time}, sum(other < time for other in was))
     return f"add a keyframe at {time:g} s"

@@ -31,7 +31,7 @@ WORTH = 1e-3  # [m² rad⁻² s²] reference value: 3 cm/s of a point on the gro
 
 
 @dataclass(frozen=True, eq=False)
-class Swings:
+class SwingSegments:
     """Segments between keyframes in which points belong to a swinging foot, which may pass low over the ground.
 
     Attributes:
@@ -43,7 +43,7 @@ class Swings:
     is_swing: Mask
 
     @classmethod
-    def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point]) -> Swings:
+    def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point]) -> SwingSegments:
         """Return the segments of at most 0.25 s in which points move by more than 8 cm between keyframes.
 
         Time and distance are those of an adult. They are scaled to the size of the figure.
@@ -111,7 +111,7 @@ class Skate(Penalty):
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
     reach: float = Thresholds.slip_reach
-    swings: Swings | None = None
+    swings: SwingSegments | None = None
 
     name = "no_slip"
     role = Role.CONTACT

@@ -15,7 +15,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, Skate, UnitMagnitude
-from dynsplines.solver.penalty.ground.skate import Swings
+from dynsplines.solver.penalty.ground.skate import SwingSegments
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point, places_of
@@ -122,14 +122,14 @@ def stepping(rest: float) -> tuple[Figure, Timeline]:
 
 def test_a_point_that_comes_far_between_near_keyframes_swings():
     figure, keys = stepping(0.4)
-    swings = Swings.of(figure, keys, (Point("sole", 1, np.array([0.0, 0, -0.1])),))
+    swings = SwingSegments.of(figure, keys, (Point("sole", 1, np.array([0.0, 0, -0.1])),))
     np.testing.assert_array_equal(swings.at(np.array([0.1, 0.3, 0.7])), [[True, False, False]])
 
 
 def test_nothing_swings_where_no_keyframe_specifies_the_foot():
     figure, keys = stepping(0.4)
     loose = Timeline(tuple(Frame.key(f.time, f.state, np.zeros(7, bool)) for f in keys.frames), keys.end_slope)
-    assert not Swings.of(figure, loose, (Point("sole", 1, np.zeros(3)),)).is_swing.any()
+    assert not SwingSegments.of(figure, loose, (Point("sole", 1, np.zeros(3)),)).is_swing.any()
 
 
 def test_a_point_that_swings_is_as_fast_as_it_likes(rng):
@@ -139,6 +139,6 @@ def test_a_point_that_swings_is_as_fast_as_it_likes(rng):
     y = np.tile([0.0, 0, 0.15, 1, 0, 0, 0], (2, 1))
     y_d = rng.normal(size=y.shape)
     samples = Samples(figure, y, y_d, 0 * y, t=t)
-    free, all_ = Skate(points, (floor,), swings=Swings.of(figure, keys, points)), Skate(points, (floor,))
+    free, all_ = Skate(points, (floor,), swings=SwingSegments.of(figure, keys, points)), Skate(points, (floor,))
     np.testing.assert_array_equal(free.evaluate(samples), all_.evaluate(samples) * [0, 1])
     assert penalty_slope(free, samples, rng) > 1.95
