@@ -36,7 +36,7 @@ from .search.selection import select_best
 from .solution import Improvement, Solution
 
 NEGLIGIBLE = 1e-3  # [1] share of the first E; thresholds relative to E use at least this much
-ROUGH = 1e-2  # [1] tolerance of all rounds except the last, relative to E
+ROUGH = 2e-2  # [1] tolerance of all rounds except the last, relative to E
 SHARE_OF_PROMISE = 0.1  # [1] predicted reduction of a step relative to that of new frames, below which a round ends
 MOST_FRAMES = 12  # default limit of variable frames, on average per segment between keyframes
 OF_CONTACTS, OF_LIMBS = frozenset({Role.CONTACT, Role.PHYSICS}), frozenset({Role.LIMIT})
