@@ -246,7 +246,10 @@ def test_too_few_handles_are_reported(tried: Tried, tmp_path: Path):
 @pytest.mark.parametrize("megabytes", [2, 40])  # with less, the stack may not grow, which ends any program at once
 def test_too_little_memory_is_reported(megabytes: int, tried: Tried, tmp_path: Path):
     little = (  # the stack grows first, by a nested repr: a stack that may not grow later ends any program at once
-        "nested = []\nfor _ in range(800):\n    nested = [nested]\nrepr(nested)\n"
+        "sys = __import__('sys')\nusual = sys.getrecursionlimit()\nsys.setrecursionlimit(30_000)\n"
+        "nested = []\nfor _ in range(20_000):\n    nested = [nested]\n"
+        "try:\n    repr(nested)\nexcept RecursionError:\n    pass\n"
+        "sys.setrecursionlimit(usual)\n"
         "import resource; used = int(open('/proc/self/statm').read().split()[0]) * resource.getpagesize()\n"
         f"resource.setrlimit(resource.RLIMIT_AS, (used + {megabytes}_000_000,) * 2)\n"
     )
