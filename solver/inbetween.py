@@ -137,7 +137,7 @@ class _Loop:
         outside_terms: The contribution of segments outside the searched part to the terms of E, (terms,).
         embed: Inserts the searched part into the whole clip.
         last: The terms of E at the last evaluation, by name.
-        least: The least E since samples were added, if they were.
+        least: The least E since the samples changed, if they did.
     """
 
     def __init__(self, objective: Objective, settings: Settings, improved: Callable | None) -> None:
@@ -230,17 +230,22 @@ class _Loop:
         """
         ends: list[_End] = []
         values: list[float] = []
+        objective, cuts = self.objective, set[float]()
         waiting = self._starts(timeline)
         while waiting:
             if ends:
                 self.round += 1
                 self.optimiser = self.new_optimiser()
+                if self.objective is not objective:  # its added samples are for other paths
+                    self.objective, self.least = objective, self._least_of(objective)
             ends += self.run(waiting.pop(0)(), segments, budget)
+            cuts |= set(self.objective.quadrature.cuts)
             values.append(sum(self.last.values()))
             if self.stop is Stop.INTERRUPTED:
                 break
             if self._is_settled(ends[-1].timeline, values):
                 waiting = waiting[-1:] if cost_increased(self.objective, self.last) else []
+        self.objective = objective.cut_at(cuts)
         selected = select_best(self.objective, [end.timeline for end in reversed(ends)])
         end = next(end for end in reversed(ends) if end.timeline is selected)
         self.stop = Stop.INTERRUPTED if self.stop is Stop.INTERRUPTED else end.stop
@@ -296,12 +301,12 @@ class _Loop:
             timeline = split(timeline, chosen)
             self.round += bool(chosen.size) or is_finer
 
-    def _least_of(self, finer: Objective) -> float:
-        """Return the value of the best path under an objective with more samples, so high that the path counts again.
+    def _least_of(self, objective: Objective) -> float:
+        """Return the value of the best path under an objective with other samples, so high that the path counts again.
 
         It may be larger than before. The path is not that of the present search if an earlier one ended better.
         """
-        return np.inf if self.best is None else finer.value(path_of(self.best())) * (1 + ROUNDING)
+        return np.inf if self.best is None else objective.value(path_of(self.best())) * (1 + ROUNDING)
 
     def loosened(self, timeline: Timeline, without: frozenset[Role]) -> Timeline:
         """Return the minimum of a rough search without the terms of some roles."""

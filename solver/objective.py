@@ -7,7 +7,7 @@ not change with subdivision.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -268,8 +268,13 @@ class Objective:
             return self
         missed = np.flatnonzero(deep & (depth > 2 * depths(edges)))
         cuts = edges[missed, None] + length[missed, None] * [0.25, 0.5, 0.75]
-        quadrature = replace(self.quadrature, cuts=(*self.quadrature.cuts, *cuts.ravel().tolist()))
-        return replace(self, quadrature=quadrature) if missed.size else self
+        return self.cut_at(cuts.ravel().tolist())
+
+    def cut_at(self, times: Iterable[float]) -> Objective:
+        """Return E with panels of the quadrature cut at more times [s], or this one if there are none."""
+        more = [time for time in times if time not in self.quadrature.cuts]
+        quadrature = replace(self.quadrature, cuts=(*self.quadrature.cuts, *more))
+        return replace(self, quadrature=quadrature) if more else self
 
     def density(self, samples: Samples) -> Array:
         """Return the integrand Σ_j factor_j f_j at every sample, (S,)."""
