@@ -39,7 +39,6 @@ NEGLIGIBLE = 1e-3  # [1] share of the first E; thresholds relative to E use at l
 ROUGH = 2e-2  # [1] tolerance of all rounds except the last, relative to E
 SHARE_OF_PROMISE = 0.1  # [1] predicted reduction of a step relative to that of new frames, below which a round ends
 MOST_FRAMES = 12  # default limit of variable frames, on average per segment between keyframes
-OF_CONTACTS, OF_LIMBS = frozenset({Role.CONTACT, Role.PHYSICS}), frozenset({Role.LIMIT})
 CLEARLY = 0.5  # [1] share of the first E, below which a path is better than the raw one at any accuracy of quadrature
 ROUNDING = 1e-9  # [1] relative error of E between two sums over the same samples
 MOST_REFINEMENTS = 3  # [1] how often a search continues after it ended, with more samples
@@ -224,9 +223,8 @@ class _Loop:
 
         The first search starts from `timeline`, the second from the straight path between keyframes. The order is
         reversed if `timeline` is a pose outlier. If both minima are poor, or differ, two more starts follow. They are
-        minima near the straight path without the terms that trap limbs: first without contacts of feet and hands, then
-        without joint bends. A good minimum whose cost increased is followed by the last of these starts only. With one
-        evaluation, only the initial path is evaluated.
+        minima without limits of joints, near the straight path and near `timeline`. A good minimum whose cost increased
+        is followed by these starts only. With one evaluation, only the initial path is evaluated.
         """
         ends: list[_End] = []
         values: list[float] = []
@@ -244,7 +242,7 @@ class _Loop:
             if self.stop is Stop.INTERRUPTED:
                 break
             if self._is_settled(ends[-1].timeline, values):
-                waiting = waiting[-1:] if cost_increased(self.objective, self.last) else []
+                waiting = waiting[-2:] if cost_increased(self.objective, self.last) else []
         self.objective = objective.cut_at(cuts)
         selected = select_best(self.objective, [end.timeline for end in reversed(ends)])
         end = next(end for end in reversed(ends) if end.timeline is selected)
@@ -261,8 +259,8 @@ class _Loop:
             starts.reverse()
         return [
             *starts,
-            lambda: self.loosened(straightened(figure, timeline), OF_CONTACTS),
-            lambda: self.loosened(straightened(figure, timeline), OF_LIMBS),
+            lambda: self.loosened(straightened(figure, timeline)),
+            lambda: self.loosened(timeline),
         ]
 
     def _is_settled(self, timeline: Timeline, values: Sequence[float]) -> bool:
@@ -308,9 +306,9 @@ class _Loop:
         """
         return np.inf if self.best is None else objective.value(path_of(self.best())) * (1 + ROUNDING)
 
-    def loosened(self, timeline: Timeline, without: frozenset[Role]) -> Timeline:
-        """Return the minimum of a rough search without the terms of some roles."""
-        terms = tuple(term for term in self.objective.terms if term.penalty.role not in without)
+    def loosened(self, timeline: Timeline) -> Timeline:
+        """Return the minimum of a rough search without limits of joints, which can trap a limb on the wrong side."""
+        terms = tuple(term for term in self.objective.terms if term.penalty.role is not Role.LIMIT)
         descent = Descent(replace(self.objective, terms=terms), timeline)
         minimum = descent.run(optimiser=NONE, max_evaluations=self.settings.max_evaluations, tolerance=ROUGH)
         self.evaluations += minimum.evaluations

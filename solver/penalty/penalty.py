@@ -61,8 +61,8 @@ class Normalization:
 class Role(Enum):
     """The purpose of a soft constraint.
 
-    If the search ends in a poor local minimum, the solver restarts without constraints that may trap a limb: first
-    without CONTACT and PHYSICS, then also without LIMIT.
+    If the search ends in a poor local minimum, the solver restarts, also from minima without LIMIT, which may trap a
+    limb. Violations of PHYSICS are no sign of such a minimum. Collisions with an OBSTACLE may get more samples.
     """
 
     SMOOTHNESS = "accelerations and speeds are low"
