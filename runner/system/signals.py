@@ -1,7 +1,7 @@
-"""Signals that end a command: a terminal's hangup and SIGTERM act like Ctrl-C, with separate exit codes.
+"""Signals that end a command: hangup, SIGTERM and a limit of processor time act like Ctrl-C, with separate exit codes.
 
-The best result of a search is then written. The exit code still reports the signal, 129 or 143, so that the sender can
-detect the interruption. This module imports almost nothing, because the handlers are set before any slow import.
+The best result of a search is then written. The exit code still reports the signal, 129, 143 or 152, so that the sender
+can detect the interruption. This module imports almost nothing, because the handlers are set before any slow import.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from types import FrameType
 
 FIRST = 128  # offset of the exit code to the signal's number
 STOPPED = 130  # exit code of Ctrl-C
+HANDLED = ("SIGINT", "SIGTERM", "SIGHUP", "SIGXCPU")  # Windows lacks the last two
 TERMINALS = 1, 2  # stdout and stderr, which cannot be written to after a hangup of their terminal
 
 _received: int | None = None
@@ -23,17 +24,15 @@ def install_handlers() -> None:
     global _received
     _received = None
     _terminals[:] = filter(os.isatty, TERMINALS)
-    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
-        number = getattr(signal, name, None)  # Windows has no SIGHUP
-        if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
+    for number in _handled():
+        if signal.getsignal(number) is not signal.SIG_IGN:
             signal.signal(number, _stop)
 
 
 def ignore() -> None:
     """Ignore signals: the command is about to end."""
-    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
-        if hasattr(signal, name):
-            signal.signal(getattr(signal, name), signal.SIG_IGN)
+    for number in _handled():
+        signal.signal(number, signal.SIG_IGN)
 
 
 def was_received() -> bool:
@@ -46,10 +45,16 @@ def code(otherwise: int) -> int:
     return otherwise if _received in (None, signal.SIGINT) else FIRST + int(_received)
 
 
+def _handled() -> list[signal.Signals]:
+    return [getattr(signal, name) for name in HANDLED if hasattr(signal, name)]
+
+
 def _stop(number: int, frame: FrameType | None) -> None:
     """Handle a signal like Ctrl-C: call its handler, or else raise KeyboardInterrupt."""
     global _received
     _received = number
+    if number == getattr(signal, "SIGXCPU", None):
+        signal.signal(number, signal.SIG_IGN)  # it is sent again every second
     if number == getattr(signal, "SIGHUP", None):
         nowhere = os.open(os.devnull, os.O_WRONLY)
         for stream in _terminals:

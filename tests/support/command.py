@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import pytest
 
 from dynsplines import cli
+from dynsplines.system.signals import HANDLED
 
 
 @dataclass(frozen=True)
@@ -45,7 +46,7 @@ def commanded(
 
     def run(*words: object) -> Done:
         monkeypatch.setattr(sys, "argv", ["dynsplines", *map(str, words)])
-        handlers = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)}
+        handlers = {number: signal.getsignal(number) for number in map(signal.Signals.__getitem__, HANDLED)}
         try:
             with pytest.raises(SystemExit) as ended:
                 main()
