@@ -65,17 +65,14 @@ class Role(Enum):
     limb. Violations of PHYSICS are no sign of such a minimum. Collisions with an OBSTACLE may get more samples.
     """
 
-    SMOOTHNESS = "accelerations and speeds are low"
-    CONTACT = "feet and hands stay in place"
+    GOAL = "the motion is smooth, and near its targets"
     OBSTACLE = "surfaces and limbs do not penetrate each other"
     LIMIT = "joints stay within their bounds"
     PHYSICS = "the ground can supply the forces, without impacts"
-    EQUALITY = "joints and points are coupled"
-    TRACKING = "poses and positions are near targets"
 
 
 class Penalty(ABC):
-    """A soft constraint f_j. Subclasses define `name`, `role`, `normalization` and `residuals`.
+    """A soft constraint f_j. Subclasses define `name`, `normalization` and `residuals`, and a `role` other than GOAL.
 
     Value, gradient and curvature are computed from the residuals.
     """
@@ -86,9 +83,9 @@ class Penalty(ABC):
         """The name in reports."""
 
     @property
-    @abstractmethod
     def role(self) -> Role:
         """The purpose of the constraint."""
+        return Role.GOAL
 
     @property
     @abstractmethod

@@ -35,7 +35,6 @@ from dynsplines.solver.penalty import (
     Normalization,
     Penalty,
     Posture,
-    Role,
     RootAcceleration,
 )
 from dynsplines.solver.penalty.penalty import Momentary
@@ -257,10 +256,6 @@ class Clock(Penalty):
         return "clock"
 
     @property
-    def role(self) -> Role:
-        return Role.SMOOTHNESS
-
-    @property
     def normalization(self) -> Normalization:
         return Normalization(1.0)
 
@@ -274,10 +269,6 @@ class Bell(Momentary):
     @property
     def name(self) -> str:
         return "bell"
-
-    @property
-    def role(self) -> Role:
-        return Role.SMOOTHNESS
 
     @property
     def normalization(self) -> Normalization:

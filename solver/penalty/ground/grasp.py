@@ -18,7 +18,7 @@ from ...figure.algebra import applied, cross
 from ...figure.kinematics import Samples
 from ...figure.wrenches import along_axes, of_point, of_velocity
 from ..block import Block
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import Normalization, Penalty
 
 TINY = 1e-12  # [m] least distance in a division
 
@@ -34,7 +34,6 @@ class GraspPenalty(Penalty):
     grasps: tuple[Grasp, ...]
 
     name = "attach.grasp"
-    role = Role.CONTACT
     normalization = Normalization(1e-4, length_power=2, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:

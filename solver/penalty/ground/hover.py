@@ -26,7 +26,7 @@ from ...surface.heights import clearance_gradients, clearances
 from ...surface.points import Point, arrays_of
 from ..allowance import Allowance
 from ..block import Block
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import Normalization, Penalty
 
 NEAR = 0.01  # [m] height that the body of an adult may gain in one step of the search
 NEGLIGIBLE = 1e-9  # of the lowest point's share
@@ -65,7 +65,6 @@ class HoverPenalty(Penalty):
     long: float = Thresholds.long
 
     name = "grounded"
-    role = Role.CONTACT
     normalization = Normalization(1e-4, length_power=2, is_violation=True)
 
     def allowing(self, figure: Figure, keys: Timeline) -> HoverPenalty:

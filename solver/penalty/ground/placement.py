@@ -17,7 +17,7 @@ from ...figure.kinematics import Samples
 from ...figure.wrenches import of_point
 from ...surface.points import Point
 from ..block import Block
-from ..penalty import Momentary, Normalization, Role
+from ..penalty import Momentary, Normalization
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +41,6 @@ class Placement(Momentary):
     placed: tuple[Placed, ...]
 
     name = "attach.placement"
-    role = Role.TRACKING
     normalization = Normalization(1e-4, length_power=2, is_violation=True)
 
     @property

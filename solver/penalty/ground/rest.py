@@ -24,7 +24,7 @@ from ...surface import Surface
 from ...surface.heights import height_over
 from ...surface.points import arrays_of
 from ..block import Block
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import Normalization, Penalty
 
 UP = np.array([0.0, 0, 1])  # normal of level ground
 
@@ -62,7 +62,6 @@ class RestPenalty(Penalty):
     surfaces: tuple[Surface, ...]
 
     name = "attach.contact"
-    role = Role.CONTACT
     normalization = Normalization(1e-4, length_power=2, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:

@@ -23,7 +23,7 @@ from ...surface import Surface
 from ...surface.heights import clearance_gradients, clearances
 from ...surface.points import Point, arrays_of
 from ..block import Block
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import Normalization, Penalty
 
 NEGLIGIBLE, TINY = 0.03, 1e-8  # [1] smallest root of the weight of a point in a model of E, and in E
 LOWEST = -0.25  # [1] height, relative to the reach, below which the weight is constant
@@ -114,7 +114,6 @@ class Skate(Penalty):
     swings: SwingSegments | None = None
 
     name = "no_slip"
-    role = Role.CONTACT
     normalization = Normalization(WORTH, length_power=2, time_power=2, normalize_by="acceleration.angular")
 
     @cached_property

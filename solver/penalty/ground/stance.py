@@ -14,7 +14,7 @@ from ...figure.algebra import applied
 from ...figure.kinematics import Samples
 from ...figure.wrenches import along_axes, of_point
 from ..block import Block
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import Normalization, Penalty
 
 
 @dataclass(frozen=True)
@@ -24,7 +24,6 @@ class StancePenalty(Penalty):
     stances: tuple[Stance, ...]
 
     name = "attach.stance"
-    role = Role.CONTACT
     normalization = Normalization(1e-4, length_power=2, is_violation=True, is_sharp=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:

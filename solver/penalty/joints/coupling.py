@@ -18,7 +18,7 @@ from ...array import Array, Index
 from ...figure.figure import Figure, JointKind
 from ...figure.kinematics import Samples
 from ..block import Block, Entries
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import Normalization, Penalty
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +53,6 @@ class CouplingPenalty(Penalty):
     couplings: tuple[Coupling, ...]
 
     name = "coupled"
-    role = Role.EQUALITY
     normalization = Normalization(float(np.radians(1) ** 2), is_violation=True)
 
     @cached_property

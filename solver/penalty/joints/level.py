@@ -14,7 +14,7 @@ from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...figure.wrenches import every_axis, of_turn
 from ..block import Block
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import Normalization, Penalty
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,7 +30,6 @@ class Level(Penalty):
     axes: Array
 
     name = "upright.bodies"
-    role = Role.TRACKING
     normalization = Normalization(float(np.radians(10) ** 2), is_violation=True)
 
     @classmethod

@@ -20,7 +20,7 @@ from ...figure.kinematics import Samples
 from ...figure.wrenches import every_axis, of_point
 from ...surface.points import Point
 from ..block import Block
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import Normalization, Penalty
 
 TORQUE_SCALE = 10  # index of `torquescale` in the data of a weld; zero leaves the rotation free
 UNTURNED = np.array([1.0, 0, 0, 0])
@@ -43,7 +43,6 @@ class LoopClosure(Penalty):
     closures: tuple[Closure, ...]
 
     name = "closed"
-    role = Role.EQUALITY
     normalization = Normalization(1e-4, length_power=2, is_violation=True)
 
     @cached_property

@@ -18,7 +18,7 @@ from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
 from ...figure.wrenches import along_axes, of_turn
 from ..block import Block
-from ..penalty import Momentary, Normalization, Role
+from ..penalty import Momentary, Normalization
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +37,6 @@ class Upright(Momentary):
     leans: tuple[Lean, ...]
 
     name = "upright.trunk"
-    role = Role.TRACKING
     normalization = Normalization(float(np.radians(10) ** 2), is_violation=True)
 
     @property

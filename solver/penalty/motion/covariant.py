@@ -19,7 +19,7 @@ from ...figure.algebra import dot
 from ...figure.kinematics import Samples
 from ..block import Block, Dense, every
 from ..curvature import Curvature
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import Normalization, Penalty
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,6 @@ class CovariantAcceleration(Penalty):
     """Σ of f₂* over quaternion blocks [rad²/s⁴ / 4], and of θ''²/4 over hinges."""
 
     name = "acceleration.angular"
-    role = Role.SMOOTHNESS
     normalization = Normalization(16.0, time_power=4, by_tension=-1.0)
 
     def residuals(self, samples: Samples) -> Iterator[Block | Dense]:

@@ -23,7 +23,7 @@ from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ..block import Block, Dense, every
 from ..curvature import Curvature
-from ..penalty import Guide, Normalization, Role
+from ..penalty import Guide, Normalization
 from .posture import independent_joints
 
 FRAMES = 8  # variable frames per period that a path needs to follow a cycle
@@ -43,7 +43,6 @@ class Cycle(Guide):
     gait_cycle: GaitCycle
 
     name = "cycle"
-    role = Role.TRACKING
     normalization = Normalization(LITTLE**2, is_violation=True)
 
     def residuals(self, samples: Samples) -> Iterator[Block | Dense]:

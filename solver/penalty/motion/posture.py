@@ -30,7 +30,7 @@ from ...figure.size import Size
 from ...figure.wrenches import Wrenches, every_axis
 from ..block import Block, Dense, every
 from ..curvature import Curvature
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import Normalization, Penalty
 
 SETTLING = 0.3  # [s] default of `settling`
 # cost of a root's squared velocities relative to a joint's: a person who takes a step leans by a few degrees
@@ -86,7 +86,6 @@ class Posture(Penalty):
     between: Between | None = None
 
     name = "posture"
-    role = Role.SMOOTHNESS
 
     @property
     def normalization(self) -> Normalization:

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...figure.kinematics import Samples
 from ..block import Block, every
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import Normalization, Penalty
 
 
 @dataclass(frozen=True)
@@ -17,7 +17,6 @@ class RootAcceleration(Penalty):
     """Σ of the squared accelerations of free roots' positions and of slides [m²/s⁴]."""
 
     name = "acceleration.linear"
-    role = Role.SMOOTHNESS
     normalization = Normalization(4.0, length_power=2, time_power=4, by_tension=-1.0)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:

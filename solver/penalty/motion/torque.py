@@ -21,7 +21,7 @@ from ...figure.effort_rows import joint_rows
 from ...figure.kinematics import Samples
 from ..block import Dense
 from ..curvature import Curvature
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import Normalization, Penalty
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,6 @@ class Torque(Penalty):
     """Σ of squared torques of ball joints and hinges and forces of slides [N² m²], without the wrench of free roots."""
 
     name = "torque"
-    role = Role.SMOOTHNESS
     normalization = Normalization(1.0)
 
     def residuals(self, samples: Samples) -> Iterator[Dense]:

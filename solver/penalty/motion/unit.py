@@ -12,7 +12,7 @@ from ...figure.adjoint import Cotangent
 from ...figure.kinematics import Samples
 from ..block import Dense
 from ..curvature import Curvature
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import Normalization, Penalty
 
 
 @dataclass(frozen=True)
@@ -27,7 +27,6 @@ class UnitMagnitude(Penalty):
     most: float = 1.0
 
     name = "unit"
-    role = Role.SMOOTHNESS
 
     @property
     def normalization(self) -> Normalization:

@@ -15,7 +15,7 @@ from tiny import written
 from dynsplines import Clip, Keyframe, Motion, UserError, build, inbetween, load, load_motion
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrenches import Wrenches, every_axis
-from dynsplines.solver.penalty import Block, Normalization, Penalty, Role
+from dynsplines.solver.penalty import Block, Normalization, Penalty
 
 
 @dataclass(frozen=True)
@@ -27,10 +27,6 @@ class Calm(Penalty):
     @property
     def name(self) -> str:
         return self.called
-
-    @property
-    def role(self) -> Role:
-        return Role.SMOOTHNESS
 
     @property
     def normalization(self) -> Normalization:

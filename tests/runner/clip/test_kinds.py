@@ -12,7 +12,7 @@ from dynsplines.cli import list_penalties
 from dynsplines.clip.kinds import KINDS, RENAMED, Kind, Part
 from dynsplines.motion import save
 from dynsplines.solver.figure.wrenches import Wrenches, every_axis
-from dynsplines.solver.penalty import Block, Normalization, Penalty, Role
+from dynsplines.solver.penalty import Block, Normalization, Penalty
 from dynsplines.studio.outline import kinds, outline
 
 CLIP = """
@@ -116,7 +116,7 @@ def test_an_older_kind_is_refused_with_the_term_that_replaces_it(kind):
 class Calm(Penalty):
     """The squared speed of all links' origins [m²/s²]."""
 
-    name, role, normalization = "calm", Role.SMOOTHNESS, Normalization(1.0, time_power=2)
+    name, normalization = "calm", Normalization(1.0, time_power=2)
 
     def residuals(self, samples):
         links = np.arange(1, len(samples.figure.links))

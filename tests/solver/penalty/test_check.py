@@ -16,7 +16,6 @@ from dynsplines.solver.penalty import (
     CovariantAcceleration,
     Normalization,
     Penalty,
-    Role,
     RootAcceleration,
     Torque,
     UnitMagnitude,
@@ -38,10 +37,6 @@ class Power(Penalty):
     @property
     def name(self) -> str:
         return "power"
-
-    @property
-    def role(self) -> Role:
-        return Role.SMOOTHNESS
 
     @property
     def normalization(self) -> Normalization:

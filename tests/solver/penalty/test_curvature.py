@@ -39,7 +39,6 @@ from dynsplines.solver.penalty import (
     Contact,
     Normalization,
     Penalty,
-    Role,
     RootAcceleration,
     Torque,
 )
@@ -86,10 +85,6 @@ class Plain(Penalty):
     @property
     def name(self) -> str:
         return "plain"
-
-    @property
-    def role(self) -> Role:
-        return Role.SMOOTHNESS
 
     @property
     def normalization(self) -> Normalization:
