@@ -16,7 +16,7 @@ import mujoco
 import numpy as np
 
 from ... import quaternion as quat
-from ...array import Array, Index
+from ...array import Array, Index, Mask
 from ...figure.algebra import cross, dot
 from ...figure.figure import Figure
 from ...figure.forward import kinematics
@@ -123,14 +123,10 @@ class SelfContact(Penalty):
         """Return the pairs of capsules less than `near` [m] apart, or None."""
         if not self.pairs.size:
             return None
-        carriers, middles, reach = self._bounds
-        around, _ = samples.links.points(carriers, middles)
         reach_limit = near + self.margin
         results = []
-        for first, last, pairs in self._groups:
-            a, b = (int(np.searchsorted(carriers, link)) for link in (first, last))
-            gap = around[:, a] - around[:, b]
-            at = np.flatnonzero(dot(gap, gap) < (reach[a] + reach[b] + reach_limit) ** 2)
+        for (_, _, pairs), is_close in zip(self._groups, self._close(samples, reach_limit), strict=True):
+            at = np.flatnonzero(is_close)
             if at.size:
                 met = self._met(samples, at, pairs, reach_limit)
                 results.append(met.select(np.flatnonzero(met.depth > -near)))
@@ -147,14 +143,35 @@ class SelfContact(Penalty):
         halves, radii = (np.array([getattr(bar, name) for bar in self.bars]) for name in ("half", "radius"))
         return links, centres, axes, halves, radii
 
+    def _close(self, samples: Samples, margin: float) -> Mask:
+        """Return whether the bounding capsules of each pair of links are less than `margin` [m] apart, (pairs, S)."""
+        carriers, middles, axes, halves, radii = self._bounds
+        place, _ = samples.links.points(carriers, middles)
+        axis = np.einsum("ijns,jn->ins", samples.links.rotation[:, :, carriers], axes)
+        a, b = np.searchsorted(carriers, [(first, last) for first, last, _ in self._groups]).T
+        d, u, v = place[:, a] - place[:, b], axis[:, a], axis[:, b]
+        s, t = nearest_on_segments(d, u, v, halves[a, None], halves[b, None])
+        apart = d + s * u - t * v
+        return dot(apart, apart) < ((radii[a] + radii[b] + margin) ** 2)[:, None]
+
     @cached_property
-    def _bounds(self) -> tuple[Index, Array, Array]:
-        """Bounding spheres of each link's bars: ascending links (m,), centres (3, m), radii (m,)."""
-        links, centres, _, halves, radii = self._arrays
-        carriers, owner = np.unique(links, return_inverse=True)
-        middles = np.array([centres[:, owner == k].mean(axis=1) for k in range(carriers.size)]).T
-        far = np.linalg.norm(centres - middles[:, owner], axis=0) + halves + radii
-        return carriers, middles, np.array([far[owner == k].max() for k in range(carriers.size)])
+    def _bounds(self) -> tuple[Index, Array, Array, Array, Array]:
+        """Bounding capsules of each link's bars: ascending links (m,), centres and axes (3, m), half lengths and radii
+        (m,)."""
+        links, centres, axes, halves, radii = self._arrays
+        carriers, bounds = np.unique(links), []
+        for link in carriers:
+            which = np.tile(links == link, 2)
+            ends = np.hstack([centres - halves * axes, centres + halves * axes])[:, which]
+            middle = 0.5 * (ends.min(axis=1) + ends.max(axis=1))
+            axis = np.linalg.svd(ends - middle[:, None])[0][:, 0]
+            along = axis @ (ends - middle[:, None])
+            low, high = along.min(), along.max()
+            off = ends - middle[:, None] - along * axis[:, None]
+            radius = float((np.linalg.norm(off, axis=0) + np.tile(radii, 2)[which]).max())
+            bounds.append((middle + 0.5 * (low + high) * axis, axis, 0.5 * (high - low), radius))
+        middles, directions, lengths, reaches = (np.array(part).T for part in zip(*bounds, strict=True))
+        return carriers, middles, directions, lengths, reaches
 
     @cached_property
     def _groups(self) -> list[tuple[int, int, Index]]:
@@ -172,7 +189,7 @@ class SelfContact(Penalty):
         return centre, axis
 
     def _met(self, samples: Samples, at: Index, pairs: Index, margin: float) -> Meeting:
-        """Return the contacts of all pairs of bars of two links at samples `at` whose bounding spheres overlap."""
+        """Return the contacts of all pairs of bars of two links at samples `at`."""
         links, _, _, halves, radii = self._arrays
         (a, ia), (b, ib) = (np.unique(side, return_inverse=True) for side in pairs)
         (a_arm, a_axis), (b_arm, b_axis) = (self._placed(samples, at, bars) for bars in (a, b))
