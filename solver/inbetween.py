@@ -222,9 +222,9 @@ class _Loop:
         """Return the best timeline of several searches, each started only if the minimum before it is poor.
 
         The first search starts from `timeline`, the second from the straight path between keyframes. The order is
-        reversed if `timeline` is a pose outlier. If both minima are poor, or differ, two more starts follow. They are
-        minima without limits of joints, near the straight path and near `timeline`. A good minimum whose cost increased
-        is followed by these starts only. With one evaluation, only the initial path is evaluated.
+        reversed if `timeline` is a pose outlier. If both minima are poor, two more starts follow, except if the two are
+        alike and neither violations dominate nor the cost increased. They are minima without limits of joints, near the
+        straight path and near `timeline`. With one evaluation, only the initial path is evaluated.
         """
         ends: list[_End] = []
         values: list[float] = []
@@ -242,7 +242,7 @@ class _Loop:
             if self.stop is Stop.INTERRUPTED:
                 break
             if self._is_settled(ends[-1].timeline, values):
-                waiting = waiting[-2:] if cost_increased(self.objective, self.last) else []
+                break
         self.objective = objective.cut_at(cuts)
         selected = select_best(self.objective, [end.timeline for end in reversed(ends)])
         end = next(end for end in reversed(ends) if end.timeline is selected)
@@ -265,10 +265,11 @@ class _Loop:
 
     def _is_settled(self, timeline: Timeline, values: Sequence[float]) -> bool:
         """Return whether the last search makes further ones unnecessary; `values` are the final E of all searches."""
-        if not is_poor_minimum(self.objective, timeline, self.last):
+        is_costly = cost_increased(self.objective, self.last)
+        if not (is_costly or is_poor_minimum(self.objective, timeline, self.last)):
             return True
-        same_valley = max(values) <= ALIKE * min(values)
-        return len(values) == 2 and same_valley and not violation_dominates(self.objective, self.last)
+        same_valley = len(values) == 2 and max(values) <= ALIKE * min(values)
+        return same_valley and not (is_costly or violation_dominates(self.objective, self.last))
 
     def run(self, timeline: Timeline, segments: int, budget: int | None) -> list[_End]:
         """Return the results of rounds, until no segment needs a frame or the budget of frames is spent. A round that
