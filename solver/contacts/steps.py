@@ -21,11 +21,13 @@ class Steps:
         times: The limits of the intervals, (n + 1,) [s].
         stepping: Which links belong to a leg that takes a step in each interval, (L, n).
         legs: Which links belong to a leg, (L,).
+        placing: Which of them place a foot, (L,): all but a foot with several sole points, which its own joint turns.
     """
 
     times: Array
     stepping: Mask
     legs: Mask
+    placing: Mask
 
     @classmethod
     def of(cls, soles: KeyframePoints, standing: Sequence[Stance | Rest]) -> Steps:
@@ -39,10 +41,11 @@ class Steps:
         begin, end = key_times[[0, -1]]
         bounds = [t for stance in standing for t in (stance.first, stance.last) if begin < t < end]
         times = np.unique([*key_times, *bounds])
-        stepping, legs = np.zeros((len(path), times.size - 1), bool), np.zeros(len(path), bool)
-        if not soles.points or not standing:
-            return cls(times, stepping, legs)
+        stepping = np.zeros((len(path), times.size - 1), bool)
         legs = np.asarray(path[soles.links].any(axis=0) & ~path[soles.links].all(axis=0))
+        placing = legs & (np.bincount(soles.links, minlength=legs.size) < 2)
+        if not soles.points or not standing:
+            return cls(times, stepping, legs, placing)
         moves = soles.moves > soles.limits.strode
         first, last = np.array([stance.first for stance in standing]), np.array([stance.last for stance in standing])
         feet = np.array([stance.point.link for stance in standing])
@@ -52,7 +55,7 @@ class Steps:
             for link in np.unique(soles.links[moves[:, segment]]).tolist():
                 if stands.size and not is_same_leg[link, stands].any():
                     stepping[:, k] |= path[link] & ~path[stands].any(axis=0)
-        return cls(times, stepping, legs)
+        return cls(times, stepping, legs, placing)
 
     def move(self, link: int, first: float, last: float) -> bool:
         """Return whether a link belongs to a leg while any leg takes a step between two times [s]."""

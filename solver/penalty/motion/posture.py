@@ -4,10 +4,11 @@ Minimum acceleration swings a joint far out between keyframes a second apart, wh
 fraction of that time. Squared velocity and squared acceleration together define a spline in tension. Velocity dominates
 over segments longer than 2π times `settling`, acceleration over shorter ones.
 
-A root carries the whole body, so its velocity costs more. Otherwise a person would lift a foot by leaning to one side,
-or lean back before a step. The mean velocity between two keyframes is subtracted, as no motion through them avoids it.
-The joints of a leg that takes a step are exempt: they have to leave their posture to lift the foot. If they were not,
-the other foot would rise on its toes and the pelvis would tilt instead.
+Hips and knees place a foot, so their velocity costs least. Trunk, arms and ankles keep their posture more closely in
+captured motion. A root carries the whole body, so its velocity costs most. Otherwise a person would lift a foot by
+leaning to one side, or lean back before a step. The mean velocity between two keyframes is subtracted, as no motion
+through them avoids it. The joints of a leg that takes a step are exempt: they have to leave their posture to lift the
+foot. If they were not, the other foot would rise on its toes and the pelvis would tilt instead.
 """
 
 from __future__ import annotations
@@ -33,8 +34,9 @@ from ..curvature import Curvature
 from ..penalty import Normalization, Penalty
 
 SETTLING = 0.3  # [s] default of `settling`
-# cost of a root's squared velocities relative to a joint's: a person who takes a step leans by a few degrees
-TURN, SHIFT = 12.0, 2.0  # [1], [rad²/m²] of angular, and of horizontal velocity
+# cost of squared velocities, relative to those of a joint that places a foot: of other joints [1], of a root's angular
+# velocity [1], and of its horizontal velocity [rad²/m²]; a person who takes a step leans by a few degrees
+KEEP, TURN, SHIFT = 4.0, 12.0, 2.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,15 +73,16 @@ class Between:
 
 @dataclass(frozen=True)
 class Posture(Penalty):
-    """Σ over ball joints of |ω − ω_parent|²/4, over hinges of θ'²/4, and over roots of 3 |ω|² + v²/2 [rad²/s²].
+    """Σ over ball joints of c |ω − ω_parent|², over hinges of c θ'², and over roots of 3 |ω|² + v²/2 [rad²/s²].
 
     ω is a link's angular velocity, θ' a hinge's, and v a root's horizontal velocity, in m/s on a figure of an adult's
-    size. The velocities of roots are relative to their means between keyframes. Roots are links with a free joint that
-    carry other links. Joints of legs that take a step are exempt.
+    size. c is 1/4 for joints that place a foot and 1 for others. The velocities of roots are relative to their means
+    between keyframes. Roots are links with a free joint that carry other links. Joints of legs that take a step are
+    exempt.
 
     Attributes:
         settling: The time over which a joint's velocity costs as much as its acceleration [s].
-        between: The mean velocities of roots and the steps of legs; None: means of zero, no steps.
+        between: The mean velocities of roots and the steps of legs; None: means of zero, no legs.
     """
 
     settling: float = SETTLING
@@ -94,12 +97,12 @@ class Posture(Penalty):
     def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         figure = samples.figure
         hinges = figure.tables.hinge_columns
-        yield every(samples, hinges, 1, weight=0.25 * self._shares(figure.tables.hinge_links, samples.t).T)
+        yield every(samples, hinges, 1, weight=self._costs(figure.tables.hinge_links, samples.t).T)
         yield from _of_roots(samples, self.between)
         child, parent = _joints(figure)
         if not child.size:
             return
-        omega, share = samples.links.omega, 0.5 * self._shares(child, samples.t)
+        omega, share = samples.links.omega, np.sqrt(self._costs(child, samples.t))
         value = share * (omega[:, child] - omega[:, parent])
 
         def pulled_back(into: Cotangent, bar: Array) -> None:
@@ -111,13 +114,14 @@ class Posture(Penalty):
         curved = partial(_curved, samples, share) if figure.is_world else None
         yield Dense(value.reshape(-1, samples.count), pulled_back, curved)
 
-    def _shares(self, links: Index, t: Array) -> Array:
-        """Return the factors of the velocities of links (l,) at times t (S,) [s], (l, S)."""
-        return (
-            np.ones((links.size, t.size))
-            if self.between is None
-            else np.where(self.between.steps.at(links, t), 0.0, 1.0)
-        )
+    def _costs(self, links: Index, t: Array) -> Array:
+        """Return the factors c of the squared velocities of links' joints (l,) at times t (S,) [s], (l, S)."""
+        costs = np.full((links.size, t.size), 0.25 * KEEP)
+        if self.between is not None:
+            steps = self.between.steps
+            costs[steps.placing[links]] = 0.25
+            costs[steps.at(links, t)] = 0.0
+        return costs
 
 
 def _of_roots(samples: Samples, between: Between | None) -> Iterator[Block]:

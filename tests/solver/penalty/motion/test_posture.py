@@ -26,24 +26,30 @@ def jointed(request) -> Figure:
     return figure_of(text, coordinates)
 
 
+PLACING = 2  # a link that places a foot
+
+
 def stepping(figure: Figure, links: list[int]) -> Between:
     """A timeline of one segment, in which these links take a step and the roots' mean velocities are zero."""
-    steps, roots = np.zeros((len(figure.links), 1), bool), len(roots_of(figure))
-    steps[links] = True
-    times = np.array([0.0, 1.0])
-    return Between(times, np.zeros((3, roots, 1)), np.zeros((2, roots, 1)), Steps(times, steps, steps[:, 0]))
+    steps, placing = np.zeros((len(figure.links), 1), bool), np.zeros(len(figure.links), bool)
+    steps[links], placing[PLACING] = True, True
+    times, roots = np.array([0.0, 1.0]), len(roots_of(figure))
+    return Between(times, np.zeros((3, roots, 1)), np.zeros((2, roots, 1)), Steps(times, steps, steps[:, 0], placing))
 
 
 def residuals(figure: Figure, y: np.ndarray, y_d: np.ndarray, exempt: list[int]) -> np.ndarray:
-    """Half the velocities of joints and roots, those of roots times √12 and √2, (S, r)."""
+    """Half the velocities of joints and roots, those of roots times √12 and √2, of other joints, except those that
+    place a foot, times 2, (S, r)."""
     omega = Samples(figure, y, y_d, 0 * y).links.omega
     balls = [i for i, link in enumerate(figure.links) if i and link.kind is JointKind.BALL and i not in exempt]
-    relative = [omega[:, i] - omega[:, figure.links[i].parent] for i in balls]
-    hinges = figure.tables.hinge_columns[~np.isin(figure.tables.hinge_links, exempt)]
+    relative = [(1 if i == PLACING else 2) * (omega[:, i] - omega[:, figure.links[i].parent]) for i in balls]
+    is_moving = ~np.isin(figure.tables.hinge_links, exempt)
+    hinges, hinge_links = figure.tables.hinge_columns[is_moving], figure.tables.hinge_links[is_moving]
     roots = roots_of(figure)
     turning = [np.sqrt(12) * omega[:, i] for i in roots]
     across = [np.sqrt(2) * y_d[:, figure.links[i].qpos : figure.links[i].qpos + 2] for i in roots]
-    return 0.5 * np.hstack([*(part.T for part in (*relative, *turning)), y_d[:, hinges], *across])
+    bending = np.where(hinge_links == PLACING, 1, 2) * y_d[:, hinges]
+    return 0.5 * np.hstack([*(part.T for part in (*relative, *turning)), bending, *across])
 
 
 def test_only_joints_that_do_not_step_cost(jointed, rng):
@@ -68,9 +74,9 @@ def test_the_value_is_the_speed_of_the_joints_by_differences(figure, rng):
         if link.kind is JointKind.BALL:
             some = slice(link.qpos, link.qpos + 4)
             a, b = (Rotation.from_quat(np.roll(q[:, some], -1, axis=1)) for q in (before, after))
-            expected += np.sum(((a.inv() * b).as_rotvec() / (2 * h)) ** 2, axis=1) / 4
+            expected += np.sum(((a.inv() * b).as_rotvec() / (2 * h)) ** 2, axis=1)
         elif link.kind is JointKind.HINGE:
-            expected += ((after - before)[:, link.qpos] / (2 * h)) ** 2 / 4
+            expected += ((after - before)[:, link.qpos] / (2 * h)) ** 2
     for i in roots_of(figure):
         qpos, size = figure.links[i].qpos, Size.of(figure).length
         expected += np.sum(((after - before)[:, qpos : qpos + 2] / (2 * h)) ** 2, axis=1) / 2 / size**2
@@ -118,7 +124,8 @@ def test_a_root_that_turns_and_travels_evenly_between_its_keyframes_costs_nothin
     y_d = (states(t + h) - states(t - h)) / (2 * h)
     samples = Samples(figure, states(t), y_d, 0 * y_d, t=t)
     assert Posture().evaluate(samples).min() > 1
-    no_steps = Steps(times, np.zeros((len(figure.links), 2), bool), np.zeros(len(figure.links), bool))
+    none = np.zeros(len(figure.links), bool)
+    no_steps = Steps(times, np.zeros((len(figure.links), 2), bool), none, none)
     between = Between.of(figure, raw_timeline(figure, frames), no_steps)
     np.testing.assert_allclose(Posture(between=between).evaluate(samples), 0, atol=1e-6)
 
