@@ -30,10 +30,19 @@ def write(saved: Saved, target: Path, *, note: str = "", exact: bool = False, ov
         note: A comment for the first lines.
         exact: Whether the [solve] table returns the spline through the keyframes unchanged.
         overwrite: Whether to overwrite a different scene next to the clip.
+
+    Raises:
+        UserError: `exact` is set, but the motion has variable frames or partial keyframes, which the spline through
+            the keyframes of a clip does not reproduce.
     """
     check(target)
     if exact or not _follows_shipped(saved):
         saved = standalone(saved)
+    if exact and not saved.timeline.fixed.all():
+        raise UserError(
+            f"'{target}': only a motion that is the spline through its complete keyframes can be written with 'exact'; "
+            "thin this one first, or write a .npz"
+        )
     if saved.text:
         table = table_of(saved.text, saved.name)
     else:

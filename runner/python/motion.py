@@ -374,8 +374,9 @@ class Motion:
 
         Args:
             path: Output file.
-            exact: Only for .toml: add a [solve] table to the clip, so that solving it reproduces exactly this spline.
-                Otherwise, the search runs again, and the result may differ.
+            exact: Only for .toml, and for a motion without variable frames, such as a thinned one: add a [solve] table
+                to the clip, so that solving it reproduces exactly this spline. Otherwise, the search runs again, and
+                the result may differ.
             overwrite: Only for .toml. The scene of a clip is written to a second file beside it. If such a file
                 exists with other content, it is overwritten, or, if False, UserError is raised. The file at `path`
                 is always overwritten.
@@ -384,7 +385,7 @@ class Motion:
             The path of the file.
 
         Raises:
-            UserError: For another extension, or if the file cannot be written.
+            UserError: For another extension, if the file cannot be written, or if `exact` is not possible.
         """
         target = Path(path)
         if names := self.saved.search.get("custom penalties"):
