@@ -104,9 +104,10 @@ class Measurement:
 
     @property
     def numbers(self) -> Index:
-        """(K,) numbers of the keyframes as specified, from 1."""
+        """(K,) numbers of the keyframes as specified, from 1; 0 for a frame of the recording."""
         specified = {key.time for key in self.clip.authored_keys}
-        return np.cumsum([key.time in specified for key in self.clip.keys])
+        is_specified = np.array([key.time in specified for key in self.clip.keys])
+        return np.where(is_specified, np.cumsum(is_specified), 0)
 
 
 def _as_keyed(clip: Clip) -> Clip:
@@ -192,7 +193,7 @@ def _obstacle_contacts(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, .
     names = {part.name for part in contacts}
     if Contact.term_name not in names:
         contacts.append(Contact(clip.context.points, clip.context.surfaces))
-    if BODY not in names:
+    if BODY not in names or clip.has_recording:  # whose own part has the corners of bodies only
         contacts += body_contacts(clip.context)
     return tuple(part for part in contacts if part.points and part.surfaces and not part.carrier)
 

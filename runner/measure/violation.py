@@ -79,7 +79,7 @@ def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Vio
     violations = [violation for check, hits in motion.checks for violation in _worst(check, hits, motion)]
     violations += [*_drifts(motion), *_beyond_hard(motion.clip, motion.timeline)]
     for row, amount, time, key in floating_and_sliding(motion):
-        violations.append(_as_violation(row, amount, time, None if key is None else int(motion.numbers[key])))
+        violations.append(_as_violation(row, amount, time, 0 if key is None else int(motion.numbers[key])))
     if stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS):
         row = row_of("search", stop.name.lower(), f"the search ended early: {stop.value}")
         violations.append(_as_violation(row, row.bound, None))
@@ -226,12 +226,13 @@ def _beyond_hard(clip: Clip, timeline: Timeline) -> Iterator[Violation]:
             yield _as_violation(row, amount, time)
 
 
-def _as_violation(row: Row, amount: float, time: float | None, keyframe: int | None = None) -> Violation:
+def _as_violation(row: Row, amount: float, time: float | None, keyframe: int = 0) -> Violation:
+    """Return the violation of a row; keyframe: the number of the faulty keyframe, 0 if none is at fault."""
     unit = BOUNDS[row.kind].unit
     text = row.text.format(_with_unit(amount, unit)) + ("" if time is None else f" at {time:.2f} s")
-    if keyframe is not None:
+    if keyframe:
         text = f"keyframe {keyframe} itself: {text}"
-    return Violation(row.kind, row.name, time, amount, unit, row.bound, keyframe, text)
+    return Violation(row.kind, row.name, time, amount, unit, row.bound, keyframe or None, text)
 
 
 def _with_unit(amount: float, unit: str) -> str:

@@ -15,7 +15,7 @@ from oracles import kinematics
 from paper.penetration import penetration
 from quiet import quiet
 
-from dynsplines import Keyframe, build, inbetween, load_motion, motion, recordings, solving
+from dynsplines import Keyframe, build, inbetween, load, load_motion, motion, recordings, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.edit import edits
@@ -425,6 +425,38 @@ def test_a_quaternion_far_from_length_one(tmp_path):
     (found,) = wrong(problem, with_frame(problem, 0.5, np.array([0, 0, 0, -0.7, 0, 0, 0])))
     assert (found.kind, found.name) == ("length", "root")
     assert found.amount == pytest.approx(0.7, abs=0.02)
+
+
+BARREL = """
+<mujoco><worldbody>
+  <body name="barrel" pos="0 0 .5"><freejoint name="root"/><geom name="barrel" type="box" size=".25 .25 .25"/>
+    <body name="arm" pos="0 .3 0"><joint name="swing" axis="0 1 0"/>
+      <geom type="capsule" size=".04" fromto="0 0 0 0 0 -.2"/></body></body>
+</worldbody></mujoco>"""
+
+
+def recorded(folder: Path, *places: Sequence[float]) -> None:
+    """A motion of the barrel in the folder, through places at rest, as rec.npz."""
+    (folder / "barrel.xml").write_text(BARREL, encoding="utf-8")
+    keys = [Keyframe(float(t), root={"position": place}, others="rest") for t, place in enumerate(places)]
+    inbetween(build(str(folder / "barrel.xml"), keys)).save(folder / "rec.npz")
+
+
+def test_an_obstacle_inside_a_body_that_follows_a_recording_is_reported(tmp_path):
+    recorded(tmp_path, (0, 0, 0.5), (0, 0.3, 0.5), (0, 0, 0.5))
+    rail = '[[scene.capsule]]\nname = "rail"\nfrom = [0.15, -2, 0.55]\nto = [0.15, 2, 0.55]\nradius = 0.02\n'
+    text = f'figure = "barrel.xml"\n[recording]\nfile = "rec.npz"\n{rail}[[keyframe]]\ntime = 1\njoints.swing = 20\n'
+    (tmp_path / "follow.toml").write_text(text, encoding="utf-8")
+    (found,) = [v for v in inbetween(load(str(tmp_path / "follow.toml"))).violations if v.kind == "penetration"]
+    assert found.name == "barrel" and found.amount == pytest.approx(0.12, abs=0.008)  # from the rail's far side
+
+
+def test_a_frame_of_a_recording_is_no_keyframe_at_fault(tmp_path):
+    recorded(tmp_path, (0, 0, 1.5), (0.1, 0, 1.5))
+    text = 'figure = "barrel.xml"\n[recording]\nfile = "rec.npz"\n[[keyframe]]\ntime = 0.5\njoints.swing = 20\n'
+    (tmp_path / "follow.toml").write_text(text, encoding="utf-8")
+    found = inbetween(load(str(tmp_path / "follow.toml"))).violations
+    assert [v.kind for v in found] == ["aloft"] and found[0].keyframe is None and "itself" not in found[0].text
 
 
 @pytest.mark.parametrize("stop", Stop)
