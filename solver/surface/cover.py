@@ -194,25 +194,33 @@ def _along(half: float, radius: float, gap: float) -> Spheres:
 
 
 def _cylinder(radius: float, half: float, gap: float) -> Spheres:
-    """Return spheres along the axis, or a disc of them in a flat cylinder, and points on the rims."""
+    """Return spheres along the axis, or a disc of them in a flat cylinder, thinner ones inside the rims, and points on
+    these."""
     inner = min(radius, half)
     x, y = (part.ravel() for part in np.meshgrid(*[_spread(radius - inner, inner, gap)] * 2))
     size = np.hypot(x, y)
     shrink = np.where(size > 0, np.maximum(np.abs(x), np.abs(y)) / np.maximum(size, TINY), 1.0)  # squares to rings
     rest, _ = _along(half - inner, inner, gap)
-    middle = np.array([[a, b, z] for a, b in zip(x * shrink, y * shrink, strict=True) for z in rest[:, 2]])
-    count = max(8, int(np.ceil(2 * np.pi * radius / CLOSEST)))
-    angle = 2 * np.pi * np.arange(count) / count
-    rims = [np.column_stack([radius * np.cos(angle), radius * np.sin(angle), 0 * angle + z]) for z in (-half, half)]
-    return np.concatenate([middle, *rims]), np.repeat([inner, 0.0], [len(middle), 2 * count])
+    parts = [np.array([[a, b, z] for a, b in zip(x * shrink, y * shrink, strict=True) for z in rest[:, 2]])]
+    radii = [inner, *_thinner(inner), 0.0]
+    for thin in radii[1:]:
+        count = max(8, _spread(np.pi * (radius - thin), thin, gap).size - 1)
+        angle = 2 * np.pi * np.arange(count) / count
+        across = (radius - thin) * np.column_stack([np.cos(angle), np.sin(angle)])
+        parts.append(np.concatenate([np.column_stack([across, 0 * angle + side * (half - thin)]) for side in (-1, 1)]))
+    return np.concatenate(parts), np.repeat(radii, [len(part) for part in parts])
+
+
+def _thinner(inner: float) -> Array:
+    """Return the radii [m] of the thinner spheres beside the edges of a box or cylinder with spheres of this radius."""
+    return inner * 0.5 ** np.arange(1, 1 + max(0, int(np.log2(inner / THINNEST))))
 
 
 def _box(half: Array, gap: float) -> Spheres:
     """Return spheres as thick as the box in its middle plane, thinner ones beside its edges, and points on these."""
     inner = float(half.min())
     parts = [np.array(np.meshgrid(*[_spread(size - inner, inner, gap) for size in half])).reshape(3, -1).T]
-    thin = 0.5 ** np.arange(1, 1 + max(0, int(np.log2(inner / THINNEST))))
-    radii = [inner, *(inner * thin), 0.0]
+    radii = [inner, *_thinner(inner), 0.0]
     for radius in radii[1:]:
         edges = []
         for axis in range(3):

@@ -108,10 +108,11 @@ def test_spheres_are_just_as_close_as_the_gap_asks(gap):
 def test_a_cylinders_spheres_are_inside_it_touch_its_nearest_walls_and_its_rims_are_dense(radius, half):
     centres, radii = spheres("cylinder", radius, half)
     np.testing.assert_array_less(cylinder_distance(radius, half, centres) + radii, 1e-8)
-    thick = radii > 0
+    thick = radii == min(radius, half)
+    beside, rims = (radii > 0) & ~thick, centres[radii == 0]
     assert thick.any()
-    np.testing.assert_allclose(radii[thick], min(radius, half))
-    rims = centres[~thick]
+    np.testing.assert_allclose(radius - np.linalg.norm(centres[beside, :2], axis=1), radii[beside], atol=1e-12)
+    np.testing.assert_allclose(half - np.abs(centres[beside, 2]), radii[beside], atol=1e-12)
     np.testing.assert_allclose(np.linalg.norm(rims[:, :2], axis=1), radius)
     np.testing.assert_allclose(np.abs(rims[:, 2]), half)
     for side in (-half, half):
@@ -120,6 +121,16 @@ def test_a_cylinders_spheres_are_inside_it_touch_its_nearest_walls_and_its_rims_
         around = np.linalg.norm(rim - np.roll(rim, 1, axis=0), axis=1)
         assert around.max() <= max(cover.CLOSEST, 2 * radius * np.sin(np.pi / 8)) + 1e-12
     np.testing.assert_allclose(centres[thick, 2].max(), half - min(radius, half), atol=1e-9)
+
+
+@pytest.mark.parametrize("radius", [0.06, 0.1, 0.25])
+def test_a_rail_anywhere_in_a_barrel_meets_its_spheres(radius, rng):
+    half = rng.uniform(0.6, 1.5) * radius
+    centres, radii = spheres("cylinder", radius, half)
+    points = rng.uniform(-1, 1, (20_000, 3)) * [radius, radius, half]
+    deep = points[cylinder_distance(radius, half, points) < -0.012]  # [m]
+    gaps = [(np.linalg.norm(part[:, None] - centres, axis=2) - radii).min(axis=1) for part in np.array_split(deep, 20)]
+    assert np.concatenate(gaps).max() < 0.012 and len(deep) > 5000
 
 
 @settings(deadline=None, max_examples=25)
