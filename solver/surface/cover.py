@@ -213,7 +213,7 @@ def _cylinder(radius: float, half: float, gap: float) -> Spheres:
 
 def _thinner(inner: float) -> Array:
     """Return the radii [m] of the thinner spheres beside the edges of a box or cylinder with spheres of this radius."""
-    return inner * 0.5 ** np.arange(1, 1 + max(0, int(np.log2(inner / THINNEST))))
+    return np.array([inner * 0.5**k for k in range(1, 1 + max(0, int(np.log2(inner / THINNEST))))])
 
 
 def _box(half: Array, gap: float) -> Spheres:
