@@ -10,7 +10,7 @@ import pytest
 import shipped
 from tiny import names, written
 
-from dynsplines import motion, solving
+from dynsplines import inbetween, motion, solving
 from dynsplines.cli import app
 from dynsplines.clip import load as clip
 from dynsplines.clip.parse import table_of
@@ -99,6 +99,14 @@ def test_solving_an_exact_clip_gives_the_motion_that_was_measured(straight, tmp_
 def test_what_a_clip_is_to_keep_to_is_requested_once(motion_file, tmp_path):
     with pytest.raises(UserError, match=r"--solve .* --exact .*give one"):
         run(motion_file, tmp_path / "out.toml", solve=True, exact=True)
+
+
+def test_a_motion_with_variable_frames_is_not_written_as_exact(tmp_path):
+    found = inbetween("tumble")
+    with pytest.raises(UserError, match="only a motion that is the spline through its complete keyframes"):
+        found.save(tmp_path / "exact.toml", exact=True)
+    assert names(tmp_path) == []
+    found.save(tmp_path / "searched.toml")
 
 
 @pytest.mark.slow
