@@ -20,7 +20,7 @@ from .algebra import (
     vector_product,
 )
 from .kinematics import Samples, from_parents, hinge_quaternions
-from .wrenches import Wrenches, of_point
+from .wrenches import Wrenches
 
 Gradients = tuple[Array | None, Array | None, Array | None]
 
@@ -115,17 +115,6 @@ class Cotangent:
 
     def add_wrenches(self, wrenches: Wrenches) -> None:
         self._wrenches.append(wrenches)
-
-    def add_forces(self, flat: Index, offset: Array, force: Array) -> None:
-        """Add gradients with respect to the positions of points on links.
-
-        Args:
-            flat: link · S + sample of each point, (p,), with possible repetitions.
-            offset: The points relative to the origins of their links, (3, p) [m].
-            force: The gradients, (3, p).
-        """
-        link, at = np.divmod(flat, self.samples.count)
-        self.add_wrenches(of_point(at, link, offset, force))
 
     def _flush_wrenches(self) -> None:
         count, shape = self.samples.count, (3, len(self.samples.figure.links), self.samples.count)

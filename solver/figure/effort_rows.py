@@ -26,7 +26,7 @@ from .dynamics import InverseDynamics
 from .kinematics import LinkMotion, Samples
 from .turns import add_rows_of_shifts, add_rows_of_turns, chosen, followers, following, places, turning
 from .wrench import RootWrench
-from .wrenches import Wrenches, every_axis
+from .wrenches import Wrenches, every_axis, of_point
 
 AT_ONCE = 20_000  # pairs of joints times samples in memory at once, about 9 MB per derived array
 PRODUCT = (1, 2, 1)  # binomial coefficients of the second derivative of a product
@@ -56,7 +56,7 @@ class Pushes:
     def pull_back(self, wrench: RootWrench, into: Cotangent, force_bar: Array, moment_bar: Array) -> None:
         """Add the gradient of a scalar of force and moment, where the moment excludes that of these constant forces."""
         pull = cross(moment_bar[:, self.at], self.force)
-        into.add_forces(self.link * into.samples.count + self.at, self.offset, pull)
+        into.add_wrenches(of_point(self.at, self.link, self.offset, pull))
         by_centre = np.array([np.bincount(self.at, -part, into.samples.count) for part in pull], float)
         wrench.pull_back(into, force_bar, moment_bar, by_centre)
 
