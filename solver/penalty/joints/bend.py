@@ -16,7 +16,7 @@ import numpy as np
 from ... import quaternion as quat
 from ...array import Array, Index
 from ...curve.frame import Timeline
-from ...figure.algebra import cross
+from ...figure.algebra import cross, dot, rotation_matrix
 from ...figure.figure import Figure, on_links, quaternion_columns
 from ...figure.kinematics import Samples
 from ...figure.wrenches import of_turn
@@ -109,7 +109,8 @@ class BendLimits(Penalty):
         tables = samples.figure.tables
         carried = axes[:0:-1]  # the child's hinge axis v and long axis u, at rest aligned with the parent's
         if tables.has_turns:
-            carried = np.einsum("jin,kjn->kin", _matrices(tables.turn[:, joints]), carried)
+            turn = tables.turn[:, joints]
+            carried = np.einsum("jin,kjn->kin", rotation_matrix(turn, 2 / dot(turn, turn)), carried)
         fixed = np.concatenate([*carried, *axes], axis=1)
         owners = np.concatenate([joints, joints, *[tables.parents[joints]] * 3])
         rotated = samples.links.fixed(on_links(fixed, owners, len(samples.figure.links)))
@@ -178,15 +179,3 @@ def _bent(u: Array, v: Array) -> tuple[Array, Array, Array]:
     np.arctan2(y, planar, out=angles[1])
     np.arctan2(p, v[2], out=angles[2])
     return angles, planar, p
-
-
-def _matrices(quaternions: Array) -> Array:
-    """Return rotation matrices (3, 3, n) of quaternions (4, n) of any length."""
-    w, x, y, z = quaternions / np.linalg.norm(quaternions, axis=0)
-    return np.array(
-        [
-            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-        ]
-    )
