@@ -108,15 +108,6 @@ class OneSidedResiduals:
     gradients: tuple[Rows, ...]
 
     @classmethod
-    def plain(cls, at: Index, value: Array, rows: Array) -> OneSidedResiduals:
-        """Return residuals with gradients (P, N), each stored with a separate basis."""
-        return cls(at, value, (Rows.plain(at, rows),))
-
-    @classmethod
-    def none(cls) -> OneSidedResiduals:
-        return cls(np.zeros(0, np.intp), np.zeros(0), ())
-
-    @classmethod
     def joined(cls, parts: Sequence[OneSidedResiduals]) -> OneSidedResiduals:
         at, value = (np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "value"))
         return cls(at, value, tuple(rows for part in parts for rows in part.gradients))
