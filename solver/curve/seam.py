@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 
 from .. import quaternion as quat
 from ..array import Array, Index
-from ..figure.figure import Figure, JointKind, quaternion_columns
+from ..figure.figure import Figure, JointKind
 from .frame import Timeline
 from .spline import Complex, Path, Spline
 
@@ -48,7 +48,7 @@ class Seam:
     @classmethod
     def between(cls, figure: Figure, first: Array, last: Array) -> Seam:
         """Return the seam of a loop that begins and ends with these states (N,)."""
-        about = _root_quaternions(figure)
+        about = figure.tables.position_columns[0][:, None] + np.arange(3, 7)  # of the roots' quaternions
         return cls.turned(figure, first, last, heading_between(first[about], last[about]))
 
     @classmethod
@@ -166,14 +166,6 @@ def _root_of(figure: Figure, link: int, *, in_world: bool) -> int:
     while link and figure.links[link].kind is not JointKind.FREE:
         link = figure.links[link].parent if in_world and figure.tables.in_world[link] else 0
     return link
-
-
-def _root_quaternions(figure: Figure) -> Index:
-    """Return the columns (f, 4) of the free roots' quaternions."""
-    quaternions = [quaternion_columns(figure.links[i]) for i in figure.tables.free_links]
-    return np.array(
-        [np.arange(figure.width)[columns] for columns in quaternions if columns is not None], np.intp
-    ).reshape(-1, 4)
 
 
 def heading_between(first: Array, last: Array) -> Array:
