@@ -16,7 +16,7 @@ from ..array import Array, Index
 from ..curve.frame import Timeline
 from ..curve.mirror import Mirror
 from ..curve.symmetry import MirrorError
-from ..figure.figure import Figure, quaternion_columns
+from ..figure.figure import Figure
 from .thresholds import Thresholds
 
 LOPSIDED = 0.05  # largest asymmetry of a measured body, relative to its size
@@ -125,16 +125,13 @@ class PoseVectors:
             poses = np.concatenate([qpos, Mirror.of(figure, LOPSIDED).configurations(qpos)])
         except MirrorError:
             poses = qpos
-        quaternions = [quaternion_columns(figure.links[i]) for i in tables.quaternion_links]
-        columns = np.array(
-            [np.arange(figure.width)[block] for block in quaternions if block is not None], np.intp
-        ).reshape(-1, 4)
-        means = np.array([_mean(poses[:, block]) for block in columns]).reshape(-1, 4)
+        columns = tables.quaternion_columns
+        means = np.array([_mean(poses[:, block]) for block in columns.T]).reshape(-1, 4)
         heights = tables.position_columns[2]
         mean_height = float(poses[:, heights].mean()) if heights.size else 0.0
         root = np.flatnonzero(np.isin(tables.quaternion_links, tables.free_links))
         links, hinges, limits = tables.quaternion_links, tables.hinge_columns, Thresholds.of(figure)
-        drawn = PoseMap(heading, links, root, columns.T, means, hinges, heights, mean_height, limits.height_turn)
+        drawn = PoseMap(heading, links, root, columns, means, hinges, heights, mean_height, limits.height_turn)
         rows = drawn.vectors(poses)
         return None if np.ptp(rows, axis=0).max() < STILL else cls(drawn, times, rows, len(poses) // len(qpos), limits)
 
