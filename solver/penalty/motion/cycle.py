@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,7 +51,8 @@ class Cycle(Guide):
         columns, rates = self._columns
         straight = samples.y[:, columns] - target[:, self._turns :]
         yield every(samples, columns, 0, straight, trust[:, None] * rates**2)
-        child, parent = _joints(figure)
+        child = figure.tables.quaternion_links
+        parent = figure.tables.parents[child]
         if not child.size:
             return
         (w, v), root = self._deviations(samples, target), np.sqrt(trust)
@@ -141,7 +142,8 @@ class Cycle(Guide):
     def _deviations(self, samples: Samples, target: Array) -> tuple[Array, Array]:
         """Return the unit quaternions from the target to the joints' rotations: w (n, S) and v (3, n, S)."""
         links, tables = samples.links, samples.figure.tables
-        child, parent = _joints(samples.figure)
+        child = tables.quaternion_links
+        parent = tables.parents[child]
         wanted = target[:, : self._turns].reshape(samples.count, -1, 4).T
         base = links.Q[:, parent]
         if tables.has_turns:  # the rotation of a free joint is in the world, whatever its orientation at rest
@@ -160,9 +162,3 @@ def _moved(w: Array, v: Array, rotation: Array) -> Array:
     for k in range(3):
         out[:, k] += cross(v, rows[:, k])
     return out
-
-
-@lru_cache(maxsize=8)
-def _joints(figure: Figure) -> tuple[Index, Index]:
-    child = figure.tables.quaternion_links
-    return child, figure.tables.parents[child]
