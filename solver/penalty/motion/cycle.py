@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ...array import Array, Index
 from ...contacts.gait import GaitCycle
 from ...curve.frame import Frame, Timeline
-from ...curve.spline import Path, spline_of
+from ...curve.spline import path_of
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, applied, conjugated, cross, dot, hamilton, vector_product
 from ...figure.figure import Figure
@@ -86,8 +86,8 @@ class Cycle(Guide):
         """Return the timeline with variable frames on the cycle, eight per period if `most` permits it."""
         ends = timeline.times[[0, -1]]
         fixed = [frame for frame in timeline.frames if not frame.is_variable or frame.time in ends]
-        edges, independent_joints = np.array([frame.time for frame in fixed]), self.gait_cycle.period / FRAMES
-        counts = np.ceil(np.diff(edges) / independent_joints - ROUNDING).astype(int) - 1
+        edges, spacing = np.array([frame.time for frame in fixed]), self.gait_cycle.period / FRAMES
+        counts = np.ceil(np.diff(edges) / spacing - ROUNDING).astype(int) - 1
         present = np.histogram(timeline.times, edges)[0] - 1
         present[-1] -= 1  # the last bin includes both its edges
         counts = np.maximum(counts, present)
@@ -95,7 +95,7 @@ class Cycle(Guide):
             counts = present
         segments = zip(edges[:-1], edges[1:], counts, strict=True)
         times = np.concatenate([np.linspace(first, last, count + 2)[1:-1] for first, last, count in segments])
-        states = self._states(Path(spline_of(timeline), timeline.rows).at(times), times)
+        states = self._states(path_of(timeline).at(times), times)
         frames = [*fixed, *(Frame.variable(t, state) for t, state in zip(times, states, strict=True))]
         return Timeline(tuple(sorted(frames, key=lambda frame: frame.time)), timeline.end_slope, timeline.ends)
 
