@@ -67,7 +67,7 @@ class Seam:
             _pair(angles, partners, column, column + 1, angle)
         in_world = (coordinates or figure.coordinates) == "world"
         for i, (w, x, y, z) in zip(figure.tables.quaternion_links, figure.tables.quaternion_columns.T, strict=True):
-            angle = roots.get(_root_of(figure, int(i), in_world=in_world), 0.0)
+            angle = roots.get(turning_root(figure, int(i), in_world=in_world), 0.0)
             _pair(angles, partners, w, z, angle / 2)
             _pair(angles, partners, x, y, angle / 2)
         unsigned = np.cos(angles) * first + np.sin(angles) * first[partners]
@@ -160,7 +160,7 @@ def _pair(angles: Array, partners: Index, u: int, v: int, angle: float) -> None:
         partners[[u, v]] = v, u
 
 
-def _root_of(figure: Figure, link: int, *, in_world: bool) -> int:
+def turning_root(figure: Figure, link: int, *, in_world: bool) -> int:
     """Return the free link whose rotation turns a link's quaternion, or 0. It is the link itself, or its free ancestor
     if the quaternion is its orientation in the world."""
     while link and figure.links[link].kind is not JointKind.FREE:

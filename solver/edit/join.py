@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from .. import quaternion as quat
-from ..array import Array, Mask
+from ..array import Array
 from ..curve.frame import Frame, Timeline, TimelineError
-from ..curve.seam import sameness
+from ..curve.seam import sameness, turning_root
 from ..curve.spline import path_of
 from ..curve.unknowns import raw_timeline
 from ..figure.figure import Figure, JointKind
@@ -43,8 +43,10 @@ class Placement:
             if link.kind is JointKind.FREE:
                 columns = slice(link.qpos, link.qpos + 3)
                 out[..., columns] = quat.rotated(self.turn, rates[..., columns])
-        for columns in figure.tables.quaternion_columns.T[_carried(figure, coordinates or figure.coordinates)]:
-            out[..., columns] = quat.product(self.turn, rates[..., columns])
+        in_world = (coordinates or figure.coordinates) == "world"
+        for i, columns in zip(figure.tables.quaternion_links, figure.tables.quaternion_columns.T, strict=True):
+            if turning_root(figure, int(i), in_world=in_world):
+                out[..., columns] = quat.product(self.turn, rates[..., columns])
         return out
 
     def states(self, figure: Figure, states: Array, coordinates: str | None = None) -> Array:
@@ -61,17 +63,6 @@ class Placement:
     def timeline(self, figure: Figure, timeline: Timeline) -> Timeline:
         frames = Frame.many(timeline.times, self.states(figure, timeline.states), timeline.fixed)
         return Timeline(tuple(frames), self.slopes(figure, timeline.end_slope), timeline.ends)
-
-
-def _carried(figure: Figure, coordinates: str) -> Mask:
-    """Return which quaternions rotate with a motion: of free joints, and in world coordinates of their subtrees."""
-    rotates = []
-    for i in figure.tables.quaternion_links:
-        link = figure.links[i]
-        while coordinates == "world" and figure.tables.in_world[i] and link.parent:
-            link = figure.links[link.parent]
-        rotates.append(link.kind is JointKind.FREE)
-    return np.array(rotates, bool)
 
 
 def heading(rotation: Array) -> Array:
