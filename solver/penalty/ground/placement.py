@@ -43,9 +43,10 @@ class Placement(Momentary):
     name = "attach.placement"
     normalization = Normalization(1e-4, length_power=2, is_violation=True)
 
-    @property
+    @cached_property
     def times(self) -> Array:
-        return self._times
+        """The times of the targets, (n,) [s]."""
+        return np.array([p.time for p in self.placed])
 
     def away(self, samples: Samples) -> tuple[Index, Array]:
         """Return the points with a sample at their time (p,), and their offsets from the targets (3, p) [m]."""
@@ -73,11 +74,6 @@ class Placement(Momentary):
         x, rotation = samples.links.poses(flat)
         offset = applied(rotation, positions[:, which])
         return flat, offset, (x + offset - targets[:, which]) * specified[:, which]
-
-    @cached_property
-    def _times(self) -> Array:
-        """The times of the targets, (n,) [s]."""
-        return np.array([p.time for p in self.placed])
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array, Array]:

@@ -39,9 +39,9 @@ class Upright(Momentary):
     name = "upright.trunk"
     normalization = Normalization(float(np.radians(10) ** 2), is_violation=True)
 
-    @property
+    @cached_property
     def times(self) -> Array:
-        return self._times
+        return np.array([lean.time for lean in self.leans])
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         which, at = self.pairs(samples)
@@ -52,10 +52,6 @@ class Upright(Momentary):
         at, link, along = along_axes(at, links[which])
         changes = of_turn(at, link, cross(np.tile(turned, 3), along))
         yield Block(at, (turned - np.array([[0.0], [0], [1]])).ravel(), (changes,))
-
-    @cached_property
-    def _times(self) -> Array:
-        return np.array([lean.time for lean in self.leans])
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array]:
