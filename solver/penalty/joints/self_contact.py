@@ -88,12 +88,9 @@ class SelfContact(Penalty):
     pairs: Index
     margin: float = 0.0
 
+    name = "collision.self"
     role = Role.OBSTACLE
     normalization = Normalization(1e-4, length_power=2, is_violation=True)
-
-    @property
-    def name(self) -> str:
-        return "collision.self"
 
     @classmethod
     def of(cls, figure: Figure, margin: float = 0.0) -> SelfContact:
@@ -121,8 +118,6 @@ class SelfContact(Penalty):
 
     def meetings(self, samples: Samples, near: float) -> Meeting | None:
         """Return the pairs of capsules less than `near` [m] apart, or None."""
-        if not self.pairs.size:
-            return None
         reach_limit = near + self.margin
         results = []
         for (_, _, pairs), is_close in zip(self._groups, self._close(samples, reach_limit), strict=True):
