@@ -140,7 +140,7 @@ class Context:
         lines: list[str] = []
         if not self.surfaces:
             lines.append("no static geom found: nothing to stay out of")
-        if not self.points and self.is_free:
+        if not self.points and self.figure.tables.free_links.size:
             lines.append("no feet found, nor a site named heel or toe: no contact points")
         if not self.bends and self.figure.tables.ball_links.size:
             lines.append("no knee, shin, elbow or forearm on a ball joint found: no limits on bending")
@@ -191,11 +191,6 @@ class Context:
             f"steps, {self.figure.links[steps.leading].name} first{more}; for other steps, add a keyframe in which "
             "one foot has landed"
         ]
-
-    @property
-    def is_free(self) -> bool:
-        """Whether the figure has a free joint."""
-        return bool(self.figure.tables.free_links.size)
 
     @cached_property
     def holds(self) -> Holds:
