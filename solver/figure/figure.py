@@ -341,7 +341,6 @@ class Tables:
     beyond: Array
     steps: Array
     centre_offsets: Array
-    offset: Array
     anchor: Array
     axis: Array
     turn: Array
@@ -404,7 +403,6 @@ class Tables:
             beyond=np.ascontiguousarray(path.T),
             steps=on_links(offset, parents, count),
             centre_offsets=on_links(centre, np.arange(count), count),
-            offset=offset,
             anchor=np.array([link.anchor for link in links]).T,
             axis=np.array([link.axis for link in links]).T,
             turn=turns.T,
