@@ -15,7 +15,7 @@ from ..penalty.joints.bend import BendLimits
 from .goals import Goal, moved_by, reached
 from .pose_search import Posed, PoseSearch
 
-STARTS, SPREAD = 12, 0.4  # [1] largest number of starting poses; [rad] standard deviation of random rotations in them
+STARTS = 12  # [1] largest number of starting poses
 ALIKE = 2e-3  # [1] rough poses whose costs differ by no more than this share are taken to be the same
 MOST_REMEMBERED = 1000  # [1] largest number of cached poses of a figure
 

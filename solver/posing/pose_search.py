@@ -31,7 +31,7 @@ TRUNK = 6.0  # [1] weight of a trunk joint (a joint with several child links), r
 PER_METRE = 5.0  # [rad/m] weight of translations of the root and of slides, relative to rotations of a limb joint
 # [rad] smallest flexions of knees and elbows in starting poses; straight limbs have a singular Jacobian
 BENT = np.radians([15, 50, 90])
-STARTS, SPREAD = 12, 0.4  # [1] largest number of starting poses; [rad] standard deviation of random rotations in them
+SPREAD = 0.4  # [rad] standard deviation of random rotations in starting poses
 HOPELESS = 0.05  # [m, rad] largest residual of a rough pose that is refined further
 # [1] largest number of multiplier updates; ratio of successive residuals that counts as no progress
 ROUNDS, STALLED = 20, 0.7
