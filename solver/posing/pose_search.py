@@ -110,9 +110,8 @@ class PoseSearch:
         for i in links:
             link = self.figure.links[i]
             turn = TRUNK if self.figure.tables.children[i] > 1 else 1.0
-            size = {JointKind.FREE: 6, JointKind.BALL: 3, JointKind.HINGE: 1, JointKind.SLIDE: 1}[link.kind]
             shift = {JointKind.FREE: 3, JointKind.SLIDE: 1}.get(link.kind, 0)
-            for k in range(size):  # rotations share one entry of the mask
+            for k in range(link.kind.freedom):  # rotations share one entry of the mask
                 if free[link.qpos + min(k, shift)]:
                     dofs.append(link.dof + k)
                     weights.append(PER_METRE if k < shift else turn)
