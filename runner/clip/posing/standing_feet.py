@@ -131,17 +131,13 @@ class Stander:
         self.figure, self.surfaces, self.tables, self.bends = figure, surfaces, tables, bends
         self.solve, self.where, self.held, self.aloft = solve, where, held, aloft
 
-    @property
-    def ends(self) -> str:
-        return self.solve.ends
-
     def timeline(self, keys: Sequence[Frame]) -> Timeline:
         """Return the keyframes' timeline, for a loop with its seam; raises TimelineError."""
         slope, solve = np.zeros((2, self.figure.width)), self.solve
-        if self.ends != "periodic":  # loading the clip reports an invalid travel or turn
-            return raw_timeline(self.figure, list(keys), self.ends, slope)
+        if solve.ends != "periodic":  # loading the clip reports an invalid travel or turn
+            return raw_timeline(self.figure, list(keys), solve.ends, slope)
         turn = None if solve.turn is None else float(np.radians(solve.turn))
-        return raw_timeline(self.figure, list(keys), self.ends, slope, solve.travel, turn)
+        return raw_timeline(self.figure, list(keys), solve.ends, slope, solve.travel, turn)
 
     def stood(self, keys: Sequence[Frame], left: Sequence[Placed]) -> list[Frame]:
         """Pose the free entries of partial keyframes as far as they are certain; left: points left to the search."""
@@ -151,7 +147,7 @@ class Stander:
             inferred = self.known_positions(self.timeline(keys))
         except TimelineError:  # loading the clip reports it
             return list(keys)
-        count = len(keys) - (self.ends == "periodic")  # the last keyframe of a loop is the first
+        count = len(keys) - (self.solve.ends == "periodic")  # the last keyframe of a loop is the first
         posed_keys = [
             self._posed(keys[k], inferred, k, left) if k < count and not keys[k].is_key else keys[k]
             for k in range(len(keys))
