@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from .. import array
 from ..array import Array, Mask
 from ..curve.recording import GAIN, NORMAL, ORDER, RecordedMotion
 from ..figure.algebra import cross
@@ -252,8 +253,7 @@ def _trimmed(still: Mask, first: int, last: int) -> tuple[int, int]:
 
 def _parts(mask: Mask, first: int, last: int) -> list[tuple[int, int]]:
     """Return the intervals [a, b) within a run in which a mask (T,) holds."""
-    edges = first + np.flatnonzero(np.diff(np.concatenate([[0], mask[first:last].astype(int), [0]])))
-    return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
+    return [(first + start, first + end) for start, end in array.runs(mask[first:last])]
 
 
 def _is_low(place: Array, first: int, last: int, noise: float, limits: Thresholds) -> Mask:
