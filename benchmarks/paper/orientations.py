@@ -142,7 +142,7 @@ def promised(objective: Objective, path: Path) -> Array:
     """(P,) the decrease of E by a variable frame in the middle of each segment; the sum is about the remaining
     decrease."""
     times = np.asarray(path.spline.times)
-    return WeakForm.of(objective, path).decrements((times[1:] + times[:-1]) / 2)
+    return WeakForm(objective, path).decrements((times[1:] + times[:-1]) / 2)
 
 
 def strong_tenths(objective: Objective, path: Path) -> dict[str, Array]:

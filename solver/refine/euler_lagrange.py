@@ -87,10 +87,6 @@ class WeakForm:
     objective: Objective
     path: Path
 
-    @classmethod
-    def of(cls, objective: Objective, path: Path) -> WeakForm:
-        return cls(objective, path)
-
     def decrements(self, candidates: Array) -> Array:
         """Return ½ gᵀH⁻¹g, the predicted reduction of E by each variable frame at times (C,) [s] alone, (C,).
 

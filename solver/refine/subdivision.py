@@ -33,7 +33,7 @@ def by_residual(objective: Objective, timeline: Timeline) -> Array:
 
 def by_weak_form(objective: Objective, timeline: Timeline) -> Array:
     """Return the predicted reduction of E by a variable frame in the middle of every segment."""
-    return WeakForm.of(objective, path_of(timeline)).decrements(midpoints(timeline))
+    return WeakForm(objective, path_of(timeline)).decrements(midpoints(timeline))
 
 
 def by_objective(objective: Objective, timeline: Timeline) -> Array:

@@ -126,7 +126,7 @@ def test_what_the_weak_form_still_promises_falls_as_the_fourth_power_for_samples
     left = []
     for variable in (1, 3, 7):
         timeline = through_exact(0, variable)
-        weak = WeakForm.of(objective, path_of(timeline))
+        weak = WeakForm(objective, path_of(timeline))
         left.append(weak.decrements(midpoints(timeline)).sum())
     assert left[0] > 8 * left[1] > 64 * left[2] > 0
 
@@ -134,7 +134,7 @@ def test_what_the_weak_form_still_promises_falls_as_the_fourth_power_for_samples
 @pytest.mark.parametrize("variable", [1, 3])
 def test_the_promises_of_all_midpoints_add_up_to_about_the_whole_gap(variable: int) -> None:
     found = motion(0, variable)
-    weak = WeakForm.of(found.objective, found.path)
+    weak = WeakForm(found.objective, found.path)
     promised = weak.decrements(midpoints(found.timeline)).sum()
     gap = found.objective.value(found.path) - found.objective.value(motion(0, 15).path)
     assert 0.3 <= promised / gap <= 3

@@ -187,7 +187,7 @@ ENDS = ["free", "periodic"]
 def test_the_weak_form_never_promises_that_e_rises(figure, rng, ends):
     timeline = evenly(clip(figure, rng, ends), 1)
     objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(timeline))
-    decrements = WeakForm.of(objective, path_of(timeline)).decrements(midpoints(timeline))
+    decrements = WeakForm(objective, path_of(timeline)).decrements(midpoints(timeline))
     assert decrements.shape == (len(timeline.frames) - 1,)
     assert np.all(decrements >= 0)
     assert np.all(np.isfinite(decrements))
@@ -197,7 +197,7 @@ def test_the_weak_form_never_promises_that_e_rises(figure, rng, ends):
 def test_the_weak_form_of_a_few_spans_at_a_time_is_that_of_all(figure, rng, monkeypatch):
     timeline = evenly(clip(figure, rng, "free"), 2)
     objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(timeline))
-    form = WeakForm.of(objective, path_of(timeline))
+    form = WeakForm(objective, path_of(timeline))
     whole = form.decrements(midpoints(timeline))
     monkeypatch.setattr(euler_lagrange, "ENTRIES", 3000)
     np.testing.assert_allclose(form.decrements(midpoints(timeline)), whole, rtol=1e-9)
@@ -221,7 +221,7 @@ def test_the_weak_form_promises_what_a_frame_moved_alone_brings_where_e_is_quadr
             values.append(objective.value(path_of(finer.with_rows(rows))))
         slope, bent = (values[2] - values[0]) / 2, values[2] - 2 * values[1] + values[0]
         brought.append(slope**2 / (2 * bent))
-    promised = WeakForm.of(objective, path_of(timeline)).decrements(candidates)
+    promised = WeakForm(objective, path_of(timeline)).decrements(candidates)
     np.testing.assert_allclose(promised, brought, rtol=2e-3)
 
 
@@ -230,7 +230,7 @@ def test_the_weak_form_ranks_the_segment_with_a_jerk_first(jerky):
     turns = [10.0] * 6
     turns[jerky] = 150.0
     objective, timeline = turning(turns, 0)
-    assert np.argmax(WeakForm.of(objective, path_of(timeline)).decrements(midpoints(timeline))) == jerky
+    assert np.argmax(WeakForm(objective, path_of(timeline)).decrements(midpoints(timeline))) == jerky
 
 
 def test_the_weak_form_ranks_the_segment_that_dips_into_the_floor_first():
@@ -239,4 +239,4 @@ def test_the_weak_form_ranks_the_segment_that_dips_into_the_floor_first():
     raw = raw_timeline(figure, [Frame.key(float(i), [0, 0, z, 1, 0, 0, 0]) for i, z in enumerate(heights)])
     contact = Contact((Point("ball", 1, np.zeros(3), 0.1),), (FLOOR,))
     objective = Objective.of(figure, [(RootAcceleration(), 1.0), (contact, 50.0)]).renormalised(path_of(raw))
-    assert np.argmax(WeakForm.of(objective, path_of(raw)).decrements(midpoints(raw))) == 3
+    assert np.argmax(WeakForm(objective, path_of(raw)).decrements(midpoints(raw))) == 3
