@@ -12,7 +12,7 @@ has such bounds in all segments but flights.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -54,7 +54,7 @@ class OvershootPenalty(JointRange, Guide):
 
     term_name: str = "limits.overshoot"
     frames: tuple[float, ...] = ()
-    figure: Figure | None = None
+    figure: Figure = field(kw_only=True)
 
     @classmethod
     def of(cls, figure: Figure, holds: Holds, times: Array) -> OvershootPenalty | None:
@@ -80,8 +80,6 @@ class OvershootPenalty(JointRange, Guide):
 
     def _still(self, states: Array, times: Array) -> Array:
         """Return states (T, N) at times (T,) [s] with held joints at their values."""
-        if self.figure is None:
-            return states
         qpos = self.figure.to_qpos(states)
         for joint in self.joints:
             during, link = (joint.first < times) & (times < joint.last), self.figure.links[joint.link]

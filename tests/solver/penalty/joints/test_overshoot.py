@@ -130,12 +130,12 @@ def bounded(figure: Figure, rng: np.random.Generator) -> tuple[Range, ...]:
 
 def test_the_gradient_has_taylor_slope_two(figure: Figure, rng: np.random.Generator) -> None:
     samples = at_times(random_samples(figure, rng, 9), np.linspace(0, 1, 9))
-    assert penalty_slope(OvershootPenalty(bounded(figure, rng)), samples, rng) > 1.95
+    assert penalty_slope(OvershootPenalty(bounded(figure, rng), figure=figure), samples, rng) > 1.95
 
 
 def test_how_far_joints_are_off_is_what_scipy_computes(figure: Figure, rng: np.random.Generator) -> None:
     samples, held = at_times(random_samples(figure, rng, 9), np.linspace(0, 1, 9)), bounded(figure, rng)
-    qpos, seen = figure.to_qpos(samples.y), OvershootPenalty(held).beyond(samples)
+    qpos, seen = figure.to_qpos(samples.y), OvershootPenalty(held, figure=figure).beyond(samples)
     for joint, beyond in zip(held, seen, strict=True):
         during, at = (joint.first <= samples.t) & (samples.t <= joint.last), figure.links[joint.link].qpos
         if joint.home is None:
