@@ -129,7 +129,7 @@ class Track:
         return self.columns.size == 4
 
     def deviation(self, qpos: Array, home: Array) -> Array:
-        """Return the deviation of configurations (..., nq) from a value (1 or 4), (..., 1 or 3) [rad, m]."""
+        """Return the deviation of configurations (..., nq) from values (..., 1 or 4), (..., 1 or 3) [rad, m]."""
         values = qpos[..., self.columns]
         return quat.rotation_vector(quat.product(quat.inverse(home), values)) if self.is_rotation else values - home
 
@@ -245,10 +245,7 @@ def _changes(track: Track, keys: Timeline, qpos: Array) -> tuple[Index, Array]:
     """Return the segments (s,) whose two keyframes both fix a coordinate, and its change in them (s, 1 or 3)."""
     fixed: Mask = np.asarray(keys.fixed[:, track.columns].all(axis=1))
     both = np.flatnonzero(fixed[:-1] & fixed[1:])
-    before, after = qpos[both][:, track.columns], qpos[both + 1][:, track.columns]
-    if track.is_rotation:
-        return both, quat.rotation_vector(quat.product(quat.inverse(before), after))
-    return both, after - before
+    return both, track.deviation(qpos[both + 1], qpos[both][:, track.columns])
 
 
 def _held_segments(track: Track, keys: Timeline, qpos: Array, *, repeats: bool) -> Iterator[int]:
