@@ -8,10 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...array import Array, Index
-from ...figure.figure import Figure, JointKind
+from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...figure.wrenches import Wrenches
 from ..block import Block
+from ..motion.peak import rotary
 from ..penalty import Normalization, Penalty, Role
 
 STILL = 1e-12  # [rad/s] smallest divisor, against division by zero
@@ -36,8 +37,7 @@ class Speed(Penalty):
     @classmethod
     def of(cls, figure: Figure, limit: float) -> Speed:
         """Return the penalty of all hinges and ball joints with one limit [rad/s]."""
-        turning = (JointKind.HINGE, JointKind.BALL)
-        links = np.array([i for i, link in enumerate(figure.links) if i and link.kind in turning], np.intp)
+        links = rotary(figure)
         return cls(links, np.full(links.size, limit))
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
