@@ -18,6 +18,7 @@ from ..figure.kinematics import Samples
 from ..surface import Surface
 from ..surface.heights import height_above, height_over
 from ..surface.points import Point, arrays_of, places_of
+from .footing import within
 from .recorded_stances import RecordedStance
 from .thresholds import Thresholds
 
@@ -38,7 +39,7 @@ def align_to_ground(
     points = _points(stances)
     places = _places(recorded, points)
     height, _ = height_over(surfaces, places, np.array([point.radius for point in points]))
-    standing = np.array([_during(recorded.times, [one for one in stances if one.point is point]) for point in points])
+    standing = _standing(recorded.times, stances, points)
     lift = -float(np.median(height[standing])) if standing.any() else 0.0
     return recorded if abs(lift) < Thresholds.of(recorded.figure).level else recorded.moved([0, 0, lift])
 
@@ -61,7 +62,7 @@ def _levelled(recorded: RecordedMotion, stances: Sequence[RecordedStance], link:
     points = _points(stances)
     if columns is None or figure.links[link].kind is JointKind.FREE or len(points) < 2:
         return recorded
-    flat = np.all([_during(recorded.times, [one for one in stances if one.point is point]) for point in points], axis=0)
+    flat = _standing(recorded.times, stances, points).all(axis=0)
     if flat.sum() < ENOUGH:
         return recorded
     vertical = [samples.links.rotation[2, :, link] for samples in _runs(figure, recorded.bridged[flat])]
@@ -97,9 +98,10 @@ def _points(stances: Sequence[RecordedStance]) -> list[Point]:
     return list({id(one.point): one.point for one in stances}.values())
 
 
-def _during(times: Array, stances: Sequence[RecordedStance]) -> Mask:
-    """Return the mask (T,) of times within any of the stances."""
-    return np.any([(times >= one.first) & (times <= one.last) for one in stances], axis=0)
+def _standing(times: Array, stances: Sequence[RecordedStance], points: Sequence[Point]) -> Mask:
+    """Return the mask (n, T) of times within any of the stances of each point."""
+    intervals = [tuple((one.first, one.last) for one in stances if one.point is point) for point in points]
+    return np.array([within(stood, times) for stood in intervals])
 
 
 def _unit(vector: Array) -> Array:
