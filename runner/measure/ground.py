@@ -14,7 +14,7 @@ from dynsplines.solver.figure.algebra import cross
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrench import RootWrench, weight
 from dynsplines.solver.surface.heights import heights
-from dynsplines.solver.surface.points import arrays_of, body_points, places_of
+from dynsplines.solver.surface.points import arrays_of, body_points, hanging, places_of
 
 from ..clip.posing.feet import rounded
 from ..clip.posing.pose_report import standing_trees
@@ -39,7 +39,7 @@ def floating_and_sliding(motion: Measurement) -> Iterator[Excess]:
     at = np.union1d(even, motion.key_at)
     samples = samples_at(figure, path_of(motion.timeline), motion.time[at])
     for root in standing_trees(figure):
-        points = [point for point in body_points(figure) if figure.tables.path[point.link, root]]
+        points = hanging(figure, root, body_points(figure))
         if figure.tables.children[root] and points:
             height, _ = heights(context.surfaces, *places_of(points, samples))
             yield from _floating(motion, samples, at, root, height.min(axis=0))

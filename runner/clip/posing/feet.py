@@ -23,7 +23,7 @@ from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.root import Root, roots_of
 from dynsplines.solver.penalty import joint_ranges
-from dynsplines.solver.surface.points import Point, arrays_of, body_points, places_of, site_points
+from dynsplines.solver.surface.points import Point, arrays_of, body_points, hanging, places_of, site_points
 from dynsplines.solver.surface.touch import movers
 
 from .places import posable_sites
@@ -124,7 +124,7 @@ def _lowest(figure: Figure, poses: Array) -> tuple[Point, ...]:
     lowest: list[Point] = []
     body = body_points(figure)
     for root in _roots(figure):
-        tree_points = [point for point in body if figure.tables.path[point.link, root.link]]
+        tree_points = hanging(figure, root.link, body)
         if tree_points:
             lowest += _feet(figure, root, tree_points, poses)
     return tuple(lowest)

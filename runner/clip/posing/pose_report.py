@@ -12,7 +12,7 @@ from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import JointRange, joint_ranges
-from dynsplines.solver.surface.points import body_points, bottoms_of
+from dynsplines.solver.surface.points import body_points, bottoms_of, hanging
 from dynsplines.solver.surface.touch import grounds
 
 from .equalities import OPEN, Equalities, in_words
@@ -60,7 +60,7 @@ def standing_trees(figure: Figure) -> list[int]:
 
 def lowest_point(figure: Figure, qpos: Array, root: int) -> float | None:
     """Return the height [m] of the lowest point of a link and its descendants; None without points."""
-    points = [point for point in body_points(figure) if figure.tables.path[point.link, root]]
+    points = hanging(figure, root, body_points(figure))
     if not points:
         return None
     return float(bottoms_of(points, Samples.still(figure, figure.to_state(qpos[None]))).min())
