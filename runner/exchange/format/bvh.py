@@ -17,6 +17,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
+from ..array_reader import times
 from ..skeleton import bvh_file, captured_figure, hierarchy, maps, retarget
 from ..skeleton.bvh_file import Joint, Skeleton, written
 from ..skeleton.captured_skeleton import CapturedSkeleton
@@ -60,7 +61,7 @@ def of_captured(
     captured: CapturedSkeleton, rate: float, path: Path, model: mujoco.MjModel | None, notes: tuple[str, ...] = ()
 ) -> Recording:
     """Read a captured motion as a new figure or on a figure; rate [1/s], path is the label in errors."""
-    time = np.arange(len(captured.position)) / rate
+    time = times(len(captured.position), rate)
     if model is not None:
         qpos, more = retarget.onto(captured, model, str(path))
         return Recording(time, qpos, fps=rate, notes=(*notes, *captured.notes, *more))
