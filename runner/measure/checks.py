@@ -436,7 +436,7 @@ def _limbs(figure: Figure) -> Index:
     """Return the first link (L,) of the part of the body of each link. A part is the trunk, which is the root with
     adjacent branching links, or a limb, which is a chain without branches."""
     parents = figure.tables.parents
-    branches = np.bincount(parents[1:], minlength=parents.size) > 1
+    branches = figure.tables.children > 1
     limbs, in_trunk = np.arange(parents.size), parents == 0
     for i in range(1, parents.size):
         parent = parents[i]
