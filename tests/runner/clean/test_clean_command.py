@@ -5,7 +5,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from command import Command, commanded
 from kneeling import kneeling
 from oracles import kinematics
 
@@ -18,11 +17,6 @@ from dynsplines.solving import unsolved
 from dynsplines.system.progress import Progress
 
 TIMES = np.arange(45) / 30
-
-
-@pytest.fixture
-def command(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
-    return commanded(monkeypatch, capsys)
 
 
 @pytest.fixture(scope="module")

@@ -6,7 +6,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 import shipped
-from command import Command, commanded
 from rich.console import Console
 
 from dynsplines import cli
@@ -26,11 +25,6 @@ ROLES = [f"{side}_{part}" for side in ("left", "right") for part in ("upper_arm"
 def walk(tmp_path_factory: pytest.TempPathFactory) -> Path:
     moved = shipped.unsolved("walk_loop")
     return Path(formats.export(moved, "bvh", tmp_path_factory.mktemp("walk") / "walk.bvh"))
-
-
-@pytest.fixture
-def command(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
-    return commanded(monkeypatch, capsys)
 
 
 def foreign(walk: Path, target: Path, *, on_reference: bool) -> dict[str, str]:

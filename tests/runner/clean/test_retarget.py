@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 import shipped
 from android import ANDROID
-from command import Command, commanded
 from oracles import kinematics
 
 from dynsplines import import_motion, models, motion
@@ -33,11 +32,6 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
     formats.export(repeated(saved, 2), "bvh", folder / "walk.bvh", fps=30)
     (folder / "android.xml").write_text(ANDROID, encoding="utf-8")
     return folder
-
-
-@pytest.fixture
-def command(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
-    return commanded(monkeypatch, capsys)
 
 
 @pytest.fixture(scope="module")
