@@ -22,11 +22,6 @@ Y_UP = Rotation.from_matrix([[1, 0, 0], [0, 0, 1], [0, -1, 0]])  # from our axes
 
 
 @pytest.fixture(scope="module")
-def human():
-    return wild.motion_of("human")
-
-
-@pytest.fixture(scope="module")
 def hinged_knees():
     """Knees and elbows turn about their axis alone, as DeepMimic's do."""
     return wild.with_hinges(wild.motion_of("human", spread=1.2), "knee", "elbow")

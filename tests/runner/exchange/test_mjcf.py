@@ -11,11 +11,6 @@ from dynsplines.exchange import formats
 from dynsplines.exchange.motion_import import import_recording
 
 
-@pytest.fixture(scope="module")
-def human():
-    return wild.motion_of("human")
-
-
 def test_mujoco_reads_every_key_to_the_last_digit(human, tmp_path):
     target = formats.export(human, "mjcf", tmp_path / "out.keys.xml")
     model, before = mujoco.MjModel.from_xml_path(str(target)), wild.samples(human)

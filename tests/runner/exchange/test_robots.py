@@ -17,11 +17,6 @@ JOINTS = ["left_hip_pitch", "left_hip_roll", "left_hip_yaw", "left_knee", "arm_p
 
 
 @pytest.fixture(scope="module")
-def human():
-    return wild.motion_of("human")
-
-
-@pytest.fixture(scope="module")
 def robot_file(tmp_path_factory):
     path = tmp_path_factory.mktemp("robot") / "robot.xml"
     path.write_text(wild.ROBOT)
