@@ -5,10 +5,11 @@ fraction of that time. Squared velocity and squared acceleration together define
 over segments longer than 2π times `settling`, acceleration over shorter ones.
 
 Hips and knees place a foot, so their velocity costs least. Trunk, arms and ankles keep their posture more closely in
-captured motion. A root carries the whole body, so its velocity costs most. Otherwise a person would lift a foot by
-leaning to one side, or lean back before a step. The mean velocity between two keyframes is subtracted, as no motion
-through them avoids it. The joints of a leg that takes a step are exempt: they have to leave their posture to lift the
-foot. If they were not, the other foot would rise on its toes and the pelvis would tilt instead.
+captured motion, except next to an end at rest, where they would start or stop with a jerk. A root carries the whole
+body, so its velocity costs most. Otherwise a person would lift a foot by leaning to one side, or lean back before a
+step. The mean velocity between two keyframes is subtracted, as no motion through them avoids it. The joints of a leg
+that takes a step are exempt: they have to leave their posture to lift the foot. If they were not, the other foot would
+rise on its toes and the pelvis would tilt instead.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from functools import lru_cache, partial
 import numpy as np
 
 from ... import quaternion as quat
-from ...array import Array, Index, segments_at
+from ...array import Array, Index, Mask, segments_at
 from ...contacts.steps import Steps
 from ...curve.frame import Timeline
 from ...figure.adjoint import Cotangent
@@ -48,12 +49,14 @@ class Between:
         turning: The mean angular velocities of r roots from one keyframe to the next, (3, r, K − 1) [rad/s].
         across: Their mean horizontal velocities, (2, r, K − 1) [m/s].
         steps: The legs that take a step.
+        moving: Whether the figure also moves at both ends of each segment between keyframes, (K − 1,).
     """
 
     times: Array
     turning: Array
     across: Array
     steps: Steps
+    moving: Mask
 
     @classmethod
     def of(cls, figure: Figure, keys: Timeline, steps: Steps) -> Between:
@@ -63,7 +66,9 @@ class Between:
         rotations = np.array([qpos[:, k + 3 : k + 7] for k in first]).reshape(-1, len(qpos), 4)
         turns = quat.rotation_vector(quat.product(rotations[:, 1:], quat.inverse(rotations[:, :-1])))
         across = np.array([np.diff(qpos[:, k : k + 2], axis=0) for k in first]).reshape(-1, spans.size, 2)
-        return cls(keys.times, turns.transpose(2, 0, 1) / spans, across.transpose(2, 0, 1) / spans, steps)
+        moving = np.ones(spans.size, bool)
+        moving[[0, -1]] &= ~np.array(keys.at_rest)
+        return cls(keys.times, turns.transpose(2, 0, 1) / spans, across.transpose(2, 0, 1) / spans, steps, moving)
 
     def at(self, t: Array) -> tuple[Array, Array]:
         """Return the mean velocities at times t (S,) [s], (3, r, S) and (2, r, S)."""
@@ -76,13 +81,13 @@ class Posture(Penalty):
     """Σ over ball joints of c |ω − ω_parent|², over hinges of c θ'², and over roots of 3 |ω|² + v²/2 [rad²/s²].
 
     ω is a link's angular velocity, θ' a hinge's, and v a root's horizontal velocity, in m/s on a figure of an adult's
-    size. c is 1/4 for joints that place a foot and 1 for others. The velocities of roots are relative to their means
-    between keyframes. Roots are links with a free joint that carry other links. Joints of legs that take a step are
-    exempt.
+    size. c is 1 for joints that do not place a foot, in segments between moving keyframes, and 1/4 otherwise. The
+    velocities of roots are relative to their means between keyframes. Roots are links with a free joint that carry
+    other links. Joints of legs that take a step are exempt.
 
     Attributes:
         settling: The time over which a joint's velocity costs as much as its acceleration [s].
-        between: The mean velocities of roots and the steps of legs; None: means of zero, no legs.
+        between: The mean velocities of roots and the steps of legs; None: means of zero, c = 1/4.
     """
 
     settling: float = SETTLING
@@ -116,10 +121,10 @@ class Posture(Penalty):
 
     def _costs(self, links: Index, t: Array) -> Array:
         """Return the factors c of the squared velocities of links' joints (l,) at times t (S,) [s], (l, S)."""
-        costs = np.full((links.size, t.size), 0.25 * KEEP)
+        costs = np.full((links.size, t.size), 0.25)
         if self.between is not None:
-            steps = self.between.steps
-            costs[steps.placing[links]] = 0.25
+            steps, moving = self.between.steps, self.between.moving[segments_at(self.between.times, t)]
+            costs[np.ix_(~steps.placing[links], moving)] *= KEEP
             costs[steps.at(links, t)] = 0.0
         return costs
 
