@@ -44,6 +44,7 @@ ENDS = {
     (False, True): "clamped end",
     (False, False): "free",
 }
+SHORTEST = 0.01  # [s] minimum of `blend`, so that most fixed frames near its end are not next to the keyframe
 TOLERANCE = 1e-3  # [1] progress relative to E at which a search ends; small, because an edit starts far from its goal
 
 
@@ -140,15 +141,33 @@ class TrackedRecording:
         times = near.times(DETAIL)
         if self.table.blend is None:
             return times
-        reach = INNER * self.table.blend
-        first, last = self.recorded.path.span
-        margin = np.linspace(reach, self.table.blend, MARGIN)
-        beside = [e.time + offset for e in edits for offset in (*margin, *-margin)]
-        knots = np.concatenate([self._exact_knots(), np.clip(beside, first, last)])
-        far = [np.all([np.abs(t - edit.time) >= reach - ROUNDING for edit in edits], axis=0) for t in (times, knots)]
-        frames = np.unique(np.concatenate([times[~far[0]], knots[far[1]]])) if edits else knots
-        frames = np.unique(np.clip(np.concatenate([[first], frames, [last]]), first, last))
-        return frames[np.append(True, np.diff(frames) > CLOSE)]
+        span, knots = self.recorded.path.span, self._exact_knots()
+        margin, beyond = self._pins(self.table.blend, float(np.diff(knots).max()))
+        beside, spread = (
+            np.array([e.time + offset for e in edits for offset in (*offsets, *-offsets)])
+            for offsets in (margin, beyond)
+        )
+        fixed = [self._outside(np.clip(group, *span), edits) for group in (beside, knots, spread)]
+        is_far = np.isin(times, self._outside(times, edits))
+        least = min(CLOSE, float(margin[1] - margin[0]) / 2)
+        return _apart([np.array(span), *fixed, times[~is_far] if edits else np.empty(0)], least)
+
+    def _pins(self, blend: float, longest: float) -> tuple[Array, Array]:
+        """Return the offsets [s] from a keyframe of fixed frames: near the end of its blend, and beyond it.
+
+        In the blend the curve leaves the recording. From there, its deviation decreases by a factor of about 4 per
+        frame, if no interval is much longer than the previous one. Hence the frames beyond the blend have twice the
+        distance each time, up to the longest interval of the recording.
+        """
+        margin = np.linspace(INNER * blend, blend, MARGIN)
+        step = float(margin[1] - margin[0])
+        count = max(0, int(np.ceil(np.log2(longest / step))))
+        return margin, np.array([blend + step * (2.0**k - 2) for k in range(2, count + 2)])
+
+    def _outside(self, times: Array, edits: Sequence[Frame]) -> Array:
+        """Return those of the times (M,) [s] that are outside all blends."""
+        keys = np.array([edit.time for edit in edits])
+        return times[_distances(times, np.sort(keys)) >= INNER * self.width - ROUNDING]
 
     def _exact_knots(self) -> Array:
         """Return the knots, and midpoints where a spline through the knots alone differs from the recording. A
@@ -159,13 +178,13 @@ class TrackedRecording:
         spline = path_of(Timeline(tuple(frames), path.at(knots[[0, -1]], 1), "clamped"))
         middles = (knots[1:] + knots[:-1]) / 2
         errors = figure.to_qpos(spline.at(middles)) - figure.to_qpos(path.at(middles))
-        return np.append(knots, middles[np.abs(errors).max(axis=1) > EXACT])
+        return np.unique(np.append(knots, middles[np.abs(errors).max(axis=1) > EXACT]))
 
     def _fixed_outside_blends(self, frame: Frame, edits: Sequence[Frame]) -> Frame:
-        """Return a frame, fixed if it is outside all blends."""
+        """Return a frame, fixed to the recording if it is outside all blends."""
         if self.table.blend is None or frame.fixed.any() or not self._is_far(frame.time, edits):
             return frame
-        return Frame.key(frame.time, frame.state)
+        return Frame.key(frame.time, self.pose(frame.time))
 
     def _is_far(self, time: float, edits: Sequence[Frame]) -> bool:
         """Return whether a time [s] is outside all blends."""
@@ -193,13 +212,34 @@ class TrackedRecording:
         return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > Thresholds.of(figure).moved
 
 
+def _apart(groups: Sequence[Array], least: float) -> Array:
+    """Return times (M,) [s] that are more than `least` apart; those of the first groups are kept first."""
+    kept = np.empty(0)
+    for group in groups:
+        added = list[float]()
+        for time in np.unique(group[_distances(group, kept) > least]).tolist():
+            if not added or time - added[-1] > least:
+                added.append(time)
+        kept = np.sort(np.append(kept, added))
+    return kept
+
+
+def _distances(times: Array, others: Array) -> Array:
+    """Return the distance [s] of each of the times (M,) from the nearest of others, which rise, (M,)."""
+    padded = np.concatenate([[-np.inf], others, [np.inf]])
+    after = np.searchsorted(others, times)
+    return np.minimum(times - padded[after], padded[after + 1] - times)
+
+
 def followed(table: RecordingTable, figure: Figure, motion: RecordedPath | None, where: str) -> TrackedRecording:
     """Return the recording that a clip follows, on the time axis of the clip.
 
     Raises:
-        UserError: For a motion that is missing or of another figure, and for an invalid interval.
+        UserError: For a motion that is missing or of another figure, and for an invalid interval or blend.
     """
     here = f"{where}: recording"
+    if table.blend is not None and table.blend < SHORTEST:
+        raise UserError(f"{here}: blend = {table.blend:g} is too short; choose {SHORTEST:g} s or more")
     if motion is None:
         raise UserError(f"{here}: the motion of '{table.file}' is missing; load the clip with `dynsplines.load`")
     joints = [[link.name for link in model.links[1:]] for model in (figure, motion.figure)]

@@ -112,6 +112,39 @@ def test_a_recording_that_starts_and_stops_abruptly_stays_the_same_beyond_a_blen
     assert np.linalg.norm(edited - original, axis=2)[beyond].max() < 0.001
 
 
+ARM = """
+figure = "human"
+[recording]
+file = "sit_down"
+at = 0.0
+speed = {speed}
+blend = {blend}
+[[keyframe]]
+time = 0.42
+joints.right_shoulder = {{rotvec = [0, -100, 0]}}
+"""
+
+
+@pytest.mark.parametrize(("speed", "blend"), [(0.5, 0.1), (1.0, 0.05), (0.7, 0.02)])
+def test_a_large_edit_with_a_short_blend_changes_nothing_beyond_it(speed, blend):
+    """The frames of the recording are up to 0.5 s apart."""
+    clip = recordings.from_text(ARM.format(speed=speed, blend=blend), name="edit")
+    original = recordings.from_text('figure = "human"\n[recording]\nfile = "sit_down"\n', name="original")
+    near = original.problem.penalties[0][0]
+    assert isinstance(near, TrackingPenalty)
+    recording = near.recorded.path
+    times = np.arange(0, recording.span[1] / speed, 0.002)
+    beyond = times[np.abs(times - 0.42) > blend]
+    edited, _ = bodies(clip.figure, path_of(inbetween(clip.problem).timeline), beyond)
+    same, _ = bodies(clip.figure, recording, beyond * speed)
+    assert np.linalg.norm(edited - same, axis=2).max() < 0.001
+
+
+def test_a_blend_shorter_than_frames_can_be_apart_is_an_error():
+    with pytest.raises(UserError, match="is too short; choose"):
+        recordings.from_text(ARM.format(speed=1, blend=0.005), name="edit")
+
+
 @pytest.mark.slow
 def test_without_keyframes_the_motion_is_the_recording(folder, saved):
     clip = recordings.from_text(BARE, name="bare", folder=folder)
