@@ -21,7 +21,7 @@ from .gait_period import Gait
 from .grasp import Grasp, grasped_links
 from .grounded import grounded_intervals, open_intervals
 from .keyframe_points import KeyframePoints
-from .stance import Rest, Stance, resting_objects, stances
+from .stance import Rest, Stance, resting_objects, stances, unheld_objects
 from .steps import Steps, hops
 from .thresholds import Thresholds
 
@@ -155,9 +155,10 @@ class ContactSchedule:
 
     @cached_property
     def resting_objects(self) -> tuple[Stance, ...]:
-        """The stances of grasped objects before and after the grasp."""
+        """The stances of grasped objects before and after holds."""
         objects = [link for link in self.grasped if self.figure.links[link].parent == 0]
-        return resting_objects(self._soles, objects)
+        still = resting_objects(self._soles, objects)
+        return (*still, *unheld_objects(self._soles, objects, self.grasps))
 
     @cached_property
     def steps(self) -> Steps:

@@ -5,14 +5,18 @@ The paper leaves skidding to future work (§6).
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
-from ..array import Array
+from ..array import Array, Mask
+from ..curve.spline import path_of
+from ..figure.kinematics import Samples
 from ..surface import Plane
 from ..surface.points import Point
+from .grasp import Grasp
 from .keyframe_points import KeyframePoints
 
 HELD = 10.0  # [1] weight of stances of posed keyframes, which meet positions only approximately
@@ -86,6 +90,76 @@ def resting_objects(keyframes: KeyframePoints, links: Sequence[int]) -> tuple[St
     stays = (objects.moves < limits.same_place) & objects.is_known[:, :-1] & objects.is_known[:, 1:]
     stays = stays.reshape(len(links), 3, keyframes.keys.times.size - 1).all(axis=1).repeat(3, axis=0)
     return tuple(_stance(objects, i, k) for k, i in np.argwhere(stays.T).tolist())
+
+
+class _Unheld(NamedTuple):
+    """A part of a segment in which nothing holds an object that lies at keyframe `key`.
+
+    Attributes:
+        grasp: The grasp that begins or ends the hold at its other end.
+        hold: The time of this end [s].
+    """
+
+    key: int
+    grasp: Grasp
+    hold: float
+
+
+def unheld_objects(keyframes: KeyframePoints, links: Sequence[int], grasps: Sequence[Grasp]) -> tuple[Stance, ...]:
+    """Return the stances of objects between a keyframe at which they lie and a hold, three points per object.
+
+    An object lies at a keyframe if its pose is the same in the keyframe on the other side, or if there is none. A
+    hand must be near it at the start or the end of the hold. Otherwise the object may be in flight, as if thrown.
+
+    Args:
+        keyframes: Any points at the keyframes.
+        links: The objects: links with a separate kinematic tree.
+        grasps: All grasps.
+    """
+    found: list[Stance] = []
+    for link in links:
+        of_link = [grasp for grasp in grasps if grasp.link == link]
+        arm, name = keyframes.limits.object_arm, keyframes.figure.links[link].name
+        points = keyframes.with_points([Point(name, link, arm * axis) for axis in np.eye(3)])
+        for part in _unheld(points, of_link):
+            if _is_near(points, part, link):
+                first, last = sorted((float(keyframes.keys.times[part.key]), part.hold))
+                places = points.centres[:, :, part.key].T.copy()
+                found += [Stance(p, first, last, at, at) for p, at in zip(points.points, places, strict=True)]
+    return tuple(found)
+
+
+def _unheld(points: KeyframePoints, grasps: Sequence[Grasp]) -> Iterator[_Unheld]:
+    """Yield the parts of segments before and after holds of one object, given by its points."""
+    least, known = points.limits.lift_off, np.logical_and.reduce(points.is_known)
+    stays: Mask = np.logical_and.reduce(points.moves < points.limits.same_place) & known[:-1] & known[1:]
+    for k, start, end in points.segments():
+        holds = [grasp for grasp in grasps if grasp.first < end and start < grasp.last]
+        if not holds or stays[k]:
+            continue
+        first, last = min(holds, key=lambda grasp: grasp.first), max(holds, key=lambda grasp: grasp.last)
+        if first.first - start > least and known[k] and _lies(stays, k - 1):
+            yield _Unheld(k, first, first.first)
+        if end - last.last > least and known[k + 1] and _lies(stays, k + 1):
+            yield _Unheld(k + 1, last, last.last)
+
+
+def _lies(stays: Mask, beyond: int) -> bool:
+    """Return whether an object lies in the segment beyond a keyframe, or there is none."""
+    return not 0 <= beyond < stays.size or bool(stays[beyond])
+
+
+def _is_near(points: KeyframePoints, part: _Unheld, link: int) -> bool:
+    """Return whether the hand is near the object at the end of the hold, on the spline through the keyframes."""
+    at = np.array([part.hold])
+    samples = Samples(points.figure, *path_of(points.keys).motion(at))
+    grasp, links = part.grasp, points.samples.links
+    hand, _ = samples.links.points(np.array([grasp.point.link]), grasp.point.position[:, None])
+    spot = grasp.spot(at)
+    held: Array = links.x[:, link, part.key]
+    if spot is not None:
+        held = held + links.rotation[:, :, link, part.key] @ spot[:, 0]
+    return float(np.linalg.norm(hand[:, 0, 0] - held)) < points.limits.at_hand
 
 
 def _stance(points: KeyframePoints, i: int, k: int, weight: float = 1.0) -> Stance:

@@ -70,6 +70,7 @@ class Thresholds:
 
     # Grasps
     out_of_reach: float = _metres(0.15)  # distance of a target beyond a limb that still stretches towards it
+    at_hand: float = _metres(0.5)  # distance of a hand that starts or ends a hold of an object at rest
     met: float = _metres(0.001)  # distance at which a pose meets a grasp
 
     # Stances, from recordings

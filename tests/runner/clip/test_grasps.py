@@ -157,6 +157,37 @@ def test_a_thing_lies_where_it_was_put_until_it_is_held_and_again_after(lifted):
     assert not recordings.from_text(free, name="free").keys[2].fixed[own].any()
 
 
+def test_a_thing_lies_still_in_the_part_of_a_segment_before_and_after_its_hold():
+    """The hold begins and ends between keyframes."""
+
+    def stances(text: str) -> set[tuple[float, float]]:
+        clip = recordings.from_text(text, name="lift")
+        found = [s for part in parts(clip, "attach.stance") if isinstance(part, StancePenalty) for s in part.stances]
+        crate = [s for s in found if s.point.name == "crate"]
+        assert all(np.array_equal(s.spot, s.landed) for s in crate if s.first in (0.6, 1.4))
+        return {(s.first, s.last) for s in crate}
+
+    late = lift().replace("from = 0.6", "from = 0.7").replace("to = 1.5", "to = 1.4")
+    assert stances(late) == {(0.0, 0.6), (0.6, 0.7), (1.4, 1.5), (1.5, 2.1)}
+    thrown = keyframe(2.1, STANDING, CRATE.format(x=0.9, z=1.0, pitch=0))
+    assert stances(late.replace(keyframe(2.1, STANDING), thrown)) == {(0.0, 0.6), (0.6, 0.7)}
+    caught = late.replace(keyframe(0.6, STANDING, AT, HANDS), "").replace("[0.42, 0, 1.0]", "[3, 0, 1.5]")
+    assert (0.0, 0.7) not in stances(caught)
+
+
+def test_a_crate_does_not_rise_before_hands_hold_it():
+    rows = (
+        keyframe(0.0, 'others = "rest"', AT),
+        keyframe(0.6, STANDING, AT, HANDS),
+        keyframe(1.2, STANDING, CRATE.format(x=0.42, z=1.2, pitch=0)),
+    )
+    holds = "".join(HOLD.format(hand=hand, start=0.9, end=1.2) for hand in ("left", "right"))
+    clip = recordings.from_text(SCENE + holds + "".join(rows), name="late")
+    curve, own = path(inbetween(clip.problem).timeline), clip.figure.model.joint("crate").qposadr[0]
+    places = clip.figure.to_qpos(curve.at(np.linspace(0.0, 0.9, 91)))[:, own : own + 3]
+    assert np.linalg.norm(places - [0.42, 0, 1.0], axis=1).max() < 0.005
+
+
 @pytest.mark.slow
 def test_a_crate_that_keyframes_leave_free_goes_with_the_hands():
     up = HANDS.replace("1.0]", "1.2]")
