@@ -116,7 +116,7 @@ def unheld_objects(keyframes: KeyframePoints, links: Sequence[int], grasps: Sequ
         links: The objects: links with a separate kinematic tree.
         grasps: All grasps.
     """
-    found: list[Stance] = []
+    inferred: list[Stance] = []
     for link in links:
         of_link = [grasp for grasp in grasps if grasp.link == link]
         arm, name = keyframes.limits.object_arm, keyframes.figure.links[link].name
@@ -125,22 +125,22 @@ def unheld_objects(keyframes: KeyframePoints, links: Sequence[int], grasps: Sequ
             if _is_near(points, part, link):
                 first, last = sorted((float(keyframes.keys.times[part.key]), part.hold))
                 places = points.centres[:, :, part.key].T.copy()
-                found += [Stance(p, first, last, at, at) for p, at in zip(points.points, places, strict=True)]
-    return tuple(found)
+                inferred += [Stance(p, first, last, at, at) for p, at in zip(points.points, places, strict=True)]
+    return tuple(inferred)
 
 
 def _unheld(points: KeyframePoints, grasps: Sequence[Grasp]) -> Iterator[_Unheld]:
     """Yield the parts of segments before and after holds of one object, given by its points."""
-    least, known = points.limits.lift_off, np.logical_and.reduce(points.is_known)
-    stays: Mask = np.logical_and.reduce(points.moves < points.limits.same_place) & known[:-1] & known[1:]
+    least, is_set = points.limits.lift_off, np.logical_and.reduce(points.is_known)
+    stays: Mask = np.logical_and.reduce(points.moves < points.limits.same_place) & is_set[:-1] & is_set[1:]
     for k, start, end in points.segments():
         holds = [grasp for grasp in grasps if grasp.first < end and start < grasp.last]
         if not holds or stays[k]:
             continue
         first, last = min(holds, key=lambda grasp: grasp.first), max(holds, key=lambda grasp: grasp.last)
-        if first.first - start > least and known[k] and _lies(stays, k - 1):
+        if first.first - start > least and is_set[k] and _lies(stays, k - 1):
             yield _Unheld(k, first, first.first)
-        if end - last.last > least and known[k + 1] and _lies(stays, k + 1):
+        if end - last.last > least and is_set[k + 1] and _lies(stays, k + 1):
             yield _Unheld(k + 1, last, last.last)
 
 
@@ -156,10 +156,10 @@ def _is_near(points: KeyframePoints, part: _Unheld, link: int) -> bool:
     grasp, links = part.grasp, points.samples.links
     hand, _ = samples.links.points(np.array([grasp.point.link]), grasp.point.position[:, None])
     spot = grasp.spot(at)
-    held: Array = links.x[:, link, part.key]
+    place: Array = links.x[:, link, part.key]
     if spot is not None:
-        held = held + links.rotation[:, :, link, part.key] @ spot[:, 0]
-    return float(np.linalg.norm(hand[:, 0, 0] - held)) < points.limits.at_hand
+        place = place + links.rotation[:, :, link, part.key] @ spot[:, 0]
+    return float(np.linalg.norm(hand[:, 0, 0] - place)) < points.limits.at_hand
 
 
 def _stance(points: KeyframePoints, i: int, k: int, weight: float = 1.0) -> Stance:

@@ -214,14 +214,14 @@ class TrackedRecording:
 
 def _apart(groups: Sequence[Array], least: float) -> Array:
     """Return times (M,) [s] that are more than `least` apart; those of the first groups are kept first."""
-    kept = np.empty(0)
+    selected = np.empty(0)
     for group in groups:
         added = list[float]()
-        for time in np.unique(group[_distances(group, kept) > least]).tolist():
+        for time in np.unique(group[_distances(group, selected) > least]).tolist():
             if not added or time - added[-1] > least:
                 added.append(time)
-        kept = np.sort(np.append(kept, added))
-    return kept
+        selected = np.sort(np.append(selected, added))
+    return selected
 
 
 def _distances(times: Array, others: Array) -> Array:
