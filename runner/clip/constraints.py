@@ -101,7 +101,7 @@ def constraints(context: Context, listed: Mapping[str, Options]) -> Constraints:
         UserError: For options that do not fit the figure.
     """
     options = {kind.name: kind.options() for kind in KINDS.values() if kind.is_default} | dict(listed)
-    notes = context.lacking
+    notes = [*context.lacking, *context.released]
     context = _with_options(context, options, listed.keys())
     if "cycle" in listed and _weight("cycle", options["cycle"]) > 0 and context.schedule.gait_cycle is None:
         notes.append(NO_CYCLE)

@@ -175,6 +175,15 @@ def test_a_thing_lies_still_in_the_part_of_a_segment_before_and_after_its_hold()
     assert (0.0, 0.7) not in stances(caught)
 
 
+def test_a_note_names_a_thing_that_nothing_holds_or_places_after_a_hold(lifted):
+    assert not [note for note in lifted.notes if "crate" in note]
+    dropped = lift().replace(CRATE.format(x=0.44, z=1.1, pitch=-10), "")
+    (note,) = [note for note in recordings.from_text(dropped, name="dropped").notes if "crate" in note]
+    assert note.startswith("keyframe 5 does not place 'crate', which nothing holds after 1.5 s")
+    placed = dropped.replace(keyframe(2.1, STANDING), keyframe(2.1, STANDING, AT))
+    assert not [note for note in recordings.from_text(placed, name="placed").notes if "crate" in note]
+
+
 def test_a_crate_does_not_rise_before_hands_hold_it():
     rows = (
         keyframe(0.0, 'others = "rest"', AT),
