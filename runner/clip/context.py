@@ -196,11 +196,10 @@ class Context:
     def released(self) -> list[str]:
         """Notes on objects that a keyframe after their last hold does not place, so that they may drift."""
         schedule, keys, lines = self.schedule, self.keys, list[str]()
-        for link in [self.figure.links[i] for i in schedule.grasped if self.figure.links[i].parent == 0]:
-            columns = range(link.columns.start, link.columns.stop)
-            last = max((g.last for g in schedule.grasps if self.figure.links[g.link] is link), default=np.inf)
+        for i in schedule.objects:
+            link, last = self.figure.links[i], max((g.last for g in schedule.grasps if g.link == i), default=np.inf)
             after = keys.times > last + Thresholds.of(self.figure).lift_off
-            loose = np.flatnonzero(after & ~keys.known[:, columns].all(axis=1))
+            loose = np.flatnonzero(after & ~keys.known[:, link.columns].all(axis=1))
             if loose.size:
                 lines.append(
                     f"keyframe {loose[0] + 1} does not place '{link.name}', which nothing holds after {last:.4g} s, so "

@@ -21,7 +21,7 @@ from .gait_period import Gait
 from .grasp import Grasp, grasped_links
 from .grounded import grounded_intervals, open_intervals
 from .keyframe_points import KeyframePoints
-from .stance import Rest, Stance, resting_objects, stances, unheld_objects
+from .stance import Rest, Stance, resting_objects, stances
 from .steps import Steps, hops
 from .thresholds import Thresholds
 
@@ -153,12 +153,15 @@ class ContactSchedule:
         """The indices of the links of grasped objects."""
         return grasped_links(self.figure, self.grasps)
 
+    @property
+    def objects(self) -> list[int]:
+        """The indices of grasped links with a separate kinematic tree."""
+        return [link for link in self.grasped if self.figure.links[link].parent == 0]
+
     @cached_property
     def resting_objects(self) -> tuple[Stance, ...]:
         """The stances of grasped objects before and after holds."""
-        objects = [link for link in self.grasped if self.figure.links[link].parent == 0]
-        still = resting_objects(self._soles, objects)
-        return (*still, *unheld_objects(self._soles, objects, self.grasps))
+        return resting_objects(self._soles, self.objects, self.grasps)
 
     @cached_property
     def steps(self) -> Steps:

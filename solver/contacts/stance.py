@@ -77,21 +77,6 @@ def stances(soles: KeyframePoints) -> tuple[Stance, ...]:
     return tuple(_stance(soles, i, k, 1.0 if is_exact[i, k] else HELD) for k, i in np.argwhere(stays.T).tolist())
 
 
-def resting_objects(keyframes: KeyframePoints, links: Sequence[int]) -> tuple[Stance, ...]:
-    """Return the stances of objects with equal poses in two neighbouring keyframes, three points per object.
-
-    Args:
-        keyframes: Any points at the keyframes.
-        links: The objects: links with a separate kinematic tree.
-    """
-    names, limits = keyframes.figure.links, keyframes.limits
-    points = [Point(names[link].name, link, limits.object_arm * axis) for link in links for axis in np.eye(3)]
-    objects = keyframes.with_points(points)
-    stays = (objects.moves < limits.same_place) & objects.is_known[:, :-1] & objects.is_known[:, 1:]
-    stays = stays.reshape(len(links), 3, keyframes.keys.times.size - 1).all(axis=1).repeat(3, axis=0)
-    return tuple(_stance(objects, i, k) for k, i in np.argwhere(stays.T).tolist())
-
-
 class _Unheld(NamedTuple):
     """A part of a segment in which nothing holds an object that lies at keyframe `key`.
 
@@ -105,11 +90,15 @@ class _Unheld(NamedTuple):
     hold: float
 
 
-def unheld_objects(keyframes: KeyframePoints, links: Sequence[int], grasps: Sequence[Grasp]) -> tuple[Stance, ...]:
-    """Return the stances of objects between a keyframe at which they lie and a hold, three points per object.
+def resting_objects(
+    keyframes: KeyframePoints, links: Sequence[int], grasps: Sequence[Grasp] = ()
+) -> tuple[Stance, ...]:
+    """Return the stances of objects before and after holds, three points per object.
 
-    An object lies at a keyframe if its pose is the same in the keyframe on the other side, or if there is none. A
-    hand must be near it at the start or the end of the hold. Otherwise the object may be in flight, as if thrown.
+    An object with equal poses in two neighbouring keyframes rests between them. In a segment in which a hold begins or
+    ends, it also rests between the hold and a keyframe at which it lies: its pose is the same in the keyframe on the
+    other side, or there is none. A hand must be near it at this end of the hold. Otherwise the object may be in flight,
+    as if thrown.
 
     Args:
         keyframes: Any points at the keyframes.
@@ -118,10 +107,12 @@ def unheld_objects(keyframes: KeyframePoints, links: Sequence[int], grasps: Sequ
     """
     inferred: list[Stance] = []
     for link in links:
-        of_link = [grasp for grasp in grasps if grasp.link == link]
         arm, name = keyframes.limits.object_arm, keyframes.figure.links[link].name
         points = keyframes.with_points([Point(name, link, arm * axis) for axis in np.eye(3)])
-        for part in _unheld(points, of_link):
+        is_set = np.logical_and.reduce(points.is_known)
+        stays: Mask = np.logical_and.reduce(points.moves < points.limits.same_place) & is_set[:-1] & is_set[1:]
+        inferred += [_stance(points, i, k) for k in np.flatnonzero(stays).tolist() for i in range(3)]
+        for part in _unheld(points, stays, is_set, [grasp for grasp in grasps if grasp.link == link]):
             if _is_near(points, part, link):
                 first, last = sorted((float(keyframes.keys.times[part.key]), part.hold))
                 places = points.centres[:, :, part.key].T.copy()
@@ -129,18 +120,22 @@ def unheld_objects(keyframes: KeyframePoints, links: Sequence[int], grasps: Sequ
     return tuple(inferred)
 
 
-def _unheld(points: KeyframePoints, grasps: Sequence[Grasp]) -> Iterator[_Unheld]:
-    """Yield the parts of segments before and after holds of one object, given by its points."""
-    least, is_set = points.limits.lift_off, np.logical_and.reduce(points.is_known)
-    stays: Mask = np.logical_and.reduce(points.moves < points.limits.same_place) & is_set[:-1] & is_set[1:]
+def _unheld(points: KeyframePoints, stays: Mask, is_set: Mask, grasps: Sequence[Grasp]) -> Iterator[_Unheld]:
+    """Yield the parts of segments before and after holds of one object, given by its points.
+
+    Args:
+        stays: The segments in which it rests, (K − 1,).
+        is_set: The keyframes that place it, (K,).
+        grasps: Its grasps.
+    """
     for k, start, end in points.segments():
         holds = [grasp for grasp in grasps if grasp.first < end and start < grasp.last]
         if not holds or stays[k]:
             continue
         first, last = min(holds, key=lambda grasp: grasp.first), max(holds, key=lambda grasp: grasp.last)
-        if first.first - start > least and is_set[k] and _lies(stays, k - 1):
+        if first.first - start > points.limits.lift_off and is_set[k] and _lies(stays, k - 1):
             yield _Unheld(k, first, first.first)
-        if end - last.last > least and is_set[k + 1] and _lies(stays, k + 1):
+        if end - last.last > points.limits.lift_off and is_set[k + 1] and _lies(stays, k + 1):
             yield _Unheld(k + 1, last, last.last)
 
 

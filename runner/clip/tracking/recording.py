@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from dynsplines.solver.array import Array
+from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.contacts import ROUNDING, Rest
 from dynsplines.solver.contacts.recorded_stances import infer_stances
 from dynsplines.solver.contacts.thresholds import Thresholds
@@ -109,7 +109,7 @@ class TrackedRecording:
         keys = [self._fixed_outside_blends(frame, edits) for frame in unweighted.keys]
         settings = replace(unweighted.settings, tolerance=TOLERANCE)
         first, last = self.recorded.path.span
-        is_far = [self.table.blend is not None and self._is_far(t, edits) for t in (first, last)]
+        is_far = (self._is_far(np.array([first, last]), edits) & (self.table.blend is not None)).tolist()
         return replace(
             unweighted,
             keys=tuple(keys),
@@ -147,10 +147,9 @@ class TrackedRecording:
             np.array([e.time + offset for e in edits for offset in (*offsets, *-offsets)])
             for offsets in (margin, beyond)
         )
-        fixed = [self._outside(np.clip(group, *span), edits) for group in (beside, knots, spread)]
-        is_far = np.isin(times, self._outside(times, edits))
+        fixed = [group[self._is_far(group, edits)] for group in (np.clip(beside, *span), knots, np.clip(spread, *span))]
         least = min(CLOSE, float(margin[1] - margin[0]) / 2)
-        return _apart([np.array(span), *fixed, times[~is_far] if edits else np.empty(0)], least)
+        return _apart([np.array(span), *fixed, times[~self._is_far(times, edits)]], least)
 
     def _pins(self, blend: float, longest: float) -> tuple[Array, Array]:
         """Return the offsets [s] from a keyframe of fixed frames: near the end of its blend, and beyond it.
@@ -164,10 +163,10 @@ class TrackedRecording:
         count = max(0, int(np.ceil(np.log2(longest / step))))
         return margin, np.array([blend + step * (2.0**k - 2) for k in range(2, count + 2)])
 
-    def _outside(self, times: Array, edits: Sequence[Frame]) -> Array:
-        """Return those of the times (M,) [s] that are outside all blends."""
+    def _is_far(self, times: Array, edits: Sequence[Frame]) -> Mask:
+        """Return whether times (M,) [s] are outside all blends, (M,)."""
         keys = np.array([edit.time for edit in edits])
-        return times[_distances(times, np.sort(keys)) >= INNER * self.width - ROUNDING]
+        return _distances(times, np.sort(keys)) >= INNER * self.width - ROUNDING
 
     def _exact_knots(self) -> Array:
         """Return the knots, and midpoints where a spline through the knots alone differs from the recording. A
@@ -182,13 +181,9 @@ class TrackedRecording:
 
     def _fixed_outside_blends(self, frame: Frame, edits: Sequence[Frame]) -> Frame:
         """Return a frame, fixed to the recording if it is outside all blends."""
-        if self.table.blend is None or frame.fixed.any() or not self._is_far(frame.time, edits):
+        if self.table.blend is None or frame.fixed.any() or not self._is_far(np.array([frame.time]), edits).all():
             return frame
         return Frame.key(frame.time, self.pose(frame.time))
-
-    def _is_far(self, time: float, edits: Sequence[Frame]) -> bool:
-        """Return whether a time [s] is outside all blends."""
-        return all(abs(time - edit.time) >= INNER * self.width for edit in edits)
 
     def _is_void(self, rest: Rest, edits: Sequence[Frame], specified: Sequence[Rest]) -> bool:
         """Return whether a stance of the recording is invalid in the clip, or outside all blends."""
