@@ -190,10 +190,12 @@ def _parts(clip: Clip) -> Iterator[Penalty]:
 def _obstacle_contacts(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, ...]:
     """Return soles and body with the surfaces that they must avoid, whether or not the clip penalises it."""
     contacts = [part for part in parts if isinstance(part, Contact)]
+    if clip.has_recording:  # whose own contacts have the corners of bodies only
+        contacts = [part for part in contacts if part.name != BODY]
     names = {part.name for part in contacts}
     if Contact.term_name not in names:
         contacts.append(Contact(clip.context.points, clip.context.surfaces))
-    if BODY not in names or clip.has_recording:  # whose own part has the corners of bodies only
+    if BODY not in names:
         contacts += body_contacts(clip.context)
     return tuple(part for part in contacts if part.points and part.surfaces and not part.carrier)
 
