@@ -51,7 +51,10 @@ class Spline:
         self.at_times = np.concatenate([self._begin[:, 0, :DEGREE], [[0.0, 0.0, 1.0]]])
         step = DEGREE / np.diff(self.times)[[0, -1], None]
         self._slopes = np.concatenate([-step, step], axis=1)
-        self._collocation = self._closed() if ends == "periodic" else self._tridiagonal()
+        count = self.times.size
+        # the row in which each coefficient is the middle one; with it, the collocation matrix is tridiagonal
+        self.order = np.concatenate([[0, count], np.arange(1, count - 1), [count + 1, count - 1]])
+        self._collocation = self._closed() if ends == "periodic" else Tridiagonal(*self.collocation)
 
     def _closed(self) -> SuperLU:
         from scipy.sparse.linalg import splu  # imported here: slow to load, used by loops alone
@@ -60,16 +63,16 @@ class Spline:
         closing = [self.basis([last], k) - self.basis([first], k) for k in (1, 2)]
         return splu(sparse.csc_matrix(sparse.vstack([self.basis(self.times, 0), *closing])))
 
-    def _tridiagonal(self) -> Tridiagonal:
-        """Factorise the collocation matrix: tridiagonal if each slope is ordered next to the value at its end."""
+    @property
+    def collocation(self) -> tuple[Array, Array, Array]:
+        """The lower, middle and upper diagonals of the matrix from coefficients to states and slopes, in `order`."""
         at, (first, last) = self.at_times, self._slopes
         count = self.times.size
-        self._order = np.concatenate([[0, count], np.arange(1, count - 1), [count + 1, count - 1]])
         lower, diagonal, upper = np.zeros(count + 1), np.empty(count + 2), np.zeros(count + 1)
         diagonal[[0, 1, -2, -1]] = at[0, 0], first[1], last[0], at[-1, 2]
         lower[0], upper[-1] = first[0], last[1]
         lower[1:-2], diagonal[2:-2], upper[2:-1] = at[1:-1].T
-        return Tridiagonal(lower, diagonal, upper)
+        return lower, diagonal, upper
 
     @property
     def size(self) -> int:
@@ -105,14 +108,14 @@ class Spline:
     def coefficients(self, rows: Array) -> Array:
         """Return the B-spline coefficients C = Φ⁻¹ Y (M + 2, N) for rows Y (M + 2, N) (eq. 6)."""
         if isinstance(self._collocation, Tridiagonal):
-            return self._collocation.solved(rows[self._order])
+            return self._collocation.solved(rows[self.order])
         return self._collocation.solve(np.ascontiguousarray(rows))
 
     def coefficients_transposed(self, gradient: Array) -> Array:
         """Return the gradient with respect to rows for one with respect to coefficients, by Φ⁻ᵀ; (M + 2, N)."""
         if isinstance(self._collocation, Tridiagonal):
             rows = np.empty(gradient.shape)
-            rows[self._order] = self._collocation.solved(gradient, transposed=True)
+            rows[self.order] = self._collocation.solved(gradient, transposed=True)
             return rows
         return self._collocation.solve(np.ascontiguousarray(gradient), trans="T")
 
@@ -131,13 +134,6 @@ class Spline:
         out[:2] += self._slopes[0][:, None] * gradient[-2]
         out[-2:] += self._slopes[1][:, None] * gradient[-1]
         return out
-
-    def rows_by_coefficients(self) -> tuple[Index, Array]:
-        """Return the first coefficient (M + 2,) and the 3 weights (M + 2, 3) of each row of `states_and_slopes`."""
-        count = self.times.size
-        weights = np.zeros((count + 2, DEGREE))
-        weights[:count], weights[count, :2], weights[count + 1, 1:] = self.at_times, *self._slopes
-        return np.append(np.arange(count), [0, count - 1]), weights
 
     def jumps_of(self, factor: complex) -> Complex:
         """Return the jumps of y' and y'' of a column that is multiplied by `factor` per period, as a map of the states.
@@ -220,22 +216,24 @@ class Sampling:
         t: The sample times, (S,) [s].
         first: The first of the 4 nonzero B-splines at each sample, (S,).
         values: Those B-splines and two derivatives, (S, 3, 4).
+        size: The number of B-splines, M + 2.
     """
 
     spline: Spline
     t: Array
     first: Index
     values: Array
+    size: int
 
     @classmethod
     def of(cls, spline: Spline, t: ArrayLike) -> Sampling:
         t = np.asarray(t, float)
-        return cls(spline, t, *spline.local(t))
+        return cls(spline, t, *spline.local(t), spline.size)
 
     @cached_property
     def bases(self) -> tuple[sparse.csr_matrix, sparse.csr_matrix, sparse.csr_matrix]:
         """The B-splines at the sample times, and two derivatives, (S, M + 2) each."""
-        b0, b1, b2 = (_four_a_row(self.first, self.values[:, k], self.spline.size) for k in range(3))
+        b0, b1, b2 = (_four_a_row(self.first, self.values[:, k], self.size) for k in range(3))
         return b0, b1, b2
 
     @cached_property

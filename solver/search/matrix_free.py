@@ -96,7 +96,7 @@ class FlatMetric:
     def __init__(self, layout: Layout) -> None:
         self.layout, self.unit = layout, 1.0
         flat = layout.flat + 0.0
-        springs = layout.springs_by_column() * (STIFF * float(np.median(flat[:, 0])))
+        springs = layout.springs_by_column() * (STIFF * float(np.median(flat[layout.used, 0])))
         self.factors = np.empty((layout.width, *flat.shape))
         for column in range(layout.width):
             factor = banded.factored(flat + springs[:, :, column])

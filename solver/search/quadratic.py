@@ -2,12 +2,13 @@
 
     m(δ) = gᵀδ + ½ δᵀ(H + λF)δ + Σ_p c_p max(0, d_p + r_pᵀδ)²
 
-δ is a step of the B-spline coefficients. H is the Gauss-Newton curvature, and F the flat acceleration energy that damps
-the step. d_p is a one-sided residual, such as the depth of a point in the floor (negative above it). A sample depends
-on 4 coefficients, so all matrices are banded, and time and memory are linear in the length of the clip.
+δ is a step of a spline that is zero at whole keyframes, see `Elimination`. H is the Gauss-Newton curvature, and F the
+flat acceleration energy that damps the step. d_p is a one-sided residual, such as the depth of a point in the floor
+(negative above it). A sample depends on 4 coefficients of δ, so all matrices are banded, and time and memory are linear
+in the length of the clip.
 
-Fixed degrees of freedom, of keyframes and of a loop's seam, are held by springs that are stiff relative to H. The
-springs only shape the step: keyframes are not unknowns and stay exact.
+The degrees of freedom that partial keyframes fix, and a loop's seam, are held by springs that are stiff relative to H.
+The springs only shape the step: fixed degrees of freedom are not unknowns and stay exact.
 
 The H of smooth terms is summed over a few nodes per span. The H of terms that begin, end or peak within a span is
 summed over the samples of E; otherwise the model would predict reductions that E does not have.
@@ -29,9 +30,10 @@ import numpy as np
 from .. import compiled
 from ..array import Array, Index, Mask
 from ..curve import banded
+from ..curve.elimination import LOCAL, Elimination
 from ..curve.quadrature import gauss_nodes
 from ..curve.seam import Seam
-from ..curve.spline import DEGREE, Path, Piece, Sampling, Spline
+from ..curve.spline import DEGREE, Path, Piece, Sampling
 from ..figure.kinematics import Samples
 from ..objective import Discretised, EvaluatedRun, Term
 from ..penalty.curvature import Curvature
@@ -45,21 +47,22 @@ SHARE_OF_POSITION = 0.3  # [1] weight of positions in F, relative to acceleratio
 MOST_CHANGES = 15  # maximum number of changes of the active set
 SETTLED = 0.1  # [1] gain of a change of the active set, relative to the total reduction, at which it is the last
 ENTRIES_AT_ONCE = 2_000_000  # entries of rows over four coefficients in memory at once, 16 MB
-LOCAL = DEGREE + 1  # B-splines that are nonzero at a sample
 LEAST = 1e-12  # smallest median curvature, against division by zero
 BLOCKED = 0.1  # [1] share of a Newton step below which inactive residuals block it, so that another change follows
 
-Picked = Index | slice
-
 
 class Layout:
-    """The layout of the banded matrices of one timeline: coefficients (M + 2) by columns of the state (N).
+    """The layout of the banded matrices of one timeline: coefficients of a step (C) by columns of the state (N).
 
     A loop's coefficients are ordered alternately from both ends, so that its seam is within the band. A matrix is
-    stored as blocks (M + 2, N, K + 1, N): [j, c, k, r] is its entry at row (j + k, r) and column (j, c), lower half.
+    stored as blocks (C, N, K + 1, N): [j, c, k, r] is its entry at row (j + k, r) and column (j, c), lower half.
 
     Attributes:
-        order: The coefficients in the order of the matrices, (M + 2,); `rank` is its inverse.
+        basis: The basis of the steps.
+        sampling: Its functions at the samples of E.
+        pieces: Runs of the nodes at which the curvature of smooth terms is computed: of the spline, and of the basis.
+        order: The coefficients in the order of the matrices, (C,); `rank` is its inverse.
+        used: The ranks of coefficients whose functions are not zero.
         place: The unknowns as indices into the flattened states and slopes, (n,).
         sided: Indices of the terms with one-sided residuals; of all terms before the first model.
     """
@@ -67,25 +70,35 @@ class Layout:
     def __init__(self, problem: Discretised) -> None:
         self.problem = problem
         spline, unknowns = problem.spline, problem.unknowns
-        self.count, self.width = spline.size, problem.timeline.width
+        self.width = problem.timeline.width
+        self.free = np.zeros((spline.size, self.width), bool)
+        self.free.reshape(-1)[unknowns.place] = True
+        self.tied = np.zeros(spline.size, bool)
+        if unknowns.ties is not None:
+            self.tied = np.diff(unknowns.ties.indptr).reshape(self.free.shape).any(axis=1)
         self.is_loop = spline.ends == "periodic"
+        held = np.asarray(~self.tied & ~self.free.any(axis=1))
+        held[-2:] &= not self.is_loop  # rows of jumps
+        self.basis = Elimination(spline, held)
+        self.sampling = self.basis.sampled(problem.sampling)
+        self.count = self.basis.size
         order = np.arange(self.count)
         if self.is_loop:
             order = np.ravel(np.column_stack([order, order[::-1]]))[: self.count]
         self.rank = np.empty(self.count, np.intp)
         self.rank[order] = np.arange(self.count)
-        self.order = order
+        self.order, self.used = order, self.rank[: self.basis.count]
         self.blocks = min(2 * LOCAL if self.is_loop else LOCAL, self.count)
         self.place = unknowns.place
         t, self.weights = gauss_nodes(np.asarray(spline.times), POINTS)
-        sampling = Sampling.of(spline, t)
+        nodes = Sampling.of(spline, t)
+        sampling = self.basis.sampled(nodes)
         at_once = max(SPANS_AT_ONCE, SPAN_ENTRIES // self.width)
         edges = [*range(0, spline.times.size - 1, at_once), spline.times.size - 1]
-        self.pieces = [
-            (sampling.piece(slice(POINTS * a, POINTS * b)), self._pairs(a, b - a)) for a, b in pairwise(edges)
-        ]
+        runs = [slice(POINTS * a, POINTS * b) for a, b in pairwise(edges)]
+        self.pieces = [(nodes.piece(run), sampling.piece(run)) for run in runs]
         self.sided = list(range(len(problem.objective.terms)))
-        self.flat = self._flat(sampling.values)
+        self.flat = self._flat(sampling.whole)
 
     @cached_property
     def springs(self) -> tuple[Index, Array]:
@@ -95,12 +108,9 @@ class Layout:
         return place, springs[place]
 
     def springs_by_column(self) -> Array:
-        """Return the springs on entries of single columns, without those of ties and seams, (M + 2, K + 1, N)."""
-        free = np.zeros((self.count, self.width))
-        free.reshape(-1)[self.place] = 1.0
+        """Return the springs on entries of single columns, without those of ties and seams, (C, K + 1, N)."""
         matrix = np.zeros((self.count, self.blocks + 1, self.width))
-        first, weights = self.problem.spline.rows_by_coefficients()
-        column, offset, values = self._column_springs(first, weights, 1 - free)
+        column, offset, values = self._column_springs(self._held)
         np.add.at(matrix, (column, offset), values)
         return matrix
 
@@ -108,34 +118,29 @@ class Layout:
         return np.zeros((self.count, self.width, self.blocks + 1, self.width))
 
     def diagonal(self, matrix: Array) -> Array:
-        """Return a writable view (M + 2, K + 1, N) of the entries that couple a column of the state with itself."""
+        """Return a writable view (C, K + 1, N) of the entries that couple a column of the state with itself."""
         return np.einsum("jckc->jkc", matrix)
 
-    def _pairs(self, first: int, count: int) -> list[Pair]:
-        """Return the positions in the lower half of all pairs of B-splines of `count` spans from `first` on."""
-        if not self.is_loop:
-            return [
-                Pair(slice(None), b, slice(b, LOCAL), slice(first + b, first + b + count), slice(0, LOCAL - b))
-                for b in range(LOCAL)
-            ]
-        pairs, spans = [], np.arange(first, first + count)
+    def _pairs(self, first: Index) -> Iterator[Pair]:
+        """Yield the positions in the lower half of all pairs of functions in spans, `first` (spans,) their first."""
         for a, b in np.ndindex(LOCAL, LOCAL):
-            row, column = self.rank[spans + a][:, None], self.rank[spans + b][:, None]
+            row, column = self.rank[first + a], self.rank[first + b]
             lower = np.flatnonzero(row >= column)
-            pairs.append(Pair(lower, b, slice(a, a + 1), column[lower], (row - column)[lower]))
-        return pairs
+            if lower.size:
+                yield Pair(lower, a, b, column[lower], (row - column)[lower])
 
-    def add_blocks(self, matrix: Array, curvature: Curvature, piece: Piece, pairs: list[Pair]) -> None:
+    def add_blocks(self, matrix: Array, curvature: Curvature, piece: Piece) -> None:
         """Add the part of a curvature that is stored as blocks. Its samples are the nodes of neighbouring spans."""
         if compiled.kernel is not None:
             for columns, squares in curvature.squares():
                 compiled.call("add_blocks", matrix, self.rank, piece.first, piece.values, columns, squares, self.width)
             return
+        pairs = list(self._pairs(piece.first[::POINTS]))
         for columns, blocks in curvature.blocks(piece.values, POINTS):
             local = blocks.transpose(0, 2, 4, 1, 3, 5)
             for part, target in _block_views(matrix, columns, local):
                 for pair in pairs:
-                    target[pair.j, pair.k] += part[pair.spans, pair.b, pair.a]
+                    np.add.at(target, (pair.j, pair.k), part[pair.spans, pair.b, pair.a])
 
     def add_rows(self, matrix: Array, *parts: tuple[Curvature, Piece]) -> None:
         """Add the parts of curvatures that are stored as rows, which may be at any samples."""
@@ -201,125 +206,124 @@ class Layout:
         return banded.factored(np.array(band).reshape(-1, size))
 
     def solve(self, factor: Array, right: Array) -> Array:
-        """Return H⁻¹ v for v (M + 2, N)."""
+        """Return H⁻¹ v for v (C, N)."""
         solution = banded.solved(factor, right[self.order].reshape(-1, 1))
         return solution.reshape(self.count, self.width)[self.rank]
 
     def unwhiten(self, factor: Array, z: Array) -> Array:
-        """Return L⁻ᵀ z (M + 2, N) for flat z in the order of the matrices."""
+        """Return L⁻ᵀ z (C, N) for flat z in the order of the matrices."""
         return banded.other_half_solved(factor, z.reshape(-1, 1)).reshape(self.count, self.width)[self.rank]
 
     def whiten(self, factor: Array, gradient: Array) -> Array:
-        """Return L⁻¹ v, flat in the order of the matrices, for v (M + 2, N)."""
+        """Return L⁻¹ v, flat in the order of the matrices, for v (C, N)."""
         return banded.half_solved(factor, gradient[self.order].reshape(-1, 1)).ravel()
 
-    def to_x(self, coefficients: Array) -> Array:
-        """Return the step of the unknowns (n,) for a step of the coefficients (M + 2, N)."""
-        return self.problem.spline.states_and_slopes(coefficients).reshape(-1)[self.place]
+    def to_x(self, step: Array) -> Array:
+        """Return the step of the unknowns (n,) for coefficients of a step (C, N)."""
+        return self.problem.spline.states_and_slopes(self.basis.matrix @ step).reshape(-1)[self.place]
 
     def from_x(self, gradient: Array) -> Array:
-        """Return the gradient with respect to the coefficients (M + 2, N) for one with respect to the unknowns (n,)."""
-        rows = np.zeros(self.count * self.width)
-        rows[self.place] = gradient
-        return self.problem.spline.states_and_slopes_transposed(rows.reshape(self.count, self.width))
+        """Return the gradient with respect to the coefficients (C, N) for one with respect to the unknowns (n,)."""
+        rows = np.zeros(self.free.shape)
+        rows.reshape(-1)[self.place] = gradient
+        return self.basis.transposed @ self.problem.spline.states_and_slopes_transposed(rows)
+
+    @cached_property
+    def _held(self) -> Index:
+        """The frames of which some degrees of freedom are fixed, except whole keyframes and a loop's last frame."""
+        is_free = np.asarray(self.free.all(axis=1))
+        held = np.flatnonzero(~(is_free | self.basis.held)[:-2])
+        return held[held < len(self.free) - 3] if self.is_loop else held
 
     def _springs(self) -> Array:
-        spline, unknowns = self.problem.spline, self.problem.unknowns
-        matrix = self.empty()
-        free = np.zeros((self.count, self.width))
-        free.reshape(-1)[self.place] = 1.0
-        first, weights = spline.rows_by_coefficients()
-        is_held = np.asarray(free.min(axis=1) == 0)
+        timeline, unknowns = self.problem.timeline, self.problem.unknowns
+        matrix, times = self.empty(), timeline.times
         if self.is_loop:
-            is_held[-3:] = False
-            for order in range(3):
-                self._tie_seam(matrix, spline, order)
-        if spline.ends == "held":
-            self._hold_curvature(matrix, spline)
-        if unknowns.ties is not None:
-            tied = is_held & np.diff(unknowns.ties.indptr).reshape(free.shape).any(axis=1)
-            for i in np.flatnonzero(tied):
-                block: Any = unknowns.matrix[i * self.width : (i + 1) * self.width]  # SciPy has no type for a slice
-                moves = block[:, np.unique(block.indices)].toarray()
-                wide = np.tile(weights[i][:, None], self.width)
-                self._hold(
-                    matrix, first[i] + np.arange(DEGREE), wide, np.eye(self.width) - moves @ np.linalg.pinv(moves)
-                )
-            is_held &= ~tied
-        self._hold_columns(matrix, first[is_held], weights[is_held], 1 - free[is_held])
-        return matrix
-
-    def _hold_columns(self, matrix: Array, first: Index, weights: Array, hold: Array) -> None:
-        """Add springs on sums of 3 coefficients from `first` (R,) on, weights (R, 3), in the columns of hold (R, N)."""
-        column, offset, values = self._column_springs(first, weights, hold)
+            self._tie_seam(matrix, times)
+        if timeline.ends == "held":
+            ends = self._sampled(times[[0, -1]])
+            for first, weights in zip(ends.first, ends.values[:, 2], strict=True):
+                self._hold(matrix, int(first), weights, np.eye(self.width))
+        is_tied: Mask = np.take(self.tied, self._held)
+        for i in self._held[is_tied]:
+            block: Any = unknowns.matrix[i * self.width : (i + 1) * self.width]  # SciPy has no type for a slice
+            moves = block[:, np.unique(block.indices)].toarray()
+            at = self._sampled(times[[i]])
+            self._hold(matrix, int(at.first[0]), at.values[0, 0], np.eye(self.width) - moves @ np.linalg.pinv(moves))
+        column, offset, values = self._column_springs(self._held[~is_tied])
         index = np.arange(self.width)
         place = (column[:, None], index, offset[:, None], index)
         flat = np.ravel_multi_index(np.broadcast_arrays(*place), matrix.shape)
         np.add.at(matrix.reshape(-1), flat.ravel(), values.ravel())
+        return matrix
 
-    def _column_springs(self, first: Index, weights: Array, hold: Array) -> tuple[Index, Index, Array]:
-        """Return the springs of `_hold_columns`: entries (S, N), columns (S,), and offsets from the diagonal (S,)."""
-        weights = weights / np.sqrt(np.sum(weights**2, axis=1, keepdims=True))
-        rank = self.rank[first[:, None] + np.arange(DEGREE)]
+    def _sampled(self, times: Array) -> Sampling:
+        """Return the functions of the basis at times (S,) [s]."""
+        return self.basis.sampled(Sampling.of(self.problem.spline, times))
+
+    def _column_springs(self, frames: Index) -> tuple[Index, Index, Array]:
+        """Return the springs on fixed columns of frames (R,), and on unused functions of the basis: columns (S,),
+        offsets from the diagonal (S,), and entries (S, N)."""
+        at, unused = self._sampled(self.problem.timeline.times[frames]), self.rank[self.basis.count :]
+        weights = at.values[:, 0] / np.linalg.norm(at.values[:, 0], axis=1, keepdims=True)
+        rank = self.rank[at.first[:, None] + np.arange(LOCAL)]
         offset = rank[:, :, None] - rank[:, None, :]
         row, a, b = np.nonzero(offset >= 0)
-        return rank[row, b], offset[row, a, b], (weights[row, a] * weights[row, b])[:, None] * hold[row]
+        values = (weights[row, a] * weights[row, b])[:, None] * ~self.free[frames[row]]
+        values = np.concatenate([values, np.ones((unused.size, self.width))])
+        return np.append(rank[row, b], unused), np.append(offset[row, a, b], 0 * unused), values
 
-    def _tie_seam(self, matrix: Array, spline: Spline, order: int) -> None:
-        """Tie y, y' or y'' of a step at the end to the same at the start, mapped by the seam. A loop's shift is
+    def _tie_seam(self, matrix: Array, times: Array) -> None:
+        """Tie y, y' and y'' of a step at the end to the same at the start, mapped by the seam. A loop's shift is
         constant, so it does not affect steps."""
-        start, end = (spline.basis([t], order) for t in spline.times[[0, -1]])
         returned, identity = Seam.of(self.problem.objective.figure, self.problem.timeline).matrix(), np.eye(self.width)
-        parts = [(j, -w * returned) for j, w in zip(start.indices.tolist(), start.data.tolist(), strict=True)]
-        parts += [(j, w * identity) for j, w in zip(end.indices.tolist(), end.data.tolist(), strict=True)]
-        size = float(start.data @ start.data + end.data @ end.data)
-        for (ja, a), (jb, b) in product(parts, parts):
-            row, column = self.rank[ja], self.rank[jb]
-            if row >= column:
-                matrix[column, :, row - column, :] += b.T @ a / size
-
-    def _hold_curvature(self, matrix: Array, spline: Spline) -> None:
-        for end in spline.times[[0, -1]]:
-            basis = spline.basis([end], 2)
-            weights = np.tile(np.asarray(basis.data, float)[:, None], self.width)
-            self._hold(matrix, np.asarray(basis.indices, np.intp), weights, np.eye(self.width))
-
-    def _hold(self, matrix: Array, coefficients: Index, weights: Array, hold: Array) -> None:
-        """Add a spring on `hold` (N, N) times Σ_j weights_j c_j, weights (k, N)."""
-        weights = weights / np.sqrt(np.sum(weights**2) / self.width)
-        for ja, wa in zip(coefficients, weights, strict=True):
-            for jb, wb in zip(coefficients, weights, strict=True):
+        ends = self._sampled(times[[0, -1]])
+        first, last = (range(first, first + LOCAL) for first in ends.first.tolist())
+        is_zero = int(self.basis.held[-3])  # in the basis, at both ends
+        for start, end in zip(*ends.values[:, is_zero:], strict=True):
+            parts = [(j, -w * returned) for j, w in zip(first, start, strict=True) if w]
+            parts += [(j, w * identity) for j, w in zip(last, end, strict=True) if w]
+            size = float(start @ start + end @ end)
+            for (ja, a), (jb, b) in product(parts, parts):
                 row, column = self.rank[ja], self.rank[jb]
                 if row >= column:
-                    matrix[column, :, row - column, :] += wb[:, None] * hold * wa
+                    matrix[column, :, row - column, :] += b.T @ a / size
 
-    def _flat(self, bases: Array) -> Array:
-        """Return ∫ φ''φ''ᵀ + ε φφᵀ of the coefficients, the same for every column, (M + 2, K + 1)."""
+    def _hold(self, matrix: Array, first: int, weights: Array, hold: Array) -> None:
+        """Add a spring on `hold` (N, N) times Σ_j weights_j c_j, of 4 coefficients from `first` on."""
+        weights = weights / np.linalg.norm(weights)
+        for a, b in np.ndindex(LOCAL, LOCAL):
+            row, column = self.rank[first + a], self.rank[first + b]
+            if row >= column:
+                matrix[column, :, row - column, :] += weights[a] * weights[b] * hold
+
+    def _flat(self, nodes: Piece) -> Array:
+        """Return ∫ φ''φ''ᵀ + ε φφᵀ of the coefficients, the same for every column, (C, K + 1)."""
         timeline = self.problem.timeline
         keys = max(len(timeline.frames) - timeline.variable_count, 2)
         spacing = (timeline.times[-1] - timeline.times[0]) / keys
-        value, acceleration = bases[:, 0], bases[:, 2]
+        value, acceleration = nodes.values[:, 0], nodes.values[:, 2]
         density = acceleration[:, :, None] * acceleration[:, None, :]
         density += SHARE_OF_POSITION / spacing**4 * value[:, :, None] * value[:, None, :]
         local = (self.weights[:, None, None] * density).reshape(-1, POINTS, LOCAL, LOCAL).sum(axis=1)
         flat = np.zeros((self.count, self.blocks + 1))
-        for pair in self._pairs(0, len(local)):
-            flat[pair.j, pair.k] += local[pair.spans, pair.b, pair.a]
+        for pair in self._pairs(nodes.first[::POINTS]):
+            np.add.at(flat, (pair.j, pair.k), local[pair.spans, pair.b, pair.a])
         return flat
 
 
 class Pair(NamedTuple):
-    """Positions [j, k] in a matrix's blocks of B-spline b with B-splines a of some spans, shape (spans, a)."""
+    """Positions [j, k] in a matrix's blocks of function b with function a of some spans, shape (spans,)."""
 
-    spans: Picked
+    spans: Index
+    a: int
     b: int
-    a: slice
-    j: Picked
-    k: Picked
+    j: Index
+    k: Index
 
 
 def _block_views(matrix: Array, columns: Index, blocks: Array) -> Iterator[tuple[Array, Array]]:
-    """Yield parts of blocks (..., n, k, k) with views (M + 2, K + 1, ...) of the matrix entries to add them to. The
+    """Yield parts of blocks (..., n, k, k) with views (C, K + 1, ...) of the matrix entries to add them to. The
     columns (n, k) rise. All blocks are one part if the columns are one run, otherwise one per pair of runs."""
     if np.all(np.diff(columns.ravel()) == 1):
         whole = slice(int(columns[0, 0]), int(columns[-1, -1]) + 1)
@@ -352,7 +356,7 @@ class OneSidedTerms:
 
     Attributes:
         weight: Their weights in E, (P,).
-        sampling: The samples of E.
+        sampling: The basis of the steps at the samples of E.
     """
 
     residuals: OneSidedResiduals
@@ -376,7 +380,7 @@ class OneSidedTerms:
             return None
         residuals, order = OneSidedResiduals.joined([residuals for _, residuals in parts]).sorted()
         factor = np.concatenate([np.full(residuals.at.size, factor) for factor, residuals in parts])[order]
-        return cls(residuals, factor * problem.weights[residuals.at], problem.sampling)
+        return cls(residuals, factor * problem.weights[residuals.at], layout.sampling)
 
     @property
     def value(self) -> Array:
@@ -384,12 +388,12 @@ class OneSidedTerms:
         return self.residuals.value
 
     def change(self, step: Array) -> Array:
-        """Return the change (P,) of the residuals for a step (M + 2, N) of the coefficients."""
+        """Return the change (P,) of the residuals for coefficients of a step (C, N)."""
         change = self.sampling.bases[0] @ step
         return np.concatenate([rows.moved(change) for rows in self.residuals.gradients])
 
     def pulled_back(self, forces: Array) -> Array:
-        """Return the gradient (M + 2, N) of forces · residuals, forces (P,)."""
+        """Return the gradient (C, N) of forces · residuals, forces (P,)."""
         total = np.zeros((self.sampling.t.size, self.residuals.gradients[0].basis.shape[2]))
         for run, rows in self.residuals.parts():
             rows.pull_back(forces[run], total)
@@ -459,7 +463,7 @@ class Model:
         curvature: The matrix of H and the springs, in blocks.
         scale: The size of E's curvature in y'', the unit of the damping λ.
         sided: The one-sided residuals; None without any.
-        gradient: The gradient of the two-sided part with respect to the coefficients, (M + 2, N).
+        gradient: The gradient of the two-sided part with respect to the coefficients, (C, N).
     """
 
     def __init__(self, layout: Layout, x: Array, gradient: Array, scale: float | None = None) -> None:
@@ -500,19 +504,20 @@ class Model:
             for k in sharp:
                 weights = terms[k].factor * problem.weights[run.piece.which]
                 terms[k].penalty.curvature(run.samples, curvature, weights, run.blocks[k])
-            rows.append((curvature, run.piece))
-        for piece, pairs in layout.pieces:
-            weights = layout.weights[piece.which]
-            smooth_curvature = curvature_at(piece, smooth, weights)
+            rows.append((curvature, layout.sampling.piece(run.piece.which)))
+        for nodes, piece in layout.pieces:
+            weights = layout.weights[nodes.which]
+            smooth_curvature = curvature_at(nodes, smooth, weights)
             rows.append((smooth_curvature, piece))
-            layout.add_blocks(matrix, smooth_curvature, piece, pairs)
+            layout.add_blocks(matrix, smooth_curvature, piece)
             if scale is None:
                 sizes.append(smooth_curvature.acceleration() / weights[:, None])
         layout.add_rows(matrix, *rows)
         for term, sampling in problem.instants:
-            layout.add_rows(matrix, (curvature_at(sampling.whole, [term], np.ones(sampling.t.size)), sampling.whole))
+            curvature = curvature_at(sampling.whole, [term], np.ones(sampling.t.size))
+            layout.add_rows(matrix, (curvature, layout.basis.sampled(sampling).whole))
         diagonal = layout.diagonal(matrix)[:, 0]
-        size = max(middle(diagonal), LEAST)
+        size = max(middle(diagonal[layout.used]), LEAST)
         diagonal += FAINT * size
         place, springs = layout.springs
         matrix.reshape(-1)[place] += STIFF * size * springs

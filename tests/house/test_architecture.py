@@ -30,6 +30,7 @@ ONLY_IN = {
 }
 SCIPY_IN_SOLVER = {
     "solver/curve/banded.py",
+    "solver/curve/elimination.py",
     "solver/curve/spline.py",
     "solver/curve/unknowns.py",
     "solver/posing/limits.py",

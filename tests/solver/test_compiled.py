@@ -43,7 +43,7 @@ def test_weighted_squares_by_the_kernel_are_numpys(sign, rng, monkeypatch):
     discretised = problem.objective.on(problem.raw)
     x = discretised.unknowns.start
     model = Model(Layout(discretised), x, discretised(x).gradient)
-    sampling = discretised.sampling
+    sampling = model.layout.sampling
     at = np.sort(rng.integers(sampling.first.size, size=40))
     rows, weight = rng.normal(size=(40, problem.figure.width)), sign * rng.uniform(0.1, 9, 40)
     matrices = []

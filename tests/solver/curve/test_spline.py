@@ -87,9 +87,6 @@ def test_states_and_slopes_are_the_inverse_of_coefficients_and_have_their_transp
     np.testing.assert_allclose(spline.states_and_slopes(c), rows, atol=1e-9)
     back = spline.states_and_slopes_transposed(gradient)
     np.testing.assert_allclose(np.sum(back * c), np.sum(gradient * rows), rtol=1e-9)
-    first, weights = spline.rows_by_coefficients()
-    summed = np.einsum("rk,rkn->rn", weights, c[first[:, None] + np.arange(3)])
-    np.testing.assert_allclose(summed, rows, atol=1e-9)
 
 
 MANY = np.cumsum(10.0 ** np.random.default_rng(3).uniform(-3, 0, 450))  # farther than both ends are felt
