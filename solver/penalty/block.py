@@ -19,11 +19,7 @@ from ..figure.adjoint import OF_THE_STATE, Cotangent
 from ..figure.kinematics import Samples
 from ..figure.wrenches import Wrenches
 from .curvature import Curvature
-from .one_sided import OneSidedResiduals, Rows
-
-FREEDOMS = 6  # [1] degrees of freedom of a link's motion
-# [1] smallest ratio of residuals to degrees of freedom of links at which rows are stored as linear combinations
-MANY = 2
+from .one_sided import OneSidedResiduals
 
 
 @dataclass(frozen=True, eq=False)
@@ -161,43 +157,10 @@ class Block:
         Derivatives with respect to y' and y'' are ignored. The quadratic model of E uses these residuals.
         """
         root = np.sqrt(self.weight)
-        block = self if np.all(root == 1) else replace(self, value=root * self.value, changes=self._scaled(root))
-        return OneSidedResiduals(block.at, block.value, (block._side_rows(samples),))
-
-    def _scaled(self, factor: Array | float) -> tuple[Change, ...]:
-        factor = (factor + np.zeros(self.at.size))[slice(None) if self.of is None else self.of]
-        return tuple(change.scaled(factor) for change in self.changes)
-
-    def _side_rows(self, samples: Samples) -> Rows:
-        """Return the gradients with respect to y, as combinations of link Jacobians if many residuals share links."""
-        motions = self._motions()
-        if motions is None:
-            return Rows.plain(self.at, self.rows(samples)[:, 0])
-        first, of = motions
-        shares, bases = [], []
-        for change in self.changes:
-            assert isinstance(change, Wrenches)
-            none = np.zeros((3, self.at.size))
-            shares.append(np.concatenate([none if v is None else v for v in (change.force, change.torque)]).T)
-            bases.append(_unit_rows(samples, change.at[first], change.link[first]))
-        return Rows(of, np.concatenate(shares, axis=1), self.at[first], np.concatenate(bases, axis=1))
-
-    def _motions(self) -> tuple[Index, Index] | None:
-        """Group the residuals by their sample and links.
-
-        Returns:
-            The index of the first residual of each group (M,) and the group of each residual (P,); None if the groups
-            are too small to save computation.
-        """
-        kinds = [change for change in self.changes if isinstance(change, Wrenches)]
-        if len(kinds) < len(self.changes) or self.of is not None or self.at.size <= MANY * FREEDOMS:
-            return None
-        most = max((int(change.link.max()) for change in kinds), default=0) + 1
-        key = self.at.astype(np.int64)
-        for change in kinds:
-            key = key * most + change.link
-        _, first, of = np.unique(key, return_index=True, return_inverse=True)
-        return (first, of) if self.at.size > MANY * FREEDOMS * len(kinds) * first.size else None
+        rows = self.rows(samples)[:, 0]
+        if np.all(root == 1):
+            return OneSidedResiduals(self.at, self.value, rows)
+        return OneSidedResiduals(self.at, root * self.value, np.reshape(root, (-1, 1)) * rows)
 
 
 @dataclass(frozen=True, eq=False)
@@ -256,17 +219,6 @@ def every(
     at = np.repeat(np.arange(samples.count), columns.size)
     weight = weight if isinstance(weight, float) else np.ravel(weight)
     return Block(at, value.ravel(), (Entries(at, order, np.tile(columns, samples.count)),), weight)
-
-
-def _unit_rows(samples: Samples, at: Index, link: Index) -> Array:
-    """Return the Jacobians of links, (M, 6, N): translation of the origin and rotation, in world axes."""
-    count = at.size
-    units = np.zeros((2, 3, FREEDOMS, count))
-    for k in range(3):
-        units[0, k, k], units[1, k, 3 + k] = 1, 1
-    force, torque = units.reshape(2, 3, -1)
-    rows = Wrenches(np.tile(at, FREEDOMS), np.tile(link, FREEDOMS), force, torque).rows(samples)[:, 0]
-    return rows.reshape(FREEDOMS, count, -1).swapaxes(0, 1)
 
 
 def _rising(at: Index) -> Index | None:

@@ -67,8 +67,8 @@ class Curvature:
     def add_one_sided(self, sides: OneSidedResiduals, scale: Array) -> None:
         """Add the active ones of one-sided residuals."""
         active = np.flatnonzero(sides.value > 0)
-        order, at = np.argsort(sides.at[active], kind="stable"), sides.at[active]
-        self.add_rows(at[order], scale[at[order]], sides.select(active)[order, None], (0,))
+        chosen = sides.select(active[np.argsort(sides.at[active], kind="stable")])
+        self.add_rows(chosen.at, scale[chosen.at], chosen.rows[:, None], (0,))
 
     def rows_by_y(self) -> list[tuple[Index, Array, Array]]:
         """Return the residuals that depend only on y: ascending samples (P,), rows (P, N), and their weights (P,)."""

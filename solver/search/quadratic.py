@@ -20,7 +20,6 @@ after a few factorisations (semismooth Newton; M. Hintermüller, K. Ito & K. Kun
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise, product
 from typing import Any, NamedTuple
@@ -64,7 +63,6 @@ class Layout:
         order: The coefficients in the order of the matrices, (C,); `rank` is its inverse.
         used: The ranks of coefficients whose functions are not zero.
         place: The unknowns as indices into the flattened states and slopes, (n,).
-        sided: Indices of the terms with one-sided residuals; of all terms before the first model.
     """
 
     def __init__(self, problem: Discretised) -> None:
@@ -97,7 +95,6 @@ class Layout:
         edges = [*range(0, spline.times.size - 1, at_once), spline.times.size - 1]
         runs = [slice(POINTS * a, POINTS * b) for a, b in pairwise(edges)]
         self.pieces = [(nodes.piece(run), sampling.piece(run)) for run in runs]
-        self.sided = list(range(len(problem.objective.terms)))
         self.flat = self._flat(sampling.whole)
 
     @cached_property
@@ -349,73 +346,53 @@ def middle(values: Array) -> float:
     return float(parted[half] if values.size % 2 else (parted[half - 1] + parted[half]) / 2)
 
 
-@dataclass(frozen=True, eq=False)
 class OneSidedTerms:
-    """The one-sided residuals of all terms. Each adds weight · max(0, value + row · δy)², with the step δy at its
-    sample.
+    """The one-sided residuals of all terms at the samples of E. Each adds weight · max(0, value + row · δy)², with the
+    step δy at its sample.
 
     Attributes:
+        value: The residuals, (P,); positive ones are active.
         weight: Their weights in E, (P,).
-        sampling: The basis of the steps at the samples of E.
     """
 
-    residuals: OneSidedResiduals
-    weight: Array
-    sampling: Sampling
+    def __init__(self, layout: Layout, parts: Sequence[tuple[float, OneSidedResiduals]]) -> None:
+        """Join residuals, each part with the factor of its term."""
+        self.sampling = layout.sampling
+        edges = np.cumsum([0, *(residuals.at.size for _, residuals in parts)]).tolist()
+        self._parts = [(slice(a, b), residuals) for (a, b), (_, residuals) in zip(pairwise(edges), parts, strict=True)]
+        self.value = np.concatenate([residuals.value for _, residuals in parts])
+        weights = layout.problem.weights
+        self.weight = np.concatenate([factor * weights[residuals.at] for factor, residuals in parts])
 
     @classmethod
     def of(cls, layout: Layout, evaluated: Sequence[EvaluatedRun]) -> OneSidedTerms | None:
         """Collect the one-sided residuals of evaluated samples; None if there are none."""
-        problem, parts, indices = layout.problem, list[tuple[float, OneSidedResiduals]](), set[int]()
-        terms = problem.objective.terms
-        for samples_run in evaluated:
-            for k in layout.sided:
-                residuals = terms[k].penalty.one_sided_residuals(samples_run.samples, samples_run.blocks[k])
-                if residuals is not None:
-                    indices.add(k)
-                    parts.append((terms[k].factor, residuals.shifted(samples_run.piece.which.start)))
-        layout.sided = sorted(indices)
-        parts = [(factor, residuals) for factor, residuals in parts if residuals.at.size]
-        if not parts:
-            return None
-        residuals, order = OneSidedResiduals.joined([residuals for _, residuals in parts]).sorted()
-        factor = np.concatenate([np.full(residuals.at.size, factor) for factor, residuals in parts])[order]
-        return cls(residuals, factor * problem.weights[residuals.at], layout.sampling)
-
-    @property
-    def value(self) -> Array:
-        """The residuals, (P,); positive ones are active."""
-        return self.residuals.value
+        parts = list[tuple[float, OneSidedResiduals]]()
+        for run in evaluated:
+            for term, blocks in zip(layout.problem.objective.terms, run.blocks, strict=True):
+                residuals = term.penalty.one_sided_residuals(run.samples, blocks)
+                if residuals is not None and residuals.at.size:
+                    parts.append((term.factor, residuals.shifted(run.piece.which.start)))
+        return cls(layout, parts) if parts else None
 
     def change(self, step: Array) -> Array:
         """Return the change (P,) of the residuals for coefficients of a step (C, N)."""
         change = self.sampling.bases[0] @ step
-        return np.concatenate([rows.moved(change) for rows in self.residuals.gradients])
+        return np.concatenate([residuals.moved(change) for _, residuals in self._parts])
 
     def pulled_back(self, forces: Array) -> Array:
         """Return the gradient (C, N) of forces · residuals, forces (P,)."""
-        total = np.zeros((self.sampling.t.size, self.residuals.gradients[0].basis.shape[2]))
-        for run, rows in self.residuals.parts():
-            rows.pull_back(forces[run], total)
+        total = np.zeros((self.sampling.t.size, self._parts[0][1].rows.shape[1]))
+        for run, residuals in self._parts:
+            residuals.pull_back(forces[run], total)
         return self.sampling.basis_transposed @ total
 
-    def squares(self, active: Mask, factor: Array) -> tuple[Index, Array]:
-        """Return samples (A,), in ascending order, and rows (A, N) whose Σ rowᵀrow is that of the selected residuals.
-
-        Args:
-            active: Which residuals are selected, (P,).
-            factor: The factor of each residual's row, (P,).
-        """
-        parts = []
-        for run, rows in self.residuals.parts():
-            chosen = np.flatnonzero(active[run])
-            if chosen.size:
-                parts.append(rows.squared(chosen, factor[run][chosen]))
-        at, rows = np.concatenate([at for at, _ in parts]), np.concatenate([rows for _, rows in parts])
-        if np.any(at[1:] < at[:-1]):
-            order = np.argsort(at, kind="stable")
-            at, rows = at[order], rows[order]
-        return at, rows
+    def rows(self, chosen: Mask) -> tuple[Index, Array, Array]:
+        """Return samples (A,), in ascending order, gradients (A, N) and weights (A,) of chosen residuals."""
+        parts = [residuals.select(np.flatnonzero(chosen[run])) for run, residuals in self._parts if chosen[run].any()]
+        at = np.concatenate([residuals.at for residuals in parts])
+        order = np.argsort(at, kind="stable")
+        return at[order], np.concatenate([residuals.rows for residuals in parts])[order], self.weight[chosen][order]
 
 
 def line_minimum(slope: float, bend: float, weight: Array, value: Array, change: Array) -> float:
@@ -541,15 +518,15 @@ class Model:
         """Return the minimum by Newton steps on the active residuals, until the active set settles."""
         layout, last = self.layout, None
         step, force_step = np.zeros_like(self.gradient), np.zeros_like(self.gradient)  # δ and H δ
-        residual, weight_root = sided.value, np.sqrt(2 * sided.weight)
+        residual = sided.value
         value = first_value = float(sided.weight @ np.maximum(residual, 0) ** 2)
         included = np.zeros(residual.size, bool)  # residuals whose rows are in `curvature`
         for _ in range(MOST_CHANGES):
             active = residual > 0
             for sign, changed in ((1.0, active & ~included), (-1.0, included & ~active)):
                 if changed.any():
-                    at, rows = sided.squares(changed, weight_root)
-                    layout.add_rows_by_y(curvature, sided.sampling, at, rows, np.full(at.size, sign))
+                    at, rows, weight = sided.rows(changed)
+                    layout.add_rows_by_y(curvature, sided.sampling, at, rows, sign * 2 * weight)
             included = active
             factor = layout.factor(curvature)
             if factor is None:

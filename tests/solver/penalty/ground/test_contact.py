@@ -11,9 +11,9 @@ from random_samples import random_samples
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Contact, block
+from dynsplines.solver.penalty import Contact
 from dynsplines.solver.surface import Box, static_surfaces
-from dynsplines.solver.surface.points import Point, body_points
+from dynsplines.solver.surface.points import body_points
 
 BLOCK = Box("block", np.array([0.1, -0.2, 0.0]), np.eye(3), np.array([2.0, 1.5, 1.0]), buried=False)
 STEP = Box("step", np.array([0.0, 0, -0.5]), np.eye(3), np.array([2.0, 2.5, 1.0]), buried=True)
@@ -47,31 +47,6 @@ def test_it_is_the_sum_of_squared_depths_of_points_placed_by_mujoco(figure, rng)
         expected.append(total)
     np.testing.assert_allclose(Contact(points, (FLOOR,), margin=0.05).evaluate(samples), expected, rtol=1e-10)
     assert np.count_nonzero(expected) > 4
-
-
-@pytest.mark.parametrize("carrier", [0, 1])
-def test_by_way_of_their_links_motions_the_rows_of_many_points_are_what_they_are_one_by_one(
-    carrier, figure, rng, monkeypatch
-):
-    """A cloud in the floor, or in a slope that the first link carries: the same residuals, rows and pull-back."""
-    samples = random_samples(figure, rng, 4)
-    samples.y[:, 2] = 0
-    links = range(1 + carrier, len(figure.links))
-    points = tuple(Point("cloud", i, 0.3 * rng.normal(size=3), 0.1) for i in links for _ in range(30))
-    contact, found = Contact(points, (FLOOR, SLOPE), carrier=carrier), []
-    if not points:
-        pytest.skip("nothing beside what carries the surfaces")
-    for many in (1000, 0):
-        monkeypatch.setattr(block, "MANY", many)
-        sides = contact.one_sided_residuals(samples)
-        assert sides is not None
-        found.append(sides)
-    one_by_one, by_motion = found
-    assert all(rows.is_plain for rows in one_by_one.gradients)
-    assert not any(rows.is_plain for rows in by_motion.gradients)
-    np.testing.assert_array_equal(by_motion.at, one_by_one.at)
-    np.testing.assert_array_equal(by_motion.value, one_by_one.value)
-    np.testing.assert_allclose(by_motion.rows, one_by_one.rows, atol=1e-9)
 
 
 @pytest.mark.parametrize("surface", [FLOOR, BLOCK, STEP], ids=lambda s: s.name)
