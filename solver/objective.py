@@ -337,12 +337,12 @@ class EvaluatedRun:
 
     Attributes:
         samples: The figure's motion at the samples.
-        blocks: The residual blocks of every term; None for a term without them.
+        blocks: The residual blocks of every term.
     """
 
     piece: Piece
     samples: Samples
-    blocks: Sequence[Sequence[Block | Dense] | None]
+    blocks: Sequence[Sequence[Block | Dense]]
 
 
 @dataclass(frozen=True)
@@ -404,10 +404,10 @@ class Discretised:
         runs: list[EvaluatedRun] = []
         for piece, shares in zip(self._pieces, self._shares, strict=True):
             samples = self._samples(coefficients, piece)
-            cotangent, blocks_by_term = Cotangent(samples), list[Sequence[Block | Dense] | None]()
+            cotangent, blocks_by_term = Cotangent(samples), list[Sequence[Block | Dense]]()
             for term, share in zip(self.objective.terms, shares, strict=True):
-                blocks = term.penalty.blocks(samples)
-                part = float(share @ _valued(term, samples, blocks, cotangent, share))
+                blocks = tuple(term.penalty.residuals(samples))
+                part = float(share @ summed(blocks, samples, cotangent, share))
                 parts[term.penalty.name] = parts.get(term.penalty.name, 0.0) + part
                 blocks_by_term.append(blocks)
             piece.add_pulled_back(gradient, cotangent.gradients())
@@ -431,13 +431,4 @@ class Discretised:
 
     def _evaluated_run(self, coefficients: Array, piece: Piece) -> EvaluatedRun:
         samples = self._samples(coefficients, piece)
-        return EvaluatedRun(piece, samples, [term.penalty.blocks(samples) for term in self.objective.terms])
-
-
-def _valued(
-    term: Term, samples: Samples, blocks: Sequence[Block | Dense] | None, into: Cotangent, share: Array
-) -> Array:
-    """Return f of a term at every sample, (S,), and add the gradient of Σ share · f over the samples to `into`."""
-    if blocks is None:
-        return term.penalty.evaluate(samples, into, share)
-    return summed(blocks, samples, into, share)
+        return EvaluatedRun(piece, samples, [tuple(term.penalty.residuals(samples)) for term in self.objective.terms])

@@ -20,7 +20,6 @@ from ..figure.kinematics import Samples
 from .one_sided import OneSidedResiduals
 
 ROWS_AT_ONCE = 400  # copies of samples in one adjoint sweep, few enough to stay in cache
-DIFFERENCE = 1e-6  # [1] step of finite differences of gradients, relative to the size of a state
 
 
 class Curvature:
@@ -174,33 +173,3 @@ def jacobian(samples: Samples, at: Index, seeded: Callable[[Samples, Cotangent, 
         seeded(copies, cotangent, rows)
         out[rows] = np.stack(cotangent.gradients(), axis=1)
     return out
-
-
-def add_differences(
-    evaluate: Callable[[Samples, Cotangent, Array], Array], samples: Samples, into: Curvature, scale: Array
-) -> None:
-    """Add second derivatives of any penalty by differences of its gradients; negative curvature becomes positive."""
-    count, width = samples.y.shape
-    base = np.hstack([samples.y, samples.y_d, samples.y_dd])
-
-    def gradients(moved: Array, copies: int) -> Array:
-        shifted = Samples(samples.figure, *np.split(moved, 3, axis=1), t=np.tile(samples.t, copies))
-        cotangent = Cotangent(shifted)
-        evaluate(shifted, cotangent, np.tile(scale, copies))
-        return np.hstack(cotangent.gradients()).reshape(copies, count, -1)
-
-    here = gradients(base, 1)[0]
-    hessian = np.empty((count, 3 * width, 3 * width))
-    together = max(1, ROWS_AT_ONCE // count)
-    size = DIFFERENCE * np.maximum(np.sqrt(np.mean(base.reshape(count, 3, width) ** 2, axis=(0, 2))), 1.0)
-    for first in range(0, 3 * width, together):
-        columns = np.arange(first, min(first + together, 3 * width))
-        h = size[columns // width]
-        moved = np.tile(base, (columns.size, 1)).reshape(columns.size, count, -1)
-        moved[np.arange(columns.size), :, columns] += h[:, None]
-        there = gradients(moved.reshape(-1, 3 * width), columns.size)
-        hessian[:, columns] = ((there - here) / h[:, None, None]).transpose(1, 0, 2)
-    eigenvalues, vectors = np.linalg.eigh((hessian + hessian.transpose(0, 2, 1)) / 2)
-    rows = (vectors * np.sqrt(np.abs(eigenvalues))[:, None, :]).transpose(0, 2, 1)
-    at = np.repeat(np.arange(count), 3 * width)
-    into.add_rows(at, np.full(at.size, 0.5), rows.reshape(-1, 3, width))

@@ -21,7 +21,7 @@ from ..curve.spline import Path
 from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
 from .block import Block, Dense, summed
-from .curvature import Curvature, add_differences, jacobian
+from .curvature import Curvature, jacobian
 from .one_sided import OneSidedResiduals
 
 
@@ -97,13 +97,11 @@ class Penalty(ABC):
         """Whether the constraint is an obstacle that the figure can go around. False for a floor or a step."""
         return False
 
+    @abstractmethod
     def residuals(self, samples: Samples) -> Iterable[Block | Dense]:
         """Return the residuals. f_j is the weighted sum of their squares.
 
         Of one-sided residuals, only positive ones count. The others may be omitted.
-
-        A penalty that is not a sum of squares overrides `evaluate` instead; its curvature uses finite differences of
-        the gradient.
 
         Args:
             samples: S samples of the motion: the state y and its time derivatives y', y'', each (S, N), and in
@@ -112,9 +110,6 @@ class Penalty(ABC):
         Returns:
             Blocks of residuals with their derivatives.
         """
-        raise NotImplementedError(
-            f"penalty '{self.name}': give it residuals(samples), or evaluate if it is no sum of squares"
-        )
 
     def nearby(self, samples: Samples) -> Iterable[Block | Dense]:
         """Return the residuals for the quadratic model of the objective E.
@@ -126,13 +121,6 @@ class Penalty(ABC):
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         """Return f_j at every sample, (S,). If `into` is given, add the gradient of Σ_s scale_s f_j(s) to `into`."""
         return summed(self.residuals(samples), samples, into, scale)
-
-    def blocks(self, samples: Samples) -> tuple[Block | Dense, ...] | None:
-        """Return the residuals, from which value, gradient and curvature are computed.
-
-        None for a penalty that overrides `evaluate`, because it is not a sum of squares.
-        """
-        return tuple(self.residuals(samples)) if type(self).evaluate is Penalty.evaluate else None
 
     def model_blocks(self, samples: Samples, known: Sequence[Block | Dense] | None) -> Iterable[Block | Dense]:
         """Return the result of `nearby`, or `known` if the class does not override `nearby`."""
@@ -147,11 +135,8 @@ class Penalty(ABC):
             samples: S samples of the motion.
             into: The matrices to which those of f_j are added.
             scale: The weights of the samples, (S,).
-            known: The result of `blocks` at the same samples; None: the residuals are computed.
+            known: The `residuals` at the same samples; None: they are computed.
         """
-        if type(self).residuals is Penalty.residuals:
-            add_differences(self.evaluate, samples, into, scale)
-            return
         self._add_two_sided(self.model_blocks(samples, known), samples, into, scale)
 
     def active_curvature(self, samples: Samples, into: Curvature, scale: Array, one_sided_scale: Array) -> None:
@@ -163,9 +148,6 @@ class Penalty(ABC):
             scale: The weights of the samples for two-sided residuals, (S,).
             one_sided_scale: The weights of the samples for one-sided residuals, (S,).
         """
-        if type(self).residuals is Penalty.residuals:
-            self.curvature(samples, into, scale)
-            return
         blocks = tuple(self.nearby(samples))
         self._add_two_sided(blocks, samples, into, scale)
         sides = _one_sided(blocks, samples)
@@ -201,8 +183,6 @@ class Penalty(ABC):
 
         None if the penalty has no one-sided residuals.
         """
-        if type(self).residuals is Penalty.residuals:
-            return None
         return _one_sided(self.model_blocks(samples, known), samples)
 
 

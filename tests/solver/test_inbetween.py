@@ -100,10 +100,10 @@ def test_ctrl_c_while_segments_are_judged_returns_the_best_motion_so_far(rng, mo
     monkeypatch.setitem(CRITERIA, criterion, interrupted)
 
     class Touchy(CovariantAcceleration):
-        def evaluate(self, samples, into=None, scale=1.0):
+        def residuals(self, samples):
             if judging:
                 raise KeyboardInterrupt
-            return super().evaluate(samples, into, scale)
+            return super().residuals(samples)
 
     motion = inbetween(Problem(figure, hinge_keys(), [(Touchy(), 1.0)], Settings(criterion=criterion, variable=1)))
     assert judging
@@ -213,10 +213,8 @@ def test_an_unknown_criterion_or_method_is_refused_and_the_known_ones_named(figu
 
 def test_an_error_inside_a_penalty_is_raised(figure, rng):
     class Broken(CovariantAcceleration):
-        def evaluate(self, samples, into=None, scale=1.0):
-            if into is not None:
-                raise ZeroDivisionError("mine")
-            return super().evaluate(samples, into, scale)
+        def residuals(self, samples):
+            raise ZeroDivisionError("mine")
 
     with pytest.raises(ZeroDivisionError, match="mine"):
         inbetween(Problem(figure, random_keys(figure, rng), [(Broken(), 1.0)]))

@@ -37,6 +37,7 @@ from dynsplines.solver.penalty import (
     Posture,
     RootAcceleration,
 )
+from dynsplines.solver.penalty.block import Dense
 from dynsplines.solver.penalty.penalty import Momentary
 from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point
@@ -259,8 +260,8 @@ class Clock(Penalty):
     def normalization(self) -> Normalization:
         return Normalization(1.0)
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: object = 1.0) -> np.ndarray:
-        return samples.t**5
+    def residuals(self, samples: Samples) -> list[Dense]:
+        return [Dense(samples.t[None] ** 2.5, lambda cotangent, bar: None)]
 
 
 class Bell(Momentary):
@@ -278,8 +279,9 @@ class Bell(Momentary):
     def times(self) -> np.ndarray:
         return np.array([3.0, 0.25, 0.5, 0.5, -1.0, 0.0, 1.1, 2.0])  # of which two are outside
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: object = 1.0) -> np.ndarray:
-        return np.where(np.isin(samples.t, self.instants), 1 + samples.t, 0.0)
+    def residuals(self, samples: Samples) -> list[Dense]:
+        rings = np.isin(samples.t, self.instants)
+        return [Dense(np.sqrt(np.where(rings, 1 + samples.t, 0.0))[None], lambda cotangent, bar: None)]
 
 
 def clock_and_bell(quadrature: Quadrature) -> tuple[Objective, Path]:

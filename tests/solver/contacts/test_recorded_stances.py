@@ -52,7 +52,7 @@ def resting(take: Take, ground: Ground) -> np.ndarray:
     samples = samples_at(take.figure, recorded.path, take.time)
     places, _ = places_of(ground.points, samples)
     height, _ = height_over(ground.surfaces, places, np.array([point.radius for point in ground.points]))
-    return (np.linalg.norm(np.gradient(places, take.time, axis=2), axis=0) < 0.2) & (height < 0.03)
+    return (np.linalg.norm(np.gradient(places, take.time, axis=2), axis=0) < 0.15) & (height < 0.03)
 
 
 def marked(stances: tuple[RecordedStance, ...], take: Take, ground: Ground) -> np.ndarray:

@@ -1,7 +1,7 @@
 """The Gauss-Newton curvature of every penalty against differences of residuals that are written down here, the
 one-sided residuals of contact and bend limits, and the weak form's promises."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -23,14 +23,12 @@ from even_frames import evenly
 from every_penalty import clip, every_penalty
 from figures import BALL, figure_of, with_armature
 from ground import FLOOR, SLOPE, random_points
-from random_samples import random_samples
 from small_problems import slider, turning
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.adjoint import OF_THE_STATE, Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Objective
@@ -42,6 +40,7 @@ from dynsplines.solver.penalty import (
     RootAcceleration,
     Torque,
 )
+from dynsplines.solver.penalty.block import Block, every
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.refine import euler_lagrange
 from dynsplines.solver.refine.euler_lagrange import WeakForm
@@ -76,51 +75,14 @@ def test_the_quadratic_form_and_the_diagonal_are_those_of_the_same_matrices(figu
     assert_near(curvature.acceleration(), np.einsum("snn->sn", by_acceleration), 1e-12)
 
 
-class Plain(Penalty):
-    """½ zᵀAz of z = (y, y', y''), A of any signs; it says nothing of its curvature."""
+class Entry(Penalty):
+    """Squares of the first entry of the state and its derivatives."""
 
-    def __init__(self, matrix: Array) -> None:
-        self.matrix = matrix
+    name, normalization = "entry", Normalization(1.0)
 
-    @property
-    def name(self) -> str:
-        return "plain"
-
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(1.0)
-
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
-        z = np.hstack([samples.y, samples.y_d, samples.y_dd])
-        pull = z @ self.matrix
-        if into is not None:
-            for (name, _, _), part in zip(OF_THE_STATE, np.split(pull, 3, axis=1), strict=True):
-                into.accumulate(name, np.reshape(scale, (-1, 1)) * part)
-        return 0.5 * np.sum(z * pull, axis=1)
-
-
-@pytest.mark.parametrize("negative", [False, True])
-def test_a_penalty_that_says_nothing_gets_its_second_derivatives_with_all_signs_positive(figure, rng, negative):
-    width = figure.width
-    samples = random_samples(figure, rng, 3)
-    turn, _ = np.linalg.qr(rng.normal(size=(3 * width, 3 * width)))
-    sizes = rng.uniform(0.5, 3, 3 * width)
-    signs = rng.choice([-1, 1], 3 * width) if negative else 1
-    penalty = Plain(turn * (signs * sizes) @ turn.T)
-    scale, phi = rng.uniform(0.5, 2, 3), rng.normal(size=(3, 3, 2))
-    hessian = (turn * sizes @ turn.T).reshape(3, width, 3, width)
-    expected = np.einsum("s,soa,onpm,spb->sanbm", scale, phi, hessian, phi).reshape(3, 2 * width, 2 * width)
-    assert_near(assembled(curvature_of(penalty, samples, scale), phi), expected)
-    assert penalty.one_sided_residuals(samples) is None
-
-
-def test_more_samples_than_are_taken_at_once_change_nothing_in_differences_of_a_penalty(figure, rng, monkeypatch):
-    samples, scale = random_samples(figure, rng, 5), rng.uniform(0.5, 2, 5)
-    penalty, phi = Plain(np.diag(rng.normal(size=3 * figure.width))), rng.normal(size=(5, 3, 2))
-    whole = assembled(curvature_of(penalty, samples, scale), phi)
-    for few in (4, 12):
-        monkeypatch.setattr("dynsplines.solver.penalty.curvature.ROWS_AT_ONCE", few)
-        assert_near(assembled(curvature_of(penalty, samples, scale), phi), whole, 1e-12)
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        for order, weight in enumerate((20.0, 2.5, 0.15)):
+            yield every(samples, np.zeros(1, int), order, weight=weight)
 
 
 ONE_SIDED: dict[str, Callable[[Figure, np.random.Generator], Penalty]] = {
@@ -209,7 +171,7 @@ def test_the_weak_form_promises_what_a_frame_moved_alone_brings_where_e_is_quadr
     problem = slider(np.linspace(0, 3, 4), 2)
     timeline = problem.timeline
     timeline = timeline.with_rows(timeline.rows + 0.1 * rng.normal(size=timeline.rows.shape))
-    terms: list[tuple[Penalty, float]] = [(RootAcceleration(), 1.0), (Plain(np.diag([40.0, 5.0, 0.3])), 1.0)]
+    terms: list[tuple[Penalty, float]] = [(RootAcceleration(), 1.0), (Entry(), 1.0)]
     objective = Objective.of(problem.objective.figure, terms)
     candidates = midpoints(timeline)[chosen]
     finer, brought = split(timeline, candidates), []

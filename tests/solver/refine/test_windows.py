@@ -1,6 +1,6 @@
 """A long clip in windows: every segment is kept once, and what comes out is the whole clip as one solve finds it."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from itertools import pairwise
 
@@ -12,12 +12,10 @@ from ground import FLOOR
 from random_keys import distance_from_key, mask_without
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective, segment_integrals
@@ -170,9 +168,9 @@ class Counted(CovariantAcceleration):
     def reset(cls, stop_at: int) -> None:
         cls.calls, cls.stop_at = 0, stop_at
 
-    def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
+    def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         self.count()
-        return super().evaluate(samples, into, scale)
+        yield from super().residuals(samples)
 
     def nearby(self, samples: Samples) -> Iterable[Block | Dense]:
         self.count()

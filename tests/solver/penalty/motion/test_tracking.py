@@ -3,6 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
+from curvature_of import curvature_of, shifted
 from figures import CHAIN, EVERY_JOINT, figure_of
 from oracles import kinematics
 from penalty_slope import penalty_slope
@@ -15,7 +16,6 @@ from dynsplines.solver.curve.spline import natural_spline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import TrackingPenalty
-from dynsplines.solver.penalty.curvature import Curvature, add_differences
 from dynsplines.solver.penalty.motion.tracking import AWAY, BACK, EASED, FOR, STRAYS, levers
 
 TIMES = np.linspace(0, 2, 61)
@@ -67,14 +67,13 @@ def test_its_curvature_in_every_derivative_is_that_of_differences(figure, rng, o
     """One at a time: accelerations weigh a thousandth of what places do, and would be lost beside them."""
     found, t = near(figure, rng), np.array([0.3, 0.7, 1.2])
     samples = Samples(figure, *found.recorded.path.motion(t), t=t)
-    scale, phi = rng.uniform(1, 2, 3), np.zeros((3, 3))
+    scale, phi, h = rng.uniform(1, 2, 3), np.zeros((3, 3)), 1e-4
     phi[:, order] = rng.normal(size=3)
-    made, differenced = Curvature(samples), Curvature(samples)
-    found.curvature(samples, made, scale)
-    add_differences(found.evaluate, samples, differenced, scale)
-    wanted = differenced.quadratic(phi, 0, 3)
-    assert wanted.any()
-    np.testing.assert_allclose(made.quadratic(phi, 0, 3), wanted, atol=1e-3 * np.abs(wanted).max())
+    matrix = curvature_of(found, samples, scale).quadratic(phi, 0, 3)
+    for direction in rng.normal(size=(5, figure.width)):
+        by = h * phi.T[:, :, None] * direction
+        rise = sum(scale @ found.evaluate(shifted(samples, moved)) for moved in (by, -by))
+        np.testing.assert_allclose(direction @ matrix @ direction, rise / h**2, rtol=1e-3)
 
 
 def test_a_root_that_strays_and_comes_back_as_fast_as_it_may_costs_a_half_and_any_other_way_back_more(figure, rng):
