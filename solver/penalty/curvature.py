@@ -105,31 +105,6 @@ class Curvature:
             for columns, blocks in self._blocks
         ]
 
-    def blocks(self, phi: Array, together: int = 1) -> list[tuple[Index, Array]]:
-        """Return matrices of n blocks of k columns (n, k) by the coefficients of K directions, (S, n, K, k, K, k).
-
-        Args:
-            phi: The directions, (S, 3, K).
-            together: The number of neighbouring samples whose matrices are summed; it divides S in the result.
-        """
-        count, directions = len(phi) // together, phi.shape[2]
-        result = []
-        pairs = phi[:, :, None, :, None] * phi[:, None, :, None, :]
-        pairs = pairs.reshape(count, together * 9, -1).swapaxes(1, 2)
-        for columns, by_orders in self._by_orders:
-            n, k = columns.shape
-            local = np.matmul(pairs, by_orders.reshape(count, together * 9, -1))
-            local = local.reshape(count, directions, directions, n, k, k)
-            result.append((columns, local.transpose(0, 3, 1, 4, 2, 5)))
-        for order, diagonal in enumerate(self._diagonals):
-            if diagonal is not None:
-                used = np.flatnonzero(diagonal.any(axis=0))
-                one = phi[:, order].reshape(count, together, -1)
-                pairs = (one[:, :, :, None] * one[:, :, None, :]).reshape(count, together, -1)
-                parts = np.matmul(diagonal[:, used].reshape(count, together, -1).swapaxes(1, 2), pairs)
-                result.append((used[:, None], parts.reshape(count, used.size, directions, 1, directions, 1)))
-        return result
-
     def quadratic(self, phi: Array, first: int, last: int) -> Array:
         """Return the matrix (N, N) of one direction phi (S, 3), summed over samples first ... last − 1."""
         out = np.zeros((self.width, self.width))

@@ -133,11 +133,16 @@ class Layout:
                 compiled.call("add_blocks", matrix, self.rank, piece.first, piece.values, columns, squares, self.width)
             return
         pairs = list(self._pairs(piece.first[::POINTS]))
-        for columns, blocks in curvature.blocks(piece.values, POINTS):
-            local = blocks.transpose(0, 2, 4, 1, 3, 5)
-            for part, target in _block_views(matrix, columns, local):
-                for pair in pairs:
-                    np.add.at(target, (pair.j, pair.k), part[pair.spans, pair.b, pair.a])
+        phi = piece.values
+        products = (phi[:, :, None, :, None] * phi[:, None, :, None, :]).reshape(-1, POINTS * 9, LOCAL**2)
+        for columns, squares in curvature.squares():
+            by_orders = squares.transpose(0, 2, 4, 1, 3, 5)
+            local = np.matmul(products.swapaxes(1, 2), by_orders.reshape(len(products), POINTS * 9, -1))
+            local = local.reshape(-1, LOCAL, LOCAL, *by_orders.shape[3:])
+            for pair in pairs:
+                j, k = pair.j[:, None, None, None], pair.k[:, None, None, None]
+                place = j, columns[:, None, :], k, columns[:, :, None]
+                np.add.at(matrix, place, local[pair.spans, pair.a, pair.b])
 
     def add_rows(self, matrix: Array, *parts: tuple[Curvature, Piece]) -> None:
         """Add the parts of curvatures that are stored as rows, which may be at any samples."""
@@ -317,25 +322,6 @@ class Pair(NamedTuple):
     b: int
     j: Index
     k: Index
-
-
-def _block_views(matrix: Array, columns: Index, blocks: Array) -> Iterator[tuple[Array, Array]]:
-    """Yield parts of blocks (..., n, k, k) with views (C, K + 1, ...) of the matrix entries to add them to. The
-    columns (n, k) rise. All blocks are one part if the columns are one run, otherwise one per pair of runs."""
-    if np.all(np.diff(columns.ravel()) == 1):
-        whole = slice(int(columns[0, 0]), int(columns[-1, -1]) + 1)
-        target = matrix[:, whole, :, whole]
-        yield (
-            blocks,
-            np.einsum("jnxkny->jknxy", target.reshape(len(matrix), *columns.shape, matrix.shape[2], *columns.shape)),
-        )
-        return
-    for i, row in enumerate(columns):
-        edges = [0, *(np.flatnonzero(np.diff(row) != 1) + 1).tolist(), row.size]
-        runs = [slice(a, b) for a, b in pairwise(edges)]
-        for x, y in product(runs, runs):
-            rows, cols = (slice(int(row[run.start]), int(row[run.stop - 1]) + 1) for run in (x, y))
-            yield blocks[..., i, x, y], matrix[:, rows, :, cols].swapaxes(1, 2)
 
 
 def middle(values: Array) -> float:

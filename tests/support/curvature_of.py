@@ -120,7 +120,8 @@ def assembled(curvature: Curvature, phi: Array) -> Array:
         assert np.all(np.diff(at) >= 0)
         rows = np.matmul(left, right).reshape(at.size, -1)
         np.add.at(out, at, rows[:, :, None] * rows[:, None, :])
-    for columns, blocks in curvature.blocks(phi):
+    for columns, squares in curvature.squares():
+        blocks = np.einsum("soa,snokpl,spb->snakbl", phi, squares, phi)
         for n, own in enumerate(columns):
             place = (np.arange(directions)[:, None] * width + own).ravel()
             size = place.size
