@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from functools import partial
-
 from ..curve.frame import Timeline
 from ..objective import Discretised, Objective
 from .matrix_free import matrix_free
 from .minimum import MOST_EVALUATIONS, TOLERANCE, Improved, Minimum, Optimiser, Stop
 from .newton import GaussNewton
-from .refinement import LBFGS, METHODS, NONE, algorithm, refine
+from .refinement import LBFGS, METHODS, NONE, algorithm
 
 WIDEST = 150  # columns of the state up to which Newton steps are used; the size of their blocks is quadratic in it
 FINE = 1e-7  # [1] default tolerance of `optimised`, relative to E
@@ -43,8 +41,7 @@ def optimiser_of(method: str | Optimiser, width: int, final: float) -> Optimiser
         return method
     if width > WIDEST:
         return matrix_free
-    stage = None if method.lower() == NONE else partial(refine, method=method)
-    return GaussNewton(stage, final)
+    return GaussNewton(method, final)
 
 
 class Descent:

@@ -1,14 +1,20 @@
-"""Minimisation of E by Gauss-Newton steps with Levenberg's damping. Each step is a banded solve.
+"""Minimisation of E by Gauss-Newton steps with Levenberg's damping, then by NLopt. Each step is a banded solve.
 
 The damping decreases after good predictions of the reduction of E and increases after poor ones (D. W. Marquardt, "An
 algorithm for least-squares estimation of nonlinear parameters", J. SIAM 1963). The damping
 multiplies ∫ |δy''|² dt of the step δy, with equal weight for all coordinates, so that a damped step is smooth.
+
+Gauss-Newton steps approach the minimum. NLopt then uses only E and its gradient, so it can lower E where the model of
+these steps is inaccurate. It searches in whitened variables z, x = x₀ + P z with P Pᵀ = c H⁻¹, where H is the model's
+curvature including active one-sided residuals, and c the size of E. A quasi-Newton method thus starts with the right
+metric.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from functools import cached_property
+from math import sqrt
 
 import numpy as np
 
@@ -16,14 +22,15 @@ from ..array import Array
 from ..objective import Discretised, Evaluation
 from .minimum import TOLERANCE, Improved, Minimum, Stop, StopSearch
 from .quadratic import Layout, Model, Proposal
+from .refinement import NONE, is_practical, minimise
 
-Refine = Callable[["Search", Array, float], None]
 MAX_STEPS = 100  # default evaluation budget
 FIRST_DAMPING = 1.0  # in units of E's curvature in y''
 MIN_DAMPING, MAX_DAMPING = 1e-6, 1e9  # from a full Newton step to a negligible one
 GOOD_RATIO, POOR_RATIO = 0.7, 0.25  # gain ratios above which the damping decreases, and below which it increases
 # factors of the damping after a step of good or poor gain ratio, and after one that raised E
 DAMPING_DECREASE, DAMPING_INCREASE, REJECTION_INCREASE = 0.2, 3.0, 8.0
+PATIENCE = 3  # evaluations over which NLopt's progress is averaged, because some in a line search make none
 NEGLIGIBLE = 1e-3  # [1] share of the first E; thresholds relative to E use at least this much
 # [1] estimate of the remaining reduction relative to the last predicted one, see `_run`
 MIN_TREND, MIN_MODEL_ERROR, MODEL_ERROR = 0.1, 0.02, 2.0
@@ -33,14 +40,14 @@ class GaussNewton:
     """The default optimiser: Gauss-Newton steps, then a final stage near the minimum.
 
     Attributes:
-        refine: The final stage, refine(search, factor, tolerance) with the Cholesky factor of the last model; or None.
+        method: The algorithm of NLopt for the final stage, see `refinement.algorithm`; "none": no final stage.
         final: The tolerance of the last rounds; a round is one search and one subdivision. The final stage runs only if
             the tolerance of a search is no larger than this.
         damping: The damping of the next step, carried over from one search to the next.
     """
 
-    def __init__(self, refine: Refine | None = None, final: float = TOLERANCE, damping: float = FIRST_DAMPING) -> None:
-        self.refine, self.final, self.damping = refine, final, damping
+    def __init__(self, method: str = NONE, final: float = TOLERANCE, damping: float = FIRST_DAMPING) -> None:
+        self.method, self.final, self.damping = method.lower(), final, damping
 
     def __call__(
         self,
@@ -66,8 +73,8 @@ class GaussNewton:
         search = Search(problem, max_evaluations, self.damping, improved)
         try:
             stop = search.start() or _run(search, tolerance)
-            if self.refine is not None and search.factor is not None and tolerance <= self.final:
-                self.refine(search, search.factor, tolerance)
+            if self.method != NONE and search.factor is not None and tolerance <= self.final:
+                _refine(search, search.factor, tolerance, self.method)
         except (KeyboardInterrupt, StopSearch):
             stop = Stop.INTERRUPTED
         self.damping = search.damping
@@ -91,6 +98,35 @@ def _run(search: Search, tolerance: float) -> Stop:
         previous = predicted
         search.update_damping(gain_ratio)
     return Stop.MAX_EVALUATIONS
+
+
+def _refine(search: Search, factor: Array, tolerance: float, method: str) -> None:
+    """Lower E from the best point of a search, in variables whitened by the Cholesky factor of its last model.
+
+    Args:
+        tolerance: Stop when PATIENCE evaluations gain less than this share of E each.
+
+    Raises:
+        StopSearch: The search was interrupted.
+    """
+    layout, around, gradient, unit = search.layout, search.x, search.gradient, sqrt(search.value)
+    values, is_converged, remaining = [search.value] * PATIENCE, False, search.budget - search.count
+
+    def fun(z: Array) -> tuple[float, Array]:
+        nonlocal is_converged
+        if not z.any():
+            return values[0], unit * layout.whiten(factor, layout.from_x(gradient))
+        result = search.evaluate(around + layout.to_x(layout.unwhiten(factor, unit * z)))
+        values.append(search.value)
+        is_converged = search.is_negligible((values[-1 - PATIENCE] - values[-1]) / PATIENCE, tolerance)
+        if is_converged:
+            raise StopSearch
+        return result.value, unit * layout.whiten(factor, layout.from_x(result.gradient))
+
+    if remaining > 0 and is_practical(method, search.x.size):
+        result = minimise(fun, np.zeros(layout.count * layout.width), method=method, max_evaluations=remaining + 1)
+        if result.stop is Stop.INTERRUPTED and not is_converged:
+            raise StopSearch
 
 
 class Search:

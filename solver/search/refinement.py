@@ -1,22 +1,14 @@
-"""The final stage of a search, by NLopt; the only file that imports NLopt.
-
-Gauss-Newton steps approach the minimum. NLopt then uses only E and its gradient, so it can lower E where the model of
-these steps is inaccurate. It searches in whitened variables z, x = x₀ + P z with P Pᵀ = c H⁻¹, where H is the model's
-curvature including active one-sided residuals, and c the size of E. A quasi-Newton method thus starts with the right
-metric.
-"""
+"""The algorithms of NLopt, for the final stage of a search; the only file that imports NLopt."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from math import sqrt
 
 import nlopt
 import numpy as np
 
 from ..array import Array
 from .minimum import MOST_EVALUATIONS, TOLERANCE, Minimum, Stop, StopSearch
-from .newton import Search
 
 LBFGS, NONE = "lbfgs", "none"
 METHODS = (LBFGS, "slsqp", "ccsaq", "tnewton", "var2", NONE)
@@ -26,7 +18,6 @@ DENSE = {"slsqp": 300}  # unknowns up to which an iteration takes at most 0.2 s;
 FAILURES = (nlopt.RoundoffLimited, RuntimeError, getattr(nlopt, "runtime_error", RuntimeError))
 NOT_FINITE = 1e300  # replaces values of E that are not finite, which NLopt does not accept
 NEGLIGIBLE = 1e-3  # [1] absolute tolerance, relative to the first value times the relative tolerance
-PATIENCE = 3  # evaluations over which progress is averaged, because some in a line search make none
 XTOL = 1e-12  # [1] relative change of x below which a search ends
 
 
@@ -49,37 +40,6 @@ def algorithm(method: str) -> int:
 def is_practical(method: str, size: int) -> bool:
     """Return whether an iteration with `size` unknowns is short enough, as Ctrl-C takes effect between iterations."""
     return size <= DENSE.get(method.lower(), size)
-
-
-def refine(search: Search, factor: Array, tolerance: float, method: str = LBFGS) -> None:
-    """Lower E from the best point of a search, in variables whitened by the Cholesky factor of its last model.
-
-    Args:
-        factor: The banded Cholesky factor of its last model.
-        tolerance: Stop when PATIENCE evaluations gain less than this share of E each.
-        method: The algorithm, see `algorithm`.
-
-    Raises:
-        StopSearch: The search was interrupted.
-    """
-    layout, around, gradient, unit = search.layout, search.x, search.gradient, sqrt(search.value)
-    values, is_converged, remaining = [search.value] * PATIENCE, False, search.budget - search.count
-
-    def fun(z: Array) -> tuple[float, Array]:
-        nonlocal is_converged
-        if not z.any():
-            return values[0], unit * layout.whiten(factor, layout.from_x(gradient))
-        result = search.evaluate(around + layout.to_x(layout.unwhiten(factor, unit * z)))
-        values.append(search.value)
-        is_converged = search.is_negligible((values[-1 - PATIENCE] - values[-1]) / PATIENCE, tolerance)
-        if is_converged:
-            raise StopSearch
-        return result.value, unit * layout.whiten(factor, layout.from_x(result.gradient))
-
-    if remaining > 0 and is_practical(method, search.x.size):
-        result = minimise(fun, np.zeros(layout.count * layout.width), method=method, max_evaluations=remaining + 1)
-        if result.stop is Stop.INTERRUPTED and not is_converged:
-            raise StopSearch
 
 
 def minimise(

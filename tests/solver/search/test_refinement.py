@@ -1,7 +1,6 @@
 """The last stage: NLopt in the model's variables lowers what Gauss-Newton steps found, or ends at once."""
 
 from dataclasses import replace
-from functools import partial
 
 import numpy as np
 import pytest
@@ -12,12 +11,12 @@ from small_problems import discretised, problem_of, slider
 from dynsplines.clip.load import load
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Discretised
-from dynsplines.solver.search import refinement
+from dynsplines.solver.search import newton, refinement
 from dynsplines.solver.search.descent import Descent
 from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
 from dynsplines.solver.search.newton import GaussNewton
 from dynsplines.solver.search.quadratic import Layout, Model
-from dynsplines.solver.search.refinement import METHODS, NONE, refine
+from dynsplines.solver.search.refinement import METHODS, NONE
 
 NAMES = [name for name in METHODS if name != NONE]
 
@@ -29,7 +28,7 @@ def problem(rng) -> Discretised:
 
 def rough_and_refined(problem: Discretised, method: str, tolerance: float = 1e-2, **more: object) -> list[Minimum]:
     """What rough steps find, alone and with the stage after them."""
-    alone, both = GaussNewton(), GaussNewton(partial(refine, method=method), tolerance)
+    alone, both = GaussNewton(), GaussNewton(method, tolerance)
     return [each(problem, tolerance=tolerance, **more) for each in (alone, both)]  # type: ignore[arg-type]
 
 
@@ -57,7 +56,7 @@ def test_every_method_lowers_what_rough_steps_left(rng, method):
 
 def test_where_nothing_is_left_to_gain_it_takes_a_few_evaluations(problem):
     alone, refined = rough_and_refined(problem, "lbfgs", 1e-6, max_evaluations=200)
-    assert alone.evaluations < refined.evaluations <= alone.evaluations + refinement.PATIENCE
+    assert alone.evaluations < refined.evaluations <= alone.evaluations + newton.PATIENCE
     assert refined.value == pytest.approx(alone.value, rel=1e-5)
 
 
@@ -70,7 +69,7 @@ def test_a_stop_or_an_error_in_it_is_the_callers(problem, error):
         if count > rough.evaluations:
             raise error
 
-    search = GaussNewton(partial(refine, method="lbfgs"), 1e-2)
+    search = GaussNewton("lbfgs", 1e-2)
     if error is ZeroDivisionError:
         with pytest.raises(ZeroDivisionError):
             search(problem, tolerance=1e-2, improved=improved)
@@ -80,8 +79,9 @@ def test_a_stop_or_an_error_in_it_is_the_callers(problem, error):
     assert found.value <= rough.value
 
 
-def test_rounds_that_others_follow_have_none(problem):
-    search = GaussNewton(lambda *_: pytest.fail("refined"), final=1e-5)
+def test_rounds_that_others_follow_have_none(problem, monkeypatch):
+    monkeypatch.setattr(newton, "minimise", lambda *_, **__: pytest.fail("NLopt was asked"))
+    search = GaussNewton("lbfgs", final=1e-5)
     assert search(problem, tolerance=1e-2).stop is Stop.CONVERGED
 
 
@@ -92,7 +92,7 @@ def test_nlopts_own_names_will_do_in_a_descent(problem):
 
 
 def test_a_dense_method_is_left_out_of_large_problems(problem, monkeypatch):
-    monkeypatch.setattr(refinement, "minimise", lambda *_, **__: pytest.fail("NLopt was asked"))
+    monkeypatch.setattr(newton, "minimise", lambda *_, **__: pytest.fail("NLopt was asked"))
     monkeypatch.setitem(refinement.DENSE, "slsqp", problem.unknowns.size - 1)
     rough, refined = rough_and_refined(problem, "SLSQP")
     assert refined.evaluations == rough.evaluations
