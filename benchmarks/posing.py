@@ -21,7 +21,7 @@ import numpy as np
 from bench import Effort, Section, Target, median, seconds
 
 from dynsplines import models
-from dynsplines.clip.constraints import posing_bends
+from dynsplines.clip.kinds import posing_limits
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
@@ -73,7 +73,7 @@ class Draw:
         links = {point.link for point in named}
         return cls(
             figure,
-            posing_bends(figure, {}),
+            posing_limits(figure, {})[0],
             (*named, *(point for point in soles if point.link not in links)),
         )
 

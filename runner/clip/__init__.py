@@ -11,7 +11,6 @@ file          a motion as a clip's file
 mirror        left and right exchanged in a clip's tables
 context       the inputs of soft constraints, inferred from keyframes and tables
 kinds         the kinds of soft constraint
-constraints   the soft constraints of a clip: defaults, and changes by [[penalty]] tables
 contacts      the [[contact]] and [[grasp]] tables
 obstacles     the obstacles and objects of [scene]
 starter       a starting clip for any model

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
-from dynsplines.solver.contacts import Contacts, ContactSchedule
+from dynsplines.solver.contacts import Contacts, ContactSchedule, Interval
 from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import Figure
@@ -21,9 +21,8 @@ from ..errors import UserError
 from ..motion import Saved
 from ..scene.assets import Scene
 from ..scene.vertical import vertical_notes
-from .constraints import constraints, weight_factors
 from .context import Context
-from .kinds import KINDS
+from .kinds import KINDS, CollisionOptions, CycleOptions, FlightOptions, Kind, LimitOptions, Options
 from .parse import Parsed, table_of
 from .posing.couplings import unsupported
 from .table import ClipTable, SolveTable
@@ -39,6 +38,9 @@ AT_REST = {
     (False, True): ("clamped end", "ends at rest, like its last keyframe"),
 }
 FREE_NOTE = "; [solve] ends = 'free' leaves the speed there open"
+CARRIED = ("flight", "support", "peak")  # kinds that are on by default only if the ground's support is known
+LINEAR_WEIGHT_CARRIED = 0.45  # [1] weight of acceleration.linear with these kinds, which penalise similar errors
+NO_CYCLE = "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none"
 AROUND = ("travel", "turn")  # keys of [solve] for the displacement of a loop per period
 NEXT = 1e-6  # [s] maximum difference of a saved keyframe from its time in the text
 
@@ -154,7 +156,7 @@ def build(
     context = Context.of(figure, problem.raw, surfaces, source.where, tuple(placed), table.contact, table.grasp)
     resting: tuple[str, ...] = ()
     stationary = context.is_stationary_at_ends
-    if "ends" not in solve.specified and any(stationary):
+    if "ends" not in solve.model_fields_set and any(stationary):
         ends, note = AT_REST[stationary]
         problem = replace(problem, ends=ends, end_slope=np.zeros((2, figure.width)))
         context, resting = context.scheduled(keys=problem.raw), (note + FREE_NOTE,)
@@ -163,6 +165,98 @@ def build(
     of_model = (*unsupported(figure.model), *vertical_notes(figure.model))
     notes = (*of_model, *soft_constraints.notes, *resting, *_too_many(problem))
     return Clip(source.name, source.text, scene, fps, problem, soft_constraints.context, notes)
+
+
+@dataclass(frozen=True)
+class Constraints:
+    """The soft constraints of a clip with their weights, their context, and notes for the user."""
+
+    context: Context
+    penalties: tuple[tuple[Penalty, float], ...]
+    notes: tuple[str, ...]
+
+
+def constraints(context: Context, listed: Mapping[str, Options]) -> Constraints:
+    """Return the soft constraints of a clip's keyframes and of the kinds that it lists.
+
+    Raises:
+        UserError: For options that do not fit the figure.
+    """
+    options = {kind.name: kind.options() for kind in KINDS.values() if kind.is_default} | dict(listed)
+    notes = [*context.lacking, *context.released]
+    context = _with_options(context, options, listed.keys())
+    if "cycle" in listed and _weight("cycle", options["cycle"]) > 0 and context.schedule.gait_cycle is None:
+        notes.append(NO_CYCLE)
+    notes += context.assumed_steps
+    notes += context.missing_steps if _weight("cycle", options["cycle"]) > 0 else []
+    is_carried = context.schedule.has_support
+    absent = {kind for kind in CARRIED if kind not in listed and not is_carried}
+    penalties = list[tuple[Penalty, float]]()
+    for name in [name for name in options if name not in absent]:
+        kind = _carried(KINDS[name]) if is_carried else KINDS[name]
+        terms = list(_built(context, kind, options[name]))
+        if name in listed and name != "cycle" and not terms and any(kind.weights(options[name]).values()):
+            measured = "; ".join(part.quantity for part in kind.parts)
+            notes.append(f"penalty '{name}' has no effect in this clip; it measures: {measured}")
+        penalties += terms
+    return Constraints(context, tuple((p, weight) for p, weight in penalties if weight > 0), tuple(notes))
+
+
+def _carried(kind: Kind) -> Kind:
+    """Return a kind with the weights for a figure whose support by the ground is known."""
+    if kind.name != "acceleration":
+        return kind
+    parts = [replace(part, weight=LINEAR_WEIGHT_CARRIED) if part.name == "linear" else part for part in kind.parts]
+    return replace(kind, parts=tuple(parts))
+
+
+def _built(context: Context, kind: Kind, options: Options) -> Iterator[tuple[Penalty, float]]:
+    weights = kind.weights(options)
+    for part in [part for part in kind.parts if part.name in weights]:
+        try:
+            penalty = part.build(context, options)
+        except UserError:
+            raise
+        except ValueError as error:
+            raise UserError(f"{context.where}: penalty '{kind.name}': {error}") from None
+        if penalty is not None:
+            yield penalty, weights[part.name]
+
+
+def _weight(kind: str, options: Options, part: str = "") -> float:
+    return KINDS[kind].weights(options)[part]
+
+
+def _with_options(context: Context, options: Mapping[str, Options], listed: Container[str]) -> Context:
+    """Return the context with the options that affect several kinds: points of soles, limbs, flights, the cycle."""
+    collision, limits, flight, cycle = (options[kind] for kind in ("collision", "limits", "flight", "cycle"))
+    assert isinstance(collision, CollisionOptions) and isinstance(limits, LimitOptions)
+    assert isinstance(flight, FlightOptions) and isinstance(cycle, CycleOptions)
+    if collision.points is not None:
+        context = context.scheduled(points=context.sites(collision.points))
+    if limits.bend_joints is not None:
+        context = replace(context, bends=context.limbs(limits.bend_joints))
+    has_cycle = (True if "cycle" in listed else None) if _weight("cycle", cycle) > 0 else False
+    flights = _flights(context, flight.intervals, is_requested="flight" in listed)
+    return context.scheduled(specified_flights=flights, has_cycle=has_cycle, period=cycle.period)
+
+
+def _flights(
+    context: Context, intervals: Sequence[Interval] | None, *, is_requested: bool
+) -> tuple[Interval, ...] | None:
+    """The flights that a clip specifies; None to infer them. Without surfaces, a requested flight lasts all along."""
+    first, last = float(context.keys.times[0]), float(context.keys.times[-1])
+    if context.schedule.root is None:
+        return None
+    if intervals is None:
+        return ((first, last),) if is_requested and not context.surfaces else None
+    for begin, end in intervals:
+        if not first <= begin < end <= last:
+            raise UserError(
+                f"{context.where}: penalty 'flight': [{begin:g}, {end:g}] is not an interval of the clip, which runs "
+                f"from {first:g} to {last:g} s"
+            )
+    return tuple(intervals)
 
 
 def build_following(
@@ -202,6 +296,18 @@ def build_following(
     )
     context = Context(schedule, where, bends)
     return Clip(source.name, source.text, scene, fps, problem, context, ())
+
+
+def weight_factors(listed: Mapping[str, Options]) -> dict[str, float]:
+    """Return factors of the weights of terms, by name, for a clip that follows a recording."""
+    factors: dict[str, float] = {}
+    for name, options in listed.items():
+        weight, kind = options.weight, KINDS[name]
+        for part in kind.parts:
+            factor = weight.get(part.name) if isinstance(weight, dict) else weight
+            if factor is not None:
+                factors[kind.term(part)] = factor
+    return factors
 
 
 def _check_timeline(problem: Problem, where: str) -> None:

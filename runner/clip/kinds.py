@@ -5,14 +5,14 @@ A new kind is a class in the solver and a record here.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import Discriminator, Field, Tag
 
-from dynsplines.solver.contacts import surfaces_on
+from dynsplines.solver.contacts import Interval, surfaces_on
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.naming import geom_name
@@ -60,7 +60,7 @@ from dynsplines.solver.surface.touch import bolted
 
 from ..errors import UserError, unknown
 from .contacts import moving_bodies
-from .context import Context
+from .context import Context, knees_and_elbows
 from .posing.stepping import SteppingStances
 from .table import Angle, Expected, Flag, Names, Number, Real, Table
 
@@ -571,3 +571,17 @@ KINDS = {
         ),
     )
 }  # fmt: skip
+
+
+def posing_limits(figure: Figure, listed: Mapping[str, Options]) -> tuple[BendLimits | None, tuple[Interval, ...]]:
+    """Return the parts of a clip's listed kinds that its poses respect.
+
+    They are the limits of knees and elbows, or None if their penalty is off, and the flights (first, last) [s] that the
+    clip specifies.
+    """
+    limits, flight = listed.get("limits", LimitOptions()), listed.get("flight", FlightOptions())
+    assert isinstance(limits, LimitOptions) and isinstance(flight, FlightOptions)
+    names = limits.bend_joints
+    bends = tuple(bend for bend in knees_and_elbows(figure) if names is None or bend.name in names)
+    is_limited = bends and KINDS["limits"].weights(limits)["bend"] > 0
+    return bend_limits(bends, limits) if is_limited else None, tuple(flight.intervals or ())

@@ -24,9 +24,8 @@ from ..errors import UserError, import_first, unknown
 from ..scene import file_access
 from ..scene.file_access import lies_in
 from ..scene.model_files import is_there
-from .constraints import chosen
-from .kinds import Options
-from .table import ClipTable, SolveTable, Table
+from .kinds import KINDS, RENAMED, Kind, Options
+from .table import ClipTable, PenaltyTable, SolveTable, Table
 from .table_errors import describe, describe_toml
 from .tracking.penalties import LONGEST_PANEL, POINTS, WEIGHTS
 
@@ -75,6 +74,60 @@ class Parsed:
         """Return the clip with another [solve] table, for keyframes at times (K,) [s]."""
         table = self.table.model_copy(update={"solve": solve})
         return replace(self, table=table, settings=settings_of(solve, times, self.where))
+
+
+def chosen(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
+    """Return the options of every listed kind.
+
+    Raises:
+        UserError: For unknown kinds, parts and options, wrong values, and kinds that are listed twice.
+    """
+    numbers: dict[str, int] = {}
+    options: dict[str, Options] = {}
+    listed = [(entry.kind, entry.model_extra or {}) for entry in entries]
+    raw = {"penalty": [{"kind": name, **values} for name, values in listed]}
+    for i, (name, values) in enumerate(listed, 1):
+        here = f"{where}: penalty {i}"
+        if name in RENAMED:
+            now = f"kind '{name}' is '{RENAMED[name]}' now, with another weight"
+            raise UserError(f"{here}: {now}; `dynsplines penalties` lists all kinds")
+        if name not in KINDS:
+            raise UserError(f"{here}: {unknown('penalty', name, KINDS)}")
+        if name in numbers:
+            raise UserError(f"{here}: kind '{name}' is given already by penalty {numbers[name]}")
+        kind = KINDS[name]
+        for option in sorted(values.keys() - kind.options.model_fields.keys()):
+            raise UserError(f"{here}: {_unknown_option(kind, option)}")
+        try:
+            options[name] = kind.options.model_validate(values)
+        except ValidationError as error:
+            raise UserError(f"{where}: {describe(error, raw, kind.options, ('penalty', i - 1))}") from None
+        _check_weight(kind, options[name], here)
+        numbers[name] = i
+    return options
+
+
+def _unknown_option(kind: Kind, option: str) -> str:
+    takes = ["weight", *sorted(kind.choices())]
+    if any(option in other.options.model_fields for other in KINDS.values()):
+        return f"'{option}' is not for kind '{kind.name}', which takes: {', '.join(takes)}"
+    return unknown("key", option, takes)
+
+
+def _check_weight(kind: Kind, options: Options, here: str) -> None:
+    """Raise UserError for weights of parts that the kind does not have, or that are off."""
+    if not isinstance(options.weight, dict):
+        return
+    parts = {part.name: part for part in kind.parts if part.name}
+    if not parts:
+        raise UserError(f"{here}: weight must be a number, not a table: '{kind.name}' is one term")
+    for name in options.weight:
+        if name not in parts:
+            raise UserError(f"{here}: weight: {unknown('part', name, parts)}")
+        option = parts[name].option
+        if option is not None and not getattr(options, option):
+            unit = kind.choices()[option]
+            raise UserError(f"{here}: weight.{name} needs {option} = ... ({unit}); without it '{name}' is off")
 
 
 def parse(text: str, name: str, where: str, folder: Path | None = None) -> Parsed:

@@ -15,7 +15,7 @@ from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import Point
 
 from ..errors import UserError, unknown
-from .constraints import listed_flights, posing_bends
+from .kinds import posing_limits
 from .obstacles import lying
 from .parse import Parsed, keyframe_label
 from .posing import unmet_goals
@@ -83,16 +83,17 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
 
 def stander_of(source: Parsed, figure: Figure) -> Stander:
     """Return the object that poses the feet of a clip's partial keyframes."""
-    table, options = source.table, source.options
+    table = source.table
+    bends, flights = posing_limits(figure, source.options)
     return Stander(
         figure,
         static_surfaces(figure.model),
         table.contact,
-        posing_bends(figure, options),
+        bends,
         table.solve,
         source.where,
         held=table.grasp,
-        aloft=listed_flights(options),
+        aloft=flights,
     )
 
 

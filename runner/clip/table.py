@@ -263,7 +263,7 @@ class PenaltyTable(Table):
 
     @property
     def options(self) -> Mapping[str, Any]:
-        """The options by name, unchecked; `constraints.chosen` checks them."""
+        """The options by name, unchecked; `parse.chosen` checks them."""
         return dict(self.model_extra or {})
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..clip.constraints import chosen, weight_factors
+from ..clip.build import weight_factors
 from ..clip.kinds import KINDS
-from ..clip.parse import table_of
+from ..clip.parse import chosen, table_of
 from ..clip.table import ClipTable
 from ..clip.text import tables
 from .document import FILMS

@@ -36,7 +36,8 @@ from dynsplines.solver.posing import (
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import Point
 
-from ..clip.constraints import chosen, posing_bends
+from ..clip.kinds import posing_limits
+from ..clip.parse import chosen
 from ..clip.posing.equalities import Equalities
 from ..clip.posing.feet import sole_points
 from ..clip.posing.places import Places
@@ -91,7 +92,7 @@ class Poser:
 
     def __init__(self, figure: Figure, penalties: Sequence[PenaltyTable], full_keyframes: Array) -> None:
         self.figure = figure
-        self.bends: BendLimits | None = posing_bends(figure, chosen(penalties, "clip"))
+        self.bends: BendLimits | None = posing_limits(figure, chosen(penalties, "clip"))[0]
         self.soles: tuple[Point, ...] = sole_points(figure, np.reshape(full_keyframes, (-1, figure.width)))
         self.footing = Footing(figure, self.soles, static_surfaces(figure.model))
         self.data = mujoco.MjData(figure.model)

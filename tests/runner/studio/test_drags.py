@@ -7,7 +7,7 @@ import pytest
 from oracles import kinematics
 from pulls import Pull, Pulls, human_model
 
-from dynsplines.clip.constraints import posing_bends
+from dynsplines.clip.kinds import posing_limits
 from dynsplines.solver.figure.kinematics import Samples
 
 SAMPLE = 4
@@ -26,7 +26,7 @@ def test_random_drags_keep_soles_joints_and_balance(human, seed):
 
 def flexion(pulls: Pulls, qpos) -> dict[str, float]:
     """Return the flexion of knees and elbows [degrees]."""
-    bends = posing_bends(pulls.figure, {})
+    bends, _ = posing_limits(pulls.figure, {})
     assert bends is not None
     angles = bends.angles(Samples.still(pulls.figure, pulls.figure.to_state(qpos[None])))
     return {joint.name: float(np.degrees(angle)) for joint, angle in zip(bends.joints, angles[0, :, 0], strict=True)}

@@ -8,8 +8,9 @@ from figures import EVERY_JOINT, figure_of
 from gaits import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
 from walker import FINE
 
-from dynsplines.clip.constraints import chosen, constraints
+from dynsplines.clip.build import constraints
 from dynsplines.clip.context import Context
+from dynsplines.clip.parse import chosen
 from dynsplines.clip.table import PenaltyTable
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.contacts.gait_period import SLIP, Gait

@@ -17,8 +17,7 @@ from scipy.optimize import minimize
 from site_goal import SiteGoal
 
 from dynsplines import models
-from dynsplines.clip.constraints import posing_bends
-from dynsplines.clip.kinds import LimitOptions
+from dynsplines.clip.kinds import LimitOptions, posing_limits
 from dynsplines.clip.posing.feet import sole_points
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
@@ -28,7 +27,7 @@ from dynsplines.solver.posing import MET, STARTS, BodyGoal, Goal, GraspGoal, Poi
 from dynsplines.solver.surface.points import Point, site_points
 
 HUMAN = {c: Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")), c) for c in ("world", "joint")}
-BENDS = posing_bends(HUMAN["world"], {"limits": LimitOptions(least_bend=2.0)})
+BENDS, _ = posing_limits(HUMAN["world"], {"limits": LimitOptions(least_bend=2.0)})
 SITES = [f"{side}_{part}" for side in ("left", "right") for part in ("heel", "toe", "hand", "wrist")]
 ARM = """
 <mujoco><compiler angle="degree"/><worldbody>
@@ -162,7 +161,7 @@ def test_a_straight_leg_shortens_forward_at_the_knee():
 def test_a_leg_a_hair_shorter_than_straight_is_found(short):
     figure = HUMAN["world"]
     target = seen(figure, figure.model.qpos0).site("left_heel").xpos + np.array([0, 0, short])
-    free, bends = everything(figure), posing_bends(figure, {})
+    free, bends = everything(figure), posing_limits(figure, {})[0]
     free[:7] = False
     goals = [SiteGoal("left_heel", target), BodyGoal("left_foot")]
     assert posed(figure, figure.model.qpos0, free, goals, bends).is_met
@@ -192,7 +191,7 @@ def test_legs_that_home_has_turned_far_round_stand_all_the_same():
                 columns = figure.links[link_named(figure, f"{side}_{name}") or 0].columns
                 home[columns] = quat.normalised(turn + 0.01 * rng.normal(size=4))
                 free[columns] = True
-        found = posed(figure, home, free, goals, posing_bends(figure, {"limits": LimitOptions(least_bend=4.0)}))
+        found = posed(figure, home, free, goals, posing_limits(figure, {"limits": LimitOptions(least_bend=4.0)})[0])
         met += found.is_met
     assert met >= 2
 

@@ -11,7 +11,7 @@ from penalty_slope import penalty_slope
 from random_samples import random_samples
 from scipy.spatial.transform import Rotation
 
-from dynsplines.clip.constraints import constraints
+from dynsplines.clip.build import constraints
 from dynsplines.clip.context import Context
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.contacts.gait_period import Gait
