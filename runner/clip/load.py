@@ -20,11 +20,11 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, FigureError
 from dynsplines.solver.penalty import Placed
 
-from ..errors import UserError, unknown, words_of
+from ..errors import UserError, words_of
 from ..motion import Saved, read_arrays
 from ..motion import load as read_motion
 from ..scene.assets import Scene, taken_along
-from ..scene.compose import compose, figure_spec, quietly, spec_joint_names
+from ..scene.compose import compose, figure_spec, quietly, stage
 from ..scene.configuration import first_wrong, unlike_joints
 from .build import Clip, build, build_following, edits_of, solve_of
 from .kinds import RENAMED
@@ -35,7 +35,7 @@ from .posing.full_turns import lost_turns
 from .posing.placement import wanted
 from .posing.places import Places
 from .posing.root_entries import ambiguities
-from .table import ClipTable, KeyframeTable, SolveTable
+from .table import ClipTable, SolveTable
 from .tracking.recording import RecordedPath, TrackedRecording, followed
 
 MOST = 3  # most keyframes with unreachable positions that an error lists
@@ -105,7 +105,7 @@ def from_parsed(
     if like is not None and _has_ground(like, table):
         scene, figure = like.scene, like.figure
     else:
-        scene, figure = _ground(source, figure_file, spec)
+        scene, figure = ground_of(source, figure_file, spec)
     follows = None if table.recording is None else followed(table.recording, figure, recording, where)
     posed = pose(source, figure, None if follows is None else follows.pose)
     if posed.unreached and unmet is None:
@@ -119,23 +119,24 @@ def from_parsed(
     return replace(clip, notes=(*clip.notes, *notes))
 
 
-def scene_of(source: Parsed, figure_file: str | None = None, spec: mujoco.MjSpec | None = None) -> Scene:
-    """Return a clip's figure in its scene.
+def ground_of(
+    source: Parsed, figure_file: str | None = None, spec: mujoco.MjSpec | None = None
+) -> tuple[Scene, Figure]:
+    """Return the scene of a clip, and its figure in this scene.
 
     Raises:
-        UserError: For a figure or obstacles that do not compile, and for keyframes with unknown joints or <key>s.
+        UserError: For a figure or obstacles that do not compile, for a model that the solver does not support, and for
+            keyframes with unknown joints or <key>s.
     """
-    table, where = source.table, source.where
+    table = source.table
+    joints = [(label, name) for label, row in zip(source.labels, table.keyframe, strict=True) for name in row.joints]
+    keys = [(f"{label}: others", name) for label, name in zip(source.labels, source.model_keys, strict=True) if name]
+    figure = figure_file or table.figure if spec is None else spec
     try:
-        spec = figure_spec(figure_file or table.figure, source.folder) if spec is None else spec
-    except UserError as error:
-        raise UserError(f"{where}: {error}") from None
-    _check_joints(table.keyframe, spec, where)
-    keys = _model_keys(table.keyframe, spec, where)
-    try:
-        return compose(spec, obstacles(table.scene), keys=keys)
-    except UserError as error:
-        raise UserError(f"{where}: {error}") from None
+        scene, model = stage(figure, source.folder, obstacles(table.scene), joints, keys)
+        return scene, Figure(model, table.solve.coordinates)
+    except (UserError, FigureError, ValueError) as error:
+        raise UserError(f"{source.where}: {error}") from None
 
 
 def _unreached(lines: Sequence[str], *, is_file: bool) -> str:
@@ -143,11 +144,6 @@ def _unreached(lines: Sequence[str], *, is_file: bool) -> str:
     more = [f"and {len(lines) - MOST} keyframes more"] if len(lines) > MOST else []
     shows = ["`dynsplines render CLIP --only keys` shows the nearest poses"] if is_file else []
     return "; ".join([*lines[:MOST], *more, *shows])
-
-
-def _ground(source: Parsed, figure_file: str | None, spec: mujoco.MjSpec | None) -> tuple[Scene, Figure]:
-    scene = scene_of(source, figure_file, spec)
-    return scene, figure_of(scene, source.where, source.table.solve.coordinates)
 
 
 def figure_of(scene: Scene, where: str, coordinates: str = "auto") -> Figure:
@@ -169,31 +165,6 @@ def _has_ground(clip: Clip, table: ClipTable) -> bool:
         and old.solve.coordinates == table.solve.coordinates
     )
     return same and named <= {row.model_key for row in old.keyframe}
-
-
-def _check_joints(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, where: str) -> None:
-    """Raise UserError for an unknown joint before the figure's meshes are read."""
-    if not (spec.meshes or spec.hfields or spec.skins):
-        return  # compilation is fast and reports the joint
-    names = spec_joint_names(spec)
-    for number, row in enumerate(rows, start=1):
-        for name in row.joints:
-            if name not in names:
-                raise UserError(f"{where}: {keyframe_label(number, row.time)}: {unknown('joint', name, names)}")
-
-
-def _model_keys(rows: Sequence[KeyframeTable], spec: mujoco.MjSpec, where: str) -> list[str]:
-    """Return the names of the model's <key> elements in keyframes. Raise UserError for unknown ones."""
-    names, references = [key.name for key in spec.keys], dict[str, None]()
-    for number, row in enumerate(rows, start=1):
-        name = row.model_key
-        if name is not None and name not in names:
-            raise UserError(
-                f"{where}: {keyframe_label(number, row.time)}: others: {unknown('key', name, filter(None, names))}"
-            )
-        if name is not None:
-            references[name] = None
-    return list(references)
 
 
 def _from_mjcf(path: Path, fps: float | None) -> Clip:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import tomllib
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
@@ -49,6 +49,8 @@ class Parsed:
         text: The TOML text; empty for keyframes of an MJCF file or of arrays.
         where: The label of the clip in errors.
         options: The options of the listed kinds of soft constraint.
+        labels: The label of every keyframe in errors, without that of the clip.
+        model_keys: The <key> of the model on which every keyframe is based, or None.
     """
 
     name: str
@@ -58,6 +60,13 @@ class Parsed:
     options: Mapping[str, Options]
     settings: Settings
     folder: Path | None = None
+    labels: tuple[str, ...] = field(init=False)
+    model_keys: tuple[str | None, ...] = field(init=False)
+
+    def __post_init__(self) -> None:
+        rows = self.table.keyframe
+        object.__setattr__(self, "labels", tuple(keyframe_label(i, row.time) for i, row in enumerate(rows, start=1)))
+        object.__setattr__(self, "model_keys", tuple(row.model_key for row in rows))
 
     @classmethod
     def of(cls, text: str, name: str, where: str, folder: Path | None = None) -> Parsed:

@@ -74,6 +74,39 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
     return spec
 
 
+def stage(
+    figure: str | mujoco.MjSpec,
+    folder: Path | None = None,
+    obstacles: Sequence[Obstacle] = (),
+    joints: Sequence[tuple[str, str]] = (),
+    keys: Sequence[tuple[str, str]] = (),
+) -> tuple[Scene, mujoco.MjModel]:
+    """Return a figure on its stage with obstacles, and the compiled model.
+
+    Args:
+        figure: The name of a shipped figure, the path of an MJCF file (relative to `folder`), or a model.
+        joints: Names of joints that must exist, each after its label in errors.
+        keys: Names of <key> elements of the model that the scene includes, each after its label in errors.
+
+    Raises:
+        UserError: For a model that cannot be read or compiled, and for unknown joints and <key> elements.
+        ValueError: For a scene that MuJoCo cannot read.
+    """
+    spec = figure_spec(figure, folder) if isinstance(figure, str) else figure
+    if spec.meshes or spec.hfields or spec.skins:  # otherwise compilation is fast, and posing reports the joint
+        _check_names("joint", joints, spec_joint_names(spec))
+    _check_names("key", keys, [key.name for key in spec.keys])
+    scene = compose(spec, obstacles, keys={name for _, name in keys})
+    return scene, scene.model()
+
+
+def _check_names(kind: str, named: Sequence[tuple[str, str]], names: Collection[str]) -> None:
+    """Raise UserError for the first pair of a label and a name that is unknown."""
+    for label, name in named:
+        if name not in names:
+            raise UserError(f"{label}: {unknown(kind, name, filter(None, names))}")
+
+
 def spec_joint_names(spec: mujoco.MjSpec) -> list[str]:
     """Return the names of a model's joints before it is compiled, as in `joint_names`."""
     names: list[str] = []

@@ -31,7 +31,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     def never(*_: object, **__: object) -> None:
         raise AssertionError("the model was compiled")
 
-    monkeypatch.setattr(clip, "compose", never)
+    monkeypatch.setattr("dynsplines.scene.compose.compose", never)
     written(tmp_path)
     (tmp_path / "tiny.xml").write_text(MESHED, encoding="utf-8")
     return tmp_path

@@ -15,22 +15,32 @@ from dynsplines.solver.figure.figure import Figure
 
 MOST = 50  # [1] scenes, and figures, that are kept
 BUILT = load.figure_of
-COMPOSED = load.scene_of
+COMPOSED = load.ground_of
 _figures: Cache[Figure] = Cache(MOST)
-_scenes: Cache[Scene] = Cache(MOST)
+_grounds: Cache[tuple[Scene, Figure]] = Cache(MOST)
 
 
 def figure_of(scene: Scene, where: str, coordinates: str = "auto") -> Figure:
-    key = scene.mjcf, tuple(sorted(scene.assets.items())), coordinates
-    return _figures.get(key, lambda: BUILT(scene, where, coordinates))
+    return _figures.get(_key(scene, coordinates), lambda: BUILT(scene, where, coordinates))
 
 
-def scene_of(source: Parsed, figure_file: str | None = None, spec: mujoco.MjSpec | None = None) -> Scene:
+def ground_of(
+    source: Parsed, figure_file: str | None = None, spec: mujoco.MjSpec | None = None
+) -> tuple[Scene, Figure]:
     text = None if spec is not None else _self_contained(figure_file or source.table.figure, source.folder)
+    coordinates = source.table.solve.coordinates
     if text is None:
-        return COMPOSED(source, figure_file, spec)
-    key = text, repr(source.table.scene), frozenset(row.model_key for row in source.table.keyframe)
-    return _scenes.get(key, lambda: COMPOSED(source, figure_file))
+        return _shared(*COMPOSED(source, figure_file, spec), coordinates)
+    key = text, repr(source.table.scene), frozenset(source.model_keys), coordinates
+    return _grounds.get(key, lambda: _shared(*COMPOSED(source, figure_file), coordinates))
+
+
+def _shared(scene: Scene, figure: Figure, coordinates: str) -> tuple[Scene, Figure]:
+    return scene, _figures.get(_key(scene, coordinates), lambda: figure)
+
+
+def _key(scene: Scene, coordinates: str) -> tuple[object, ...]:
+    return scene.mjcf, tuple(sorted(scene.assets.items())), coordinates
 
 
 def _self_contained(figure: str, folder: Path | None) -> str | None:
@@ -46,4 +56,4 @@ def _self_contained(figure: str, folder: Path | None) -> str | None:
 
 def share() -> None:
     """From here on, in whatever is loaded."""
-    load.figure_of, load.scene_of = figure_of, scene_of
+    load.figure_of, load.ground_of = figure_of, ground_of
