@@ -20,11 +20,10 @@ from dynsplines.solver.surface import static_surfaces
 from ..errors import UserError
 from ..motion import Saved
 from ..scene.assets import Scene
-from ..scene.vertical import vertical_notes
+from ..scene.model_notes import model_notes
 from .context import Context
 from .kinds import KINDS, CollisionOptions, CycleOptions, FlightOptions, Kind, LimitOptions, Options
 from .parse import Parsed, table_of
-from .posing.couplings import unsupported
 from .table import ClipTable, SolveTable
 from .tracking.penalties import footings_of, ground_of, rests_of, stances_in, stances_of
 from .tracking.recording import TrackedRecording
@@ -162,8 +161,7 @@ def build(
         context, resting = context.scheduled(keys=problem.raw), (note + FREE_NOTE,)
     soft_constraints = constraints(context, source.options)
     problem = replace(problem, penalties=soft_constraints.penalties)
-    of_model = (*unsupported(figure.model), *vertical_notes(figure.model))
-    notes = (*of_model, *soft_constraints.notes, *resting, *_too_many(problem))
+    notes = (*model_notes(figure.model), *soft_constraints.notes, *resting, *_too_many(problem))
     return Clip(source.name, source.text, scene, fps, problem, soft_constraints.context, notes)
 
 

@@ -20,11 +20,11 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, FigureError
 from dynsplines.solver.penalty import Placed
 
-from ..errors import UserError, words_of
+from ..errors import UserError
 from ..motion import Saved, read_arrays
 from ..motion import load as read_motion
 from ..scene.assets import Scene, taken_along
-from ..scene.compose import compose, figure_spec, quietly, stage
+from ..scene.compose import compiled, compose, figure_spec, stage
 from ..scene.configuration import first_wrong, unlike_joints
 from .build import Clip, build, build_following, edits_of, solve_of
 from .kinds import RENAMED
@@ -34,7 +34,6 @@ from .pose import pose, soles_of
 from .posing.full_turns import lost_turns
 from .posing.placement import wanted
 from .posing.places import Places
-from .posing.root_entries import ambiguities
 from .table import ClipTable, SolveTable
 from .tracking.recording import RecordedPath, TrackedRecording, followed
 
@@ -115,7 +114,7 @@ def from_parsed(
     if follows is not None:
         return build_following(source, scene, follows, posed.keys, fps or table.fps)
     clip = build(source, scene, figure, posed.keys, posed.placed, fps or table.fps)
-    notes = (*ambiguities(figure, table.keyframe), *lost_turns(figure, table.keyframe, clip.problem.raw))
+    notes = (*posed.notes, *lost_turns(figure, table.keyframe, clip.problem.raw))
     return replace(clip, notes=(*clip.notes, *notes))
 
 
@@ -209,11 +208,7 @@ def compiled_keys(spec: mujoco.MjSpec, where: str) -> tuple[mujoco.MjModel, Arra
         UserError: For a model that MuJoCo cannot compile, and for a qpos of another size.
     """
     configurations = [np.array(key.qpos) for key in spec.keys]
-    try:
-        with quietly():
-            model = spec.compile()
-    except ValueError as error:
-        raise UserError(f"{where}: MuJoCo cannot compile it: {words_of(error)}") from None
+    model = compiled(spec, where)
     count = len(configurations)  # <size nkey> may exceed it
     time, qpos = np.array(model.key_time)[:count], np.array(model.key_qpos).reshape(model.nkey, model.nq)[:count]
     for i, values in enumerate(configurations):

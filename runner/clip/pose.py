@@ -8,25 +8,27 @@ from dataclasses import dataclass
 import numpy as np
 
 from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.contacts import ROUNDING
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, JointKind, Link, quaternion_columns
-from dynsplines.solver.penalty import Placed
+from dynsplines.solver.penalty import Placed, couplings
+from dynsplines.solver.penalty.joints.coupling import Coupling, in_order
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import Point
 
 from ..errors import UserError, unknown
 from .kinds import posing_limits
-from .obstacles import lying
-from .parse import Parsed, keyframe_label
+from .parse import Parsed
 from .posing import unmet_goals
-from .posing.couplings import follow
 from .posing.feet import sole_points
 from .posing.placement import Wanted, check_search, wanted, with_pose
 from .posing.places import Places
-from .posing.root_entries import set_roots
+from .posing.root_entries import ambiguities, set_roots
 from .posing.rotation import quaternion_of
 from .posing.standing_feet import Stander
-from .table import ROTATION, KeyframeTable, RotationTable
+from .table import ROTATION, ClipTable, KeyframeTable, RootTable, RotationTable, SceneTable
+
+FREE = RootTable(position="free", rotation="free")
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,11 +38,13 @@ class Posed:
     Attributes:
         placed: Points whose positions the search determines.
         unreached: A line for each keyframe with unreachable positions; it is then as near as possible.
+        notes: Notes on ambiguous roots.
     """
 
     keys: list[Frame]
     placed: tuple[Placed, ...]
     unreached: list[str]
+    notes: list[str]
 
 
 def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None = None) -> Posed:
@@ -52,8 +56,8 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
     Raises:
         UserError: For tables that do not fit the figure.
     """
-    where, rows = source.where, lying(source.table)
-    places = [f"{where}: {keyframe_label(number, row.time)}" for number, row in enumerate(rows, start=1)]
+    notes, rows = ambiguities(figure, source.table.keyframe), _with_objects(source.table)
+    places = [f"{source.where}: {label}" for label in source.labels]
     wants = _targets(figure, rows, places)
     loose = [want.loose(figure, row) for want, row in zip(wants, rows, strict=True)]
     keys: list[Frame] = []
@@ -72,13 +76,13 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
                 keys[k], nearest = with_pose(figure, among, index, want.goals, stander, here)
                 if not nearest.is_met:
                     note = unmet_goals.describe(figure, unposed, row, want.goals, nearest)
-                    missed.append(f"{keyframe_label(k + 1, row.time)}: {note}")
+                    missed.append(f"{source.labels[k]}: {note}")
                 keys[k] = _based(keys[k], base)
     for key, want, here in zip(keys, wants, places, strict=True):
         if want.placed:
             check_search(figure, key, want.placed, here)
     placed = tuple(point for want in wants for point in want.placed)
-    return Posed(keys if base is not None else stander.stood(keys, placed), placed, missed)
+    return Posed(keys if base is not None else stander.stood(keys, placed), placed, missed, notes)
 
 
 def stander_of(source: Parsed, figure: Figure) -> Stander:
@@ -167,3 +171,68 @@ def _set_joint(qpos: Array, fixed: Mask, link: Link, value: RotationTable | floa
         raise UserError(f"{where}: a heading is of the root, of bodies and of obstacles; a joint turns in its parent")
     qpos[columns] = quaternion_of(value)
     fixed[columns] = True
+
+
+def follow(figure: Figure, qpos: Array, fixed: Mask, is_named: Callable[[str], bool]) -> None:
+    """Set the followers of coupled joints in a keyframe, qpos and mask, in place.
+
+    A joint that the keyframe names is unchanged. If it names the follower and not the driver, the driver is set.
+    """
+    names = {link.qpos: link.name for link in figure.links[1:]}
+    for coupling in in_order(couplings(figure)):
+        driver = coupling.driver
+        if not is_named(names[coupling.follower]):
+            if driver < 0 or fixed[driver]:
+                qpos[coupling.follower] = coupling.follow(qpos[driver] if driver >= 0 else np.zeros(()))
+                fixed[coupling.follower] = True
+        elif driver >= 0 and not is_named(names[driver]) and fixed[coupling.follower]:
+            back = _driven(coupling, float(qpos[coupling.follower]))
+            if back is not None:
+                qpos[driver], fixed[driver] = back, True
+
+
+def _driven(coupling: Coupling, follower: float) -> float | None:
+    """Return the driver's value for a follower's value; None unless the relation is linear."""
+    a = coupling.coefficients
+    if a[1] == 0 or np.any(a[2:]):
+        return None
+    return coupling.rest[1] + (follower - coupling.rest[0] - float(a[0])) / float(a[1])
+
+
+def _objects(scene: SceneTable) -> tuple[str, ...]:
+    """Return the names of the bodies that a scene's tables define."""
+    parts = (*scene.box, *scene.sphere, *scene.capsule, *scene.cylinder)
+    return tuple(dict.fromkeys(part.body for part in parts if part.body is not None))
+
+
+def _with_objects(table: ClipTable) -> list[KeyframeTable]:
+    """Return a clip's keyframes with the positions of objects that nothing has moved since the previous keyframe.
+
+    The keyframes before the first specified position have this position. An object that a [[grasp]] moves in between is
+    free, independent of `others`. In a clip that follows a recording, the recording places them.
+    """
+    rows = list(table.keyframe)
+    for name in _objects(table.scene) if table.recording is None else ():
+        time, place = rows[0].time, _first(table, name)
+        for k, row in enumerate(rows):
+            if name in row.roots:
+                place = row.roots[name]
+            else:
+                place = FREE if _is_carried(table, name, time, row.time) else place
+                rows[k] = row.model_copy(update={"roots": row.roots | {name: place}})
+            time = row.time
+    return rows
+
+
+def _first(table: ClipTable, name: str) -> RootTable:
+    """Return the initial position of an object: that of the first keyframe that places it, unless it is held before."""
+    row = next((row for row in table.keyframe if name in row.roots), None)
+    if row is None or _is_carried(table, name, table.keyframe[0].time, row.time):
+        return FREE
+    return row.roots[name]
+
+
+def _is_carried(table: ClipTable, name: str, first: float, last: float) -> bool:
+    """Return whether an object is held at any time of an interval."""
+    grasps = (grasp for grasp in table.grasp if grasp.body == name)
+    return any(max(grasp.start, first) < min(grasp.end, last) - ROUNDING for grasp in grasps)

@@ -24,12 +24,13 @@ from dynsplines.solver.surface.touch import TOUCHING, counts_all, movers
 from dynsplines.solver.surface.touch import solids as solids_of
 
 from ..errors import UserError, words_of
-from ..scene.compose import compose, figure_spec, quietly
+from ..scene.compose import compose, figure_spec
 from ..scene.configuration import first_wrong, posed
+from ..scene.model_notes import vertical_notes
 from ..scene.urdf import fixed_base
-from ..scene.vertical import vertical_notes
+from ..system.mujoco_warnings import quietly
 from .load import compiled_keys
-from .posing.couplings import follow
+from .pose import follow
 from .posing.equalities import Equalities, in_words
 from .posing.feet import rest_within_ranges, sole_points
 from .posing.places import Places, posable_sites

@@ -20,10 +20,9 @@ from ..clip.build import Clip, CustomPenalties, with_custom_penalties
 from ..clip.text import TomlTable, keyframe_tables, tables, written
 from ..errors import UserError, words_of
 from ..scene import file_access
-from ..scene.compose import quietly
 from ..scene.configuration import first_wrong
 from ..scene.model_inputs import spec_of
-from ..system.mujoco_warnings import as_python_warnings
+from ..system.mujoco_warnings import as_python_warnings, quietly
 
 Turn = Mapping[str, Any] | Rotation
 Table = Mapping[str, Any]

@@ -10,6 +10,7 @@ file_access      whether a model may refer to files outside its folder
 configuration    checks of configurations qpos, for untrusted input
 model_inputs     models for the Python API: a name, a path, MJCF text, an MjSpec or an MjModel
 urdf             the root link of a URDF file
+model_notes      notes on models that the solver does not fully support
 triangles        visible geoms of a model, their appearance, and their triangles
 mujoco_versions  names that differ between MuJoCo's versions
 """

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
-import io
-import warnings
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
@@ -19,7 +16,7 @@ from dynsplines.solver.figure.naming import names_of_joints
 from dynsplines.solver.surface.touch import grounds, moves
 
 from ..errors import UserError, unknown, words_of
-from ..system import mujoco_warnings
+from ..system.mujoco_warnings import quietly
 from . import mjcf_size
 from .assets import Assets, Scene, check_places, taken_along
 from .framing import STANDING, is_of_people_size, rest_box, size_of
@@ -41,14 +38,6 @@ PREFIX = "stage_"
 GREY = (0.5, 0.5, 0.5, 1.0)  # MuJoCo's default colour of a geom
 BURIED = 0.005  # [m] depth in the floor that is permitted for a fixed figure
 BELOW = 0.02  # [1] distance of an added floor below the figure's lowest point, relative to the figure's size
-
-
-@contextlib.contextmanager
-def quietly() -> Iterator[None]:
-    """Report MuJoCo's warnings as notes, and suppress other output and warnings of its Python module."""
-    with mujoco_warnings.intercepted(), contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # deprecation warnings of MuJoCo
-        yield
 
 
 def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:

@@ -12,8 +12,9 @@ import numpy as np
 from dynsplines import models
 
 from ..errors import UserError, words_of
+from ..system.mujoco_warnings import quietly
 from . import file_access, mjcf_size
-from .compose import figure_spec, quietly
+from .compose import figure_spec
 from .model_files import elements
 from .mujoco_versions import last_text
 

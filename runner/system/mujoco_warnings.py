@@ -6,11 +6,12 @@ call and issues them as Python warnings. mujoco is imported here only after a re
 
 from __future__ import annotations
 
+import io
 import re
 import sys
 import warnings
 from collections.abc import Callable, Iterator
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import contextmanager, redirect_stdout
 from typing import Any
 
 from ..errors import one_line
@@ -47,9 +48,16 @@ def install() -> None:
         _mujoco().set_mju_user_warning(_receive)
 
 
-def intercepted() -> AbstractContextManager[None]:
-    """Report MuJoCo's warnings in this block, or drop them if this process does not report warnings."""
-    return reported_to(_sinks[-1] if _sinks else lambda text: None)
+@contextmanager
+def quietly() -> Iterator[None]:
+    """Pass MuJoCo's warnings on, or drop them if this process does not report warnings.
+
+    Suppress other output and warnings of MuJoCo's Python module.
+    """
+    sink = _sinks[-1] if _sinks else lambda text: None
+    with reported_to(sink), redirect_stdout(io.StringIO()), warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # deprecation warnings of MuJoCo
+        yield
 
 
 @contextmanager

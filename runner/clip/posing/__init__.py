@@ -8,7 +8,6 @@ standing_feet  stances of feet in partial keyframes
 stepping       the initial guess of clips with footsteps
 grounding      placing of keyframes on the ground
 rotation       rotations in a clip's notation
-couplings      joints coupled by equality constraints
 full_turns     whole turns of keyframes that the motion omits
 equalities     poses moved onto a model's equality constraints
 root_entries   entries of a root, on a free joint or on slides and hinges

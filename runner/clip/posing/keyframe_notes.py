@@ -16,7 +16,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 
-from ..table import KeyframeTable, RotationTable
+from ..table import KEY, KeyframeTable, RotationTable
 from .root_entries import roots_by_name
 
 HALF, SAME = 180.0, 1.0  # [degrees] largest turn between two keyframes; tolerance of equal turns
@@ -67,7 +67,10 @@ def _lost(figure: Figure, name: str, rows: Sequence[KeyframeTable], keys: Timeli
         link, table = _rotations(figure, row).get(name, (None, None))
         written = None if table is None else _written(table)
         if table is None:
-            last = None if row.model_key else last if row.others != "rest" else (k, None, np.zeros(1))
+            if row.others == "rest":
+                last = (k, None, np.zeros(1))
+            elif row.others.startswith(KEY):
+                last = None
             continue
         if written is not None and last is not None and last[1] in (None, written[0]):
             first = np.broadcast_to(last[2], written[1].shape)

@@ -36,9 +36,9 @@ from dynsplines.solver.surface.touch import bolted, is_scenery, movers, solids
 
 from ...clip import load as clip
 from ...errors import listed
-from ...scene.compose import quietly
 from ...scene.framing import size_of
 from ...scene.mujoco_versions import geoms_by_number, portable_text, remove
+from ...system.mujoco_warnings import quietly
 from ..forces import Forces
 from ..skeleton import hierarchy
 from ..skeleton.roles import unique

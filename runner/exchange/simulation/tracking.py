@@ -15,7 +15,7 @@ from scipy.interpolate import make_interp_spline
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import JointKind
 
-from ...scene.compose import quietly
+from ...system.mujoco_warnings import quietly
 from ..trajectory import SampledTrajectory
 from .scene import TIMESTEPS, Simulation
 

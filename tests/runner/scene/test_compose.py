@@ -12,7 +12,8 @@ from dynsplines import models
 from dynsplines.clip.obstacles import obstacles
 from dynsplines.clip.table import SceneTable, StepTable
 from dynsplines.errors import UserError
-from dynsplines.scene.compose import compose, figure_spec, quietly
+from dynsplines.scene.compose import compose, figure_spec
+from dynsplines.system.mujoco_warnings import quietly
 
 OWN_STAGE = """<worldbody>
   <light name="lamp" directional="true" dir="0 0 -1"/><geom name="ground" type="plane" size="1 1 1" contype="1"/>"""

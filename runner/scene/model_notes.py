@@ -1,4 +1,7 @@
-"""Notes on models that do not fit the solver's vertical: z points up, and a floor is added where a model has none."""
+"""Notes on models that the solver does not fully support: their vertical, floor and equality constraints.
+
+The solver's vertical is z, and a floor is added where a model has none.
+"""
 
 from __future__ import annotations
 
@@ -18,9 +21,21 @@ from .compose import PREFIX
 TILTED = 0.02  # [1] sine of the angle between gravity and -z from which a note is printed, about 1°
 
 
+def model_notes(model: mujoco.MjModel) -> list[str]:
+    """Return all notes on a model."""
+    return [*_unsupported_equalities(model), *vertical_notes(model)]
+
+
 def vertical_notes(model: mujoco.MjModel) -> list[str]:
     """Return notes on gravity that is not along -z, and on static geoms below a floor that `compose` added."""
     return [*_tilted_gravity(model), *_below_added_floor(model)]
+
+
+def _unsupported_equalities(model: mujoco.MjModel) -> list[str]:
+    handled = [int(kind) for kind in (mujoco.mjtEq.mjEQ_JOINT, mujoco.mjtEq.mjEQ_CONNECT, mujoco.mjtEq.mjEQ_WELD)]
+    others = [i for i in range(model.neq) if model.eq_active0[i] and int(model.eq_type[i]) not in handled]
+    names = ", ".join(f"'{model.equality(i).name or i}'" for i in others)
+    return [f"equality constraints of tendons are not looked at: {names}"] if others else []
 
 
 def _tilted_gravity(model: mujoco.MjModel) -> Iterator[str]:

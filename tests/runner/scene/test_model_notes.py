@@ -9,7 +9,7 @@ from dynsplines import Keyframe, build
 from dynsplines.clip.obstacles import obstacles
 from dynsplines.clip.table import SceneTable
 from dynsplines.scene.compose import compose
-from dynsplines.scene.vertical import vertical_notes
+from dynsplines.scene.model_notes import vertical_notes
 
 PIT = """<mujoco><option gravity="{gravity}"/><worldbody>{floor}
 <geom name="ground" type="box" size="5 5 .1" pos="0 0 {height}"/>
