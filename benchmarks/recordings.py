@@ -29,7 +29,7 @@ from dynsplines.clean.cleaning import Cleaned, cleaned
 from dynsplines.clean.comparison import PathMeasurement
 from dynsplines.clean.repairs import repaired
 from dynsplines.clip import load as clips
-from dynsplines.clip.posing.feet import sole_points
+from dynsplines.clip.posing.places import sole_points
 from dynsplines.clip.tracking.penalties import Ground, ground_of
 from dynsplines.exchange.skeleton import hierarchy
 from dynsplines.exchange.skeleton.roles import roles

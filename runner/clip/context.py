@@ -24,8 +24,7 @@ from dynsplines.solver.surface.points import Point, displacements
 
 from ..errors import UserError, unknown
 from .contacts import contacts, grasps_of
-from .posing.feet import sole_points
-from .posing.places import Places
+from .posing.places import Places, sole_points
 from .table import ContactTable, GraspTable
 
 STEP = 0.2  # [1] shortest displacement of a foot in a step, relative to the height of the figure

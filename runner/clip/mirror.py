@@ -18,9 +18,7 @@ from dynsplines.solver.posing import rest_rotation
 from dynsplines.solver.surface.points import Point
 
 from ..errors import UserError
-from .posing.feet import sole_points
-from .posing.places import Places
-from .posing.rotation import quaternion_of
+from .posing.places import Places, sole_points
 from .table import (
     KEY,
     Axes,
@@ -261,7 +259,7 @@ def _in_world(table: Turned, reflection: Array, rest: Array) -> Turned:
         is_plain = np.array_equal(reflection, WORLD)
     if is_plain or not table.is_rotation:
         return _rotation(table)
-    matrix = WORLD @ quat.matrices(quaternion_of(table, rest[0])) @ reflection.T
+    matrix = WORLD @ quat.matrices(table.quaternion(rest[0])) @ reflection.T
     return _with_rotation(table, quat.from_matrix(matrix))
 
 
@@ -269,7 +267,7 @@ def _in_parent(table: RotationTable, reflection: Array) -> RotationTable:
     """Return a ball joint's rotation about the reflected axis, for the reflection M of its frame."""
     if np.array_equal(reflection, WORLD):
         return _rotation(table)
-    quaternion = quaternion_of(table)
+    quaternion = table.quaternion()
     return _with_rotation(table, np.concatenate([quaternion[:1], -reflection @ quaternion[1:]]))
 
 

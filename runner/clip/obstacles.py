@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 
 from ..scene.obstacle import KINDS, Obstacle
-from .posing.rotation import quaternion_of
 from .table import BarTable, BoxTable, SceneTable, SphereTable, StepTable
 
 
@@ -32,5 +31,5 @@ def _obstacle(kind: str, name: str, table: BoxTable | SphereTable | BarTable) ->
         ends = None if table.start is None or table.end is None else np.array([*table.start, *table.end])
         size = (table.radius,) if table.length is None else (table.radius, 0.5 * table.length)
     place = np.array(table.position or (0.0, 0, 0))
-    turn = np.array([1.0, 0, 0, 0]) if table.rotation is None else quaternion_of(table.rotation)
+    turn = np.array([1.0, 0, 0, 0]) if table.rotation is None else table.rotation.quaternion()
     return Obstacle(name, kind, size, place, turn, ends, table.color, table.body, table.mass)

@@ -20,11 +20,9 @@ from ..errors import UserError, unknown
 from .kinds import posing_limits
 from .parse import Parsed
 from .posing import unmet_goals
-from .posing.feet import sole_points
 from .posing.placement import Wanted, check_search, wanted, with_pose
-from .posing.places import Places
+from .posing.places import Places, sole_points
 from .posing.root_entries import ambiguities, set_roots
-from .posing.rotation import quaternion_of
 from .posing.standing_feet import Stander
 from .table import ROTATION, ClipTable, KeyframeTable, RootTable, RotationTable, SceneTable
 
@@ -169,7 +167,7 @@ def _set_joint(qpos: Array, fixed: Mask, link: Link, value: RotationTable | floa
         raise UserError(f"{where}: a ball joint takes a rotation, {ROTATION}, not a number")
     if value.heading is not None:
         raise UserError(f"{where}: a heading is of the root, of bodies and of obstacles; a joint turns in its parent")
-    qpos[columns] = quaternion_of(value)
+    qpos[columns] = value.quaternion()
     fixed[columns] = True
 
 

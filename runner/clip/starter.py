@@ -32,8 +32,7 @@ from ..system.mujoco_warnings import quietly
 from .load import compiled_keys
 from .pose import follow
 from .posing.equalities import Equalities, in_words
-from .posing.feet import rest_within_ranges, sole_points
-from .posing.places import Places, posable_sites
+from .posing.places import Places, posable_sites, rest_within_ranges, sole_points
 from .posing.pose_report import floor_height, lifts, lowest_point, violations
 from .table import KEY, KeyframeTable, RotationTable
 from .text import keyframe_tables, rotation, tables, written

@@ -8,7 +8,11 @@ from dataclasses import dataclass
 from itertools import pairwise
 from typing import Annotated, Any, Literal, Self
 
+import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, Strict, model_validator
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
 
 from ..system.quantity import LARGEST
 
@@ -35,6 +39,7 @@ Place = Annotated[tuple[Number, Number, Number], Expected("[x, y, z] in metres")
 Axes = Annotated[tuple[Axis, Axis, Axis], Expected('[x, y, z] in metres, each a number or "free"')]
 KEY = "key:"  # prefix of the name of a <key> of the model
 ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
+UP, IDENTITY = np.array([0.0, 0.0, 1.0]), np.array([1.0, 0.0, 0.0, 0.0])  # the vertical; no rotation, wxyz
 SHORTEST_BAR = 1e-4  # [m] minimum distance of a bar's ends
 ModelKey = Annotated[str, Strict(), Field(pattern=f"^{KEY}.+")]
 
@@ -81,6 +86,24 @@ class RotationTable(Table):
     @property
     def is_heading(self) -> bool:
         return self.heading is not None and self.model_fields_set.isdisjoint({"rotvec", "euler", "quat", "order"})
+
+    def quaternion(self, rest: Array = IDENTITY) -> Array:
+        """Return the rotation as a quaternion, (4,) wxyz.
+
+        A heading rotates the other notation about the vertical; without one, it rotates the orientation in the rest
+        pose, `rest` (4,) wxyz.
+        """
+        if self.is_heading:
+            other = rest
+        elif self.rotvec is not None:
+            other = quat.from_rotation_vector(np.radians(self.rotvec))
+        elif self.quat is not None:
+            other = quat.normalised(self.quat)
+        else:
+            other = quat.from_euler(np.radians(self.euler or []), self.order or "xyz")
+        if self.heading is None:
+            return other
+        return quat.product(quat.from_rotation_vector(np.radians(self.heading) * UP), other)
 
     def check_rotation(self) -> None:
         """Raise ValueError unless there is exactly one rotation."""

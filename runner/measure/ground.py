@@ -16,7 +16,7 @@ from dynsplines.solver.figure.wrench import RootWrench, weight
 from dynsplines.solver.surface.heights import heights
 from dynsplines.solver.surface.points import arrays_of, body_points, hanging, places_of
 
-from ..clip.posing.feet import rounded
+from ..clip.posing.places import rounded
 from ..clip.posing.pose_report import standing_trees
 from ..motion import samples_at
 from .bounds import BOUNDS, Bound

@@ -39,8 +39,7 @@ from dynsplines.solver.surface.points import Point
 from ..clip.kinds import posing_limits
 from ..clip.parse import chosen
 from ..clip.posing.equalities import Equalities
-from ..clip.posing.feet import sole_points
-from ..clip.posing.places import Places
+from ..clip.posing.places import Places, sole_points
 from ..clip.table import PenaltyTable
 from ..clip.text import TomlTable, keyframe_tables, tables
 from ..errors import UserError, unknown

@@ -20,7 +20,7 @@ from quiet import quiet
 
 from dynsplines import motion, recordings, solving
 from dynsplines.clip import load as clip
-from dynsplines.clip.posing.feet import sole_points
+from dynsplines.clip.posing.places import sole_points
 from dynsplines.clip.starter import starter
 from dynsplines.measure.exactness import keyframe_error
 from dynsplines.picture.show import Look, images

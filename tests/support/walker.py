@@ -7,7 +7,7 @@ import numpy as np
 from figures import figure_of
 
 from dynsplines import models
-from dynsplines.clip.posing.feet import sole_points
+from dynsplines.clip.posing.places import sole_points
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples

@@ -1,13 +1,11 @@
 """Posing of keyframes before the search: goals by position, and unspecified entries.
 
-places         names of points and bodies
+places         points and bodies by name, and the soles
 placement      joint values from specified positions
 unmet_goals    notes on positions out of reach
-feet           the soles' points
 standing_feet  stances of feet in partial keyframes
 stepping       the initial guess of clips with footsteps
 grounding      placing of keyframes on the ground
-rotation       rotations in a clip's notation
 full_turns     whole turns of keyframes that the motion omits
 equalities     poses moved onto a model's equality constraints
 root_entries   entries of a root, on a free joint or on slides and hinges

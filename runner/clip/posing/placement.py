@@ -40,10 +40,8 @@ from dynsplines.solver.surface.points import Point, body_points, hanging, places
 
 from ...errors import UserError, unknown
 from ..table import BodyTable, KeyframeTable, SiteTable
-from .feet import sole_points
-from .places import Places
+from .places import Places, sole_points
 from .root_entries import posed_roots, root_links
-from .rotation import quaternion_of
 from .standing_feet import Stander
 from .unmet_goals import can_move, immovable
 
@@ -300,7 +298,7 @@ def _body_goals(figure: Figure, name: str, body: int, table: BodyTable, where: s
         target = _target(table.position, where, "the position")
         goals.append(PointGoal(name, body, np.array(table.at or (0.0, 0, 0)), target))
     if table.is_rotation:
-        goals.append(BodyGoal(name, quaternion_of(table, rest_rotation(figure.model, body)), body))
+        goals.append(BodyGoal(name, table.quaternion(rest_rotation(figure.model, body)), body))
     elif table.flat:
         goals.append(BodyGoal(name, index=body))
     return goals

@@ -1,9 +1,17 @@
-"""Names of a figure in a clip: sites, inferred feet, bodies, geoms and joints, as points or bodies."""
+"""Points and bodies of a figure by name, and the points on which it stands.
+
+Names are those of sites, soles, bodies, geoms and joints. The soles are sites named heel or toe, or else the lowest
+points of the feet. Named sites count if at least one of them is as low as the figure; points on the paths of muscles
+never do. Feet are the lowest ends of limbs in the pose in which the figure is tallest: the rest pose or one of its
+keyframes. The rest pose has precedence if it is nearly as tall, since a walking figure is tallest on its toes. If no
+such pose shows feet, the rest pose within the joints' ranges is examined. These figures have no feet: one whose trunk
+is as low, one with a single limb that can fall in any direction, and one fixed to the world by hinges alone.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 
@@ -11,13 +19,39 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.array import Array, Index
+from dynsplines.solver.contacts.thresholds import Thresholds
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.naming import geom_name
-from dynsplines.solver.surface.points import Point, body_points, bottoms_of, site_points
+from dynsplines.solver.figure.root import Root, roots_of
+from dynsplines.solver.penalty import joint_ranges
+from dynsplines.solver.surface.points import (
+    Point,
+    arrays_of,
+    body_points,
+    bottoms_of,
+    hanging,
+    places_of,
+    site_points,
+)
+from dynsplines.solver.surface.touch import movers
 
 # Names of points of a muscle's path and of its wrapping sides in models converted from OpenSim.
 MUSCLE = re.compile(r"-P\d+[a-z]?(_|$)|path_?point|side_?site|_site_", re.IGNORECASE)
+SOLES = ("heel", "toe")
+LOW = 0.1  # largest height of a foot above the figure's lowest point, relative to the figure's height
+THICK = 0.02  # largest height of points of a foot above its lowest, relative to the figure's height
+THIN, HALF = (0.0015, 0.003, 0.006), 0.45  # tried heights of supporting points; their least share of the extent
+SUNK = 0.005  # largest height of a named site on a figure with muscles, relative to the figure's height
+STEEP = 0.5  # least vertical component of a slide's axis that lifts the figure
+WHOLE = 6  # least number of joints of a root that moves like a free one
+UPRIGHT = 0.8  # least height of a pose that is examined, relative to the tallest
+NEARLY = 0.9  # least height of the rest pose to have precedence, relative to the tallest
+CORNERS = 4  # most points per foot
+ROUND = (int(mujoco.mjtGeom.mjGEOM_SPHERE), int(mujoco.mjtGeom.mjGEOM_CAPSULE))
+SKIN = 0.1  # largest distance of a site from a sphere's surface, relative to its radius
 
 
 def posable_sites(model: mujoco.MjModel) -> list[str]:
@@ -112,3 +146,175 @@ class Places:
         rest = Samples.still(figure, figure.to_state(figure.model.qpos0[None]))
         height, *bottoms = bottoms_of([origin, *points], rest)[:, 0]
         return replace(origin, radius=max(float(height - min(bottoms)), 0.0))
+
+
+def sole_points(figure: Figure, qpos: Array) -> tuple[Point, ...]:
+    """Return the points on which feet stand; qpos (K, nq) are poses other than the rest pose in which it may stand."""
+    names = posable_sites(figure.model)  # no points of the muscles that bend toes
+    named = site_points(figure, [name for name in names if any(word in name.lower() for word in SOLES)])
+    named = tuple(_grown(figure, point) for point in named if point.link)
+    if named and _near_ground(figure, named, qpos):
+        return named
+    return _lowest(figure, np.vstack([figure.model.qpos0, qpos])) or named or _lowest_within(figure)
+
+
+def rest_within_ranges(figure: Figure) -> Array:
+    """Return the rest pose (nq,) within the joints' ranges."""
+    qpos = np.array(figure.model.qpos0)
+    for joint in joint_ranges(figure):
+        if joint.kind is not JointKind.BALL:
+            column = figure.links[joint.link].qpos
+            qpos[column] = np.clip(qpos[column], joint.low, joint.high)
+    return qpos
+
+
+def _lowest_within(figure: Figure) -> tuple[Point, ...]:
+    """Return the lowest points of the feet in the rest pose within the joints' ranges, as legs may be level at rest."""
+    pose = rest_within_ranges(figure)
+    return () if np.array_equal(pose, figure.model.qpos0) else _lowest(figure, pose[None])
+
+
+def _near_ground(figure: Figure, points: Sequence[Point], qpos: Array) -> bool:
+    """Return whether one of the points is as low as the figure in some pose, unlike sites on top of a toe."""
+    body = body_points(figure)
+    if not body:
+        return True
+    states = figure.to_state(np.vstack([figure.model.qpos0, qpos]))
+    places, radii = places_of((*points, *body), Samples.still(figure, states))
+    low, high = places[2] - radii[:, None], places[2] + radii[:, None]
+    ground, tall = low.min(axis=0), np.ptp(np.concatenate([low, high]), axis=0)
+    share = SUNK if figure.model.ntendon else THICK  # feet of figures with muscles have sites everywhere
+    return bool(np.any(low[: len(points)] <= ground + share * tall))
+
+
+def _grown(figure: Figure, point: Point) -> Point:
+    """Return a site in the middle of a sphere of its link with that radius, as it marks a foot; others unchanged."""
+    for (centre, _), radius in _round(figure, point.link, ROUND[:1]):
+        if np.linalg.norm(point.position - centre) < 0.5 * radius:
+            return Point(point.name, point.link, centre, radius)
+    return point
+
+
+def rounded(figure: Figure, point: Point) -> Point:
+    """Return a site on the surface of a sphere or capsule of its link as that sphere, on which the foot rolls."""
+    if point.radius:
+        return point
+    best = point
+    for (first, last), radius in _round(figure, point.link, ROUND):
+        along = last - first
+        share = np.clip((point.position - first) @ along / max(along @ along, 1e-12), 0, 1)
+        centre = first + share * along
+        off = abs(np.linalg.norm(point.position - centre) - radius)
+        if off < SKIN * radius and radius > best.radius:
+            best = Point(point.name, point.link, centre, radius)
+    return best
+
+
+def _round(figure: Figure, link: int, kinds: Sequence[int]) -> Iterator[tuple[Array, float]]:
+    """Yield the ends (2, 3) [m], equal for spheres, and the radii [m] of a link's spheres and capsules."""
+    model = figure.model
+    wanted = (figure.body_link[model.geom_bodyid] == link) & np.isin(model.geom_type, kinds)
+    for geom in movers(model) if wanted.any() else ():
+        if not wanted[geom]:
+            continue
+        half = 0.0 if model.geom_type[geom] == ROUND[0] else float(model.geom_size[geom, 1])
+        half_axis = half * quat.rotated(model.geom_quat[geom], np.eye(3)[2])
+        _, ends = figure.point_on_link(
+            int(model.geom_bodyid[geom]), model.geom_pos[geom] + np.stack([-half_axis, half_axis])
+        )
+        yield ends, float(model.geom_size[geom, 0])
+
+
+def _lowest(figure: Figure, poses: Array) -> tuple[Point, ...]:
+    """Return the lowest points of the feet in poses (K, nq), of which the first is at rest."""
+    lowest: list[Point] = []
+    body = body_points(figure)
+    for root in _roots(figure):
+        tree_points = hanging(figure, root.link, body)
+        if tree_points:
+            lowest += _feet(figure, root, tree_points, poses)
+    return tuple(lowest)
+
+
+def _roots(figure: Figure) -> list[Root]:
+    """Return the roots that carry a figure: free joints, and slides and hinges that lift it."""
+    data = kinematics(figure.model)
+    slides = {i for i, link in enumerate(figure.links) if link.kind is JointKind.SLIDE}
+    steep = {i for i in slides if abs(data.xaxis[figure.links[i].joint, 2]) > STEEP}
+    return [root for root in roots_of(figure.model) if root.is_free or steep.intersection(root.links)]
+
+
+def _feet(figure: Figure, root: Root, points: Sequence[Point], poses: Array) -> list[Point]:
+    """Return the lowest points of a tree's lowest ends, in the pose in which it stands tallest. A tree that can fall
+    sideways stands on at least two feet; otherwise, as in a kick, the next tallest pose is used."""
+    samples = Samples.still(figure, figure.to_state(poses))
+    places, radii = places_of(points, samples)
+    bottom = places[2] - radii[:, None]
+    tall = samples.links.x[2, root.link] - bottom.min(axis=0)
+    tall[0] = max(tall[0], tall.max()) if tall[0] >= NEARLY * tall.max() else tall[0]
+    order = np.argsort(-np.where(tall > tall.max() - Thresholds.of(figure).as_tall, np.inf, tall), kind="stable")
+    fewest = 2 if root.is_free or len(root.joints) >= WHOLE else 1
+    for pose in order[tall[order] >= UPRIGHT * tall.max()]:
+        feet = _feet_in(figure, root.link, points, places[:, :, pose], radii)
+        if len({point.link for point in feet}) >= fewest:
+            return feet
+    return []
+
+
+def _feet_in(figure: Figure, root: int, points: Sequence[Point], places: Array, radii: Array) -> list[Point]:
+    """Return the feet in one pose, with points at positions (3, n) [m]; none if the trunk is as low."""
+    links, bottom = arrays_of(points)[0], places[2] - radii
+    height = float((places[2] + radii).max() - bottom.min())
+    feet: list[Point] = []
+    for foot in np.unique(links):
+        members = np.flatnonzero(links == foot)
+        beyond = bottom[(figure.tables.path[links, foot] > 0) & (links != foot)]
+        least = float(bottom[members].min())
+        carries = beyond.size and beyond.min() < least - Thresholds.of(figure).ankle
+        if not carries and least <= bottom.min() + LOW * height:
+            if foot == root:
+                return []
+            feet += _corners(figure, points, _sole(members, bottom[members], places[:2], height), places)
+    return feet
+
+
+def _sole(own: Index, bottom: Array, places: Array, height: float) -> Index:
+    """Return the points of a foot, with lowest heights (n,) [m], that touch a floor, without round edges of the foot.
+
+    places  (2, N) [m] horizontal positions of all points;  height  [m] of the figure
+    """
+    above = bottom - bottom.min()
+    thick = own[above <= THICK * height]
+    middle = places[:, thick].mean(axis=1, keepdims=True)
+    axes = np.linalg.svd(places[:, thick] - middle)[0]
+    extent = np.ptp(axes.T @ places[:, thick], axis=1)
+    for share in THIN:
+        touching = own[above <= share * height]
+        if np.all(np.ptp(axes.T @ places[:, touching], axis=1) >= HALF * extent):
+            return touching
+    return thick
+
+
+def _corners(figure: Figure, points: Sequence[Point], some: Index, places: Array) -> list[Point]:
+    """Return the named points of a foot that extend farthest to its four corners."""
+    angle = np.pi * (0.25 + 0.5 * np.arange(CORNERS)) + 0.05
+    reach = places[:2, some].T @ np.array([np.cos(angle), np.sin(angle)])
+    corners = sorted({int(some[i]) for i in reach.argmax(axis=0)})
+    names = [_called(figure, points[i]) for i in corners]
+    if len(corners) == 1:
+        return [replace(points[corners[0]], name=names[0])]
+    return [
+        replace(points[i], name=f"{name} {number}")
+        for number, (i, name) in enumerate(zip(corners, names, strict=True), 1)
+    ]
+
+
+def _called(figure: Figure, point: Point) -> str:
+    """Return a foot's name: that of its geom, body or joint."""
+    model, kinds = figure.model, mujoco.mjtObj
+    if mujoco.mj_name2id(model, int(kinds.mjOBJ_GEOM), point.name) >= 0:
+        return point.name
+    stem, _, number = point.name.rpartition(" ")
+    body = stem if number.isdigit() else point.name
+    is_named = mujoco.mj_name2id(model, int(kinds.mjOBJ_BODY), body) >= 0
+    return body if is_named else figure.links[point.link].name

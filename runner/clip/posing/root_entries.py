@@ -19,8 +19,7 @@ from dynsplines.solver.figure.root import Root, roots_of
 from dynsplines.solver.posing import WHOLE_TURNS, BodyGoal, in_winding, posed, rest_rotation
 
 from ...errors import UserError, unknown
-from ..table import KeyframeTable, RootTable, RotationTable
-from .rotation import UP, quaternion_of
+from ..table import UP, KeyframeTable, RootTable, RotationTable
 
 MOVED = 1e-6  # [m] tolerance of a root's position
 FLAT = 1e-9  # component of a joint's motion below which it is ignored
@@ -168,7 +167,7 @@ def _set_free(figure: Figure, root: Root, qpos: Array, fixed: Mask, table: RootT
     if "rotation" in table.model_fields_set:
         fixed[start + 3 : start + 7] = table.rotation != "free"
         if table.rotation != "free":
-            qpos[start + 3 : start + 7] = quaternion_of(table.rotation, rest_rotation(figure.model, root.body))
+            qpos[start + 3 : start + 7] = table.rotation.quaternion(rest_rotation(figure.model, root.body))
 
 
 class _Chain:
@@ -193,7 +192,7 @@ class _Chain:
         set_qpos(self.figure.model, self.data, self.qpos)
         before = np.array(self.data.xpos[self.root.body])
         where = f"{self.where}.rotation"
-        target = quaternion_of(table, rest_rotation(self.figure.model, self.root.body))
+        target = table.quaternion(rest_rotation(self.figure.model, self.root.body))
         hint = angles_about(table)
         hinges = [i for i in self.turning if self.figure.links[i].kind is JointKind.HINGE]
         columns = [self.figure.links[i].qpos for i in hinges]

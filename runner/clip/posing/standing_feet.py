@@ -39,8 +39,8 @@ from dynsplines.solver.surface.points import Point, placed
 
 from ..contacts import contacts, grasps_of
 from ..table import ContactTable, GraspTable, SolveTable
-from .feet import sole_points
 from .grounding import Grounding
+from .places import sole_points
 
 BEYOND = float(np.radians(10))  # [rad] most excess of joint ranges that keeps a foot in its place
 NEARLY = 1e-3  # [m, rad] largest error of a pose that meets its goals

@@ -41,8 +41,7 @@ from dynsplines.solver.surface.points import Point, body_points, bottoms_of
 
 from ...errors import UserError, unknown
 from ..context import knees_and_elbows
-from ..posing.feet import rounded, sole_points
-from ..posing.places import Places
+from ..posing.places import Places, rounded, sole_points
 from ..table import ContactTable, StanceTable
 
 WEIGHTS = {

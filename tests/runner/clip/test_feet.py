@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from dynsplines.clip.contacts import contacts
-from dynsplines.clip.posing.feet import rounded, sole_points
+from dynsplines.clip.posing.places import rounded, sole_points
 from dynsplines.clip.table import ContactTable
 from dynsplines.errors import UserError
 from dynsplines.solver.curve.frame import Frame

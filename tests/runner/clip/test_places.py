@@ -11,8 +11,7 @@ from oracles import kinematics
 from dynsplines import recordings
 from dynsplines.clip.build import Clip
 from dynsplines.clip.mirror import mirrored_tables
-from dynsplines.clip.posing.feet import sole_points
-from dynsplines.clip.posing.places import Places, posable_sites
+from dynsplines.clip.posing.places import Places, posable_sites, sole_points
 from dynsplines.clip.table import ClipTable, KeyframeTable, PenaltyTable, RecordingTable
 from dynsplines.edit.edits import retimed_tables
 from dynsplines.errors import UserError

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines import inbetween, recordings
 from dynsplines.clip.build import Clip
-from dynsplines.clip.posing.feet import sole_points
+from dynsplines.clip.posing.places import sole_points
 from dynsplines.errors import UserError
 from dynsplines.scene.framing import middles
 from dynsplines.solver.array import Array

@@ -13,7 +13,6 @@ from scipy.spatial.transform import Rotation
 from dynsplines import motion, recordings, solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
-from dynsplines.clip.posing.rotation import quaternion_of
 from dynsplines.clip.table import ClipTable, KeyframeTable, RootTable, RotationTable, SolveTable
 from dynsplines.edit import edits
 from dynsplines.edit.thinning import recorded_of
@@ -177,5 +176,5 @@ def test_a_mirrored_clip_turns_the_other_way():
     assert mirrored.solve == SolveTable(travel=(1.0, -0.5, 0.0), turn=-45.0)
     image = mirrored.keyframe[0].root.rotation
     assert isinstance(image, RotationTable)
-    one, two = quaternion_of(table), quaternion_of(image)
+    one, two = table.quaternion(), image.quaternion()
     np.testing.assert_allclose(two, one * [1, -1, 1, -1], atol=1e-12)

@@ -8,7 +8,7 @@ from faulted import Take
 from figures import figure_of
 from kneeling import kneeling
 
-from dynsplines.clip.posing.feet import sole_points
+from dynsplines.clip.posing.places import sole_points
 from dynsplines.clip.tracking.penalties import Ground
 from dynsplines.motion import samples_at
 from dynsplines.solver import quaternion as quat

@@ -18,7 +18,7 @@ from site_goal import SiteGoal
 
 from dynsplines import models
 from dynsplines.clip.kinds import LimitOptions, posing_limits
-from dynsplines.clip.posing.feet import sole_points
+from dynsplines.clip.posing.places import sole_points
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
