@@ -8,7 +8,7 @@ keyframe puts the body out of the limb's reach, the grasp is relaxed.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
@@ -27,10 +27,38 @@ from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import Point, placed
 
 from ..errors import UserError, unknown
-from .posing.places import Places
+from .posing.places import Places, sole_points
 from .table import ContactTable, GraspTable
 
 SLACK = 1.0  # slack of a grasp relative to its excess of reach; without it a stretched limb whips there and back
+
+
+@dataclass(frozen=True, eq=False)
+class KeyframeContacts:
+    """The soles of a figure, and the contacts and grasps that tables and keyframes specify."""
+
+    points: tuple[Point, ...]
+    contacts: Contacts
+    grasps: tuple[Grasp, ...]
+
+    @classmethod
+    def of(
+        cls,
+        figure: Figure,
+        keys: Timeline,
+        surfaces: Sequence[Surface],
+        where: str,
+        tables: Sequence[ContactTable] = (),
+        grasp_tables: Sequence[GraspTable] = (),
+    ) -> KeyframeContacts:
+        """Return those of a clip's tables; raises UserError that names the invalid table."""
+        complete = [frame.state for frame in keys.frames if frame.is_key]
+        soles = sole_points(figure, figure.to_qpos(np.reshape(complete, (-1, figure.width))))
+        return cls(
+            soles,
+            contacts(figure, keys, tables, where, soles, surfaces),
+            grasps_of(figure, keys, grasp_tables, where, soles),
+        )
 
 
 def contacts(
@@ -54,7 +82,8 @@ def contacts(
         check_interval(table, keys, name)
     for i, (table, name) in enumerate(zip(tables, names, strict=True)):
         why = "a point rests in one place at a time"
-        check_overlap(table, tables[:i], name, "contact {} of the same point", why)
+        same = [(k, other) for k, other in enumerate(tables[:i], start=1) if other.point == table.point]
+        check_overlap(table, same, name, "contact {} of the same point", why)
     stances: list[Stance] = []
     rests: list[Rest] = []
     requested: list[Rest] = []
@@ -84,12 +113,16 @@ def check_interval(table: ContactTable | GraspTable, keys: Timeline, name: str) 
 
 
 def check_overlap(
-    table: ContactTable | GraspTable, before: Sequence[ContactTable | GraspTable], name: str, kind: str, why: str
+    table: ContactTable | GraspTable,
+    before: Sequence[tuple[int, ContactTable | GraspTable]],
+    name: str,
+    kind: str,
+    why: str,
 ) -> None:
-    """Raise UserError if a table overlaps an earlier one (`before`) of the same point or site."""
-    for number, other in enumerate(before, start=1):
+    """Raise UserError if a table overlaps an earlier one of the same point or site; `before` are these by number."""
+    for number, other in before:
         first, last = max(table.start, other.start), min(table.end, other.end)
-        if other.subject == table.subject and last - first > ROUNDING:
+        if last - first > ROUNDING:
             raise UserError(f"{name}: overlaps {kind.format(number)} from {first:g} to {last:g} s; {why}")
 
 
@@ -205,7 +238,8 @@ def grasps_of(
             raise UserError(f"{name}: the site is on that body itself, where it always stays")
         check_interval(table, keys, name)
         why = "a site holds one thing at a time"
-        check_overlap(table, tables[: number - 1], name, "grasp {} of the same site", why)
+        same = [(k, other) for k, other in enumerate(tables[: number - 1], start=1) if other.hand == table.hand]
+        check_overlap(table, same, name, "grasp {} of the same site", why)
         target = None
         if table.position is not None:
             target = figure.point_on_link(bodies[table.body], np.array(table.position, float))[1]

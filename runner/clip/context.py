@@ -23,8 +23,8 @@ from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, displacements
 
 from ..errors import UserError, unknown
-from .contacts import contacts, grasps_of
-from .posing.places import Places, sole_points
+from .contacts import KeyframeContacts
+from .posing.places import Places
 from .table import ContactTable, GraspTable
 
 STEP = 0.2  # [1] shortest displacement of a foot in a step, relative to the height of the figure
@@ -62,12 +62,11 @@ class Context:
         grasp_tables: Sequence[GraspTable] = (),
     ) -> Context:
         """Return the inputs that keyframes and tables specify, without those that [[penalty]] tables change."""
-        whole = [frame.state for frame in keys.frames if frame.fixed.all()]
-        points = sole_points(figure, figure.to_qpos(np.reshape(whole, (-1, figure.width))))
-        specified = contacts(figure, keys, tables, where, points, surfaces)
-        grasps = grasps_of(figure, keys, grasp_tables, where, points)
+        specified = KeyframeContacts.of(figure, keys, surfaces, where, tables, grasp_tables)
         targets = tuple((goal.point, goal.time, goal.target) for goal in placed)
-        schedule = ContactSchedule(figure, keys, points, surfaces, specified, grasps, targets)
+        schedule = ContactSchedule(
+            figure, keys, specified.points, surfaces, specified.contacts, specified.grasps, targets
+        )
         return cls(schedule, where, tuple(knees_and_elbows(figure)), placed)
 
     def scheduled(self, **changes: Any) -> Context:

@@ -34,7 +34,7 @@ from .pose import pose, soles_of
 from .posing.full_turns import lost_turns
 from .posing.placement import wanted
 from .posing.places import Places
-from .table import ClipTable, SolveTable
+from .table import KEY, ClipTable, SolveTable
 from .tracking.recording import RecordedPath, TrackedRecording, followed
 
 MOST = 3  # most keyframes with unreachable positions that an error lists
@@ -128,8 +128,9 @@ def ground_of(
             keyframes with unknown joints or <key>s.
     """
     table = source.table
-    joints = [(label, name) for label, row in zip(source.labels, table.keyframe, strict=True) for name in row.joints]
-    keys = [(f"{label}: others", name) for label, name in zip(source.labels, source.model_keys, strict=True) if name]
+    rows = list(zip(source.labels, table.keyframe, strict=True))
+    joints = [(label, name) for label, row in rows for name in row.joints]
+    keys = [(f"{label}: others", row.others.removeprefix(KEY)) for label, row in rows if row.others.startswith(KEY)]
     figure = figure_file or table.figure if spec is None else spec
     try:
         scene, model = stage(figure, source.folder, obstacles(table.scene), joints, keys)
@@ -158,12 +159,12 @@ def _has_ground(clip: Clip, table: ClipTable) -> bool:
     if not clip.text:
         return False
     old = table_of(clip.text, clip.context.where)
-    named = {row.model_key for row in table.keyframe} - {None}
+    named = {row.others for row in table.keyframe if row.others.startswith(KEY)}
     same = (
         all(getattr(old, key) == getattr(table, key) for key in ("figure", "scene"))
         and old.solve.coordinates == table.solve.coordinates
     )
-    return same and named <= {row.model_key for row in old.keyframe}
+    return same and named <= {row.others for row in old.keyframe}
 
 
 def _from_mjcf(path: Path, fps: float | None) -> Clip:

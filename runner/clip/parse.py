@@ -50,7 +50,6 @@ class Parsed:
         where: The label of the clip in errors.
         options: The options of the listed kinds of soft constraint.
         labels: The label of every keyframe in errors, without that of the clip.
-        model_keys: The <key> of the model on which every keyframe is based, or None.
     """
 
     name: str
@@ -61,12 +60,10 @@ class Parsed:
     settings: Settings
     folder: Path | None = None
     labels: tuple[str, ...] = field(init=False)
-    model_keys: tuple[str | None, ...] = field(init=False)
 
     def __post_init__(self) -> None:
-        rows = self.table.keyframe
-        object.__setattr__(self, "labels", tuple(keyframe_label(i, row.time) for i, row in enumerate(rows, start=1)))
-        object.__setattr__(self, "model_keys", tuple(row.model_key for row in rows))
+        labels = (keyframe_label(i, row.time) for i, row in enumerate(self.table.keyframe, start=1))
+        object.__setattr__(self, "labels", tuple(labels))
 
     @classmethod
     def of(cls, text: str, name: str, where: str, folder: Path | None = None) -> Parsed:

@@ -24,7 +24,7 @@ from .posing.placement import Wanted, check_search, wanted, with_pose
 from .posing.places import Places, sole_points
 from .posing.root_entries import ambiguities, set_roots
 from .posing.standing_feet import Stander
-from .table import ROTATION, ClipTable, KeyframeTable, RootTable, RotationTable, SceneTable
+from .table import KEY, ROTATION, ClipTable, KeyframeTable, RootTable, RotationTable, SceneTable
 
 FREE = RootTable(position="free", rotation="free")
 
@@ -71,7 +71,7 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
             if want.goals:
                 among, index = (keys, k) if base is None else ([_later(keys[k], base, by) for by in (-1, 0, 1)], 1)
                 unposed = among[index]
-                keys[k], nearest = with_pose(figure, among, index, want.goals, stander, here)
+                keys[k], nearest = with_pose(figure, among, index, want.goals, soles_of(figure, among), stander, here)
                 if not nearest.is_met:
                     note = unmet_goals.describe(figure, unposed, row, want.goals, nearest)
                     missed.append(f"{source.labels[k]}: {note}")
@@ -90,12 +90,12 @@ def stander_of(source: Parsed, figure: Figure) -> Stander:
     return Stander(
         figure,
         static_surfaces(figure.model),
-        table.contact,
         bends,
         table.solve,
         source.where,
-        held=table.grasp,
-        aloft=flights,
+        table.contact,
+        table.grasp,
+        flights,
     )
 
 
@@ -132,9 +132,10 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequen
     """Return the qpos and mask of a keyframe; unspecified degrees of freedom are free, at rest, or as in `before`. The
     joints of the links `loose` are free whatever `others` is."""
     qpos = np.array(figure.model.qpos0)
-    fixed = np.full(figure.width, row.others == "rest" or row.model_key is not None)
-    if row.model_key is not None:
-        qpos = figure.to_qpos(figure.to_state(figure.model.key(row.model_key).qpos))  # unit quaternions
+    fixed = np.full(figure.width, row.others == "rest" or row.others.startswith(KEY))
+    if row.others.startswith(KEY):
+        configuration = figure.model.key(row.others.removeprefix(KEY)).qpos
+        qpos = figure.to_qpos(figure.to_state(configuration))  # unit quaternions
     if row.others == "previous" and before is not None:
         qpos, fixed = np.array(before.state), np.array(before.fixed)
     for i in loose:

@@ -189,11 +189,6 @@ class KeyframeTable(Table):
     bodies: dict[str, Body] = {}
     others: Others = "free"
 
-    @property
-    def model_key(self) -> str | None:
-        """The name of the model's <key> for unspecified joints, if any."""
-        return self.others.removeprefix(KEY) if self.others.startswith(KEY) else None
-
 
 class StepTable(Table):
     """A step to climb."""
@@ -298,11 +293,6 @@ class ContactTable(Table):
     end: Number = Field(alias="to")
     position: Place | None = None
 
-    @property
-    def subject(self) -> str:
-        """The point, which can be at one position at a time only."""
-        return self.point
-
 
 class GraspTable(Table):
     """A site that is fixed on a body in an interval [s]."""
@@ -312,11 +302,6 @@ class GraspTable(Table):
     start: Number = Field(alias="from")
     end: Number = Field(alias="to")
     position: Place | None = None
-
-    @property
-    def subject(self) -> str:
-        """The hand, which can hold one object at a time only."""
-        return self.hand
 
 
 class StanceTable(Table):

@@ -31,7 +31,7 @@ def ground_of(
     coordinates = source.table.solve.coordinates
     if text is None:
         return _shared(*COMPOSED(source, figure_file, spec), coordinates)
-    key = text, repr(source.table.scene), frozenset(source.model_keys), coordinates
+    key = text, repr(source.table.scene), frozenset(row.others for row in source.table.keyframe), coordinates
     return _grounds.get(key, lambda: _shared(*COMPOSED(source, figure_file), coordinates))
 
 

@@ -40,7 +40,7 @@ from dynsplines.solver.surface.points import Point, body_points, hanging, places
 
 from ...errors import UserError, unknown
 from ..table import BodyTable, KeyframeTable, SiteTable
-from .places import Places, sole_points
+from .places import Places
 from .root_entries import posed_roots, root_links
 from .standing_feet import Stander
 from .unmet_goals import can_move, immovable
@@ -110,6 +110,7 @@ def with_pose(
     keys: Sequence[Frame],
     k: int,
     goals: Sequence[Goal],
+    soles: Sequence[Point],
     stander: Stander,
     where: str,
 ) -> tuple[Frame, Posed]:
@@ -127,7 +128,6 @@ def with_pose(
     for columns in figure.tables.quaternion_columns.T:
         home[columns] = quat.normalised(home[columns])
     also = [*stander.beside(path, key, k, goals), *(_planted(figure, keys[k - 1], goals) if k else ())]
-    soles = sole_points(figure, np.reshape([frame.state for frame in keys if frame.is_key], (-1, figure.width)))
     home = _root_above_feet(figure, home, ~key.fixed, goals, soles)
     is_slow = _speed(figure, path, k) < Thresholds.of(figure).travels
     best = None

@@ -15,7 +15,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
-from dynsplines.solver.contacts import ROUNDING, Contacts, Grasp
+from dynsplines.solver.contacts import ROUNDING
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
@@ -37,10 +37,9 @@ from dynsplines.solver.posing import (
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, placed
 
-from ..contacts import contacts, grasps_of
+from ..contacts import KeyframeContacts
 from ..table import ContactTable, GraspTable, SolveTable
 from .grounding import Grounding
-from .places import sole_points
 
 BEYOND = float(np.radians(10))  # [rad] most excess of joint ranges that keeps a foot in its place
 NEARLY = 1e-3  # [m, rad] largest error of a pose that meets its goals
@@ -110,26 +109,24 @@ def _during(tables: Sequence[ContactTable], first: float, last: float) -> Iterat
             yield table.model_copy(update={"start": start, "end": end}) if start < end else table
 
 
+@dataclass(frozen=True, eq=False)
 class Stander:
     """Detects stances of feet in partial keyframes, and poses the feet.
 
-    tables  the clip's contacts;  held  its grasps;  aloft  (first, last) [s] of specified flights
-    where   label of the clip in errors
+    Attributes:
+        bends: The limits of knees and elbows.
+        where: The label of the clip in errors.
+        aloft: Specified flights, (first, last) [s].
     """
 
-    def __init__(
-        self,
-        figure: Figure,
-        surfaces: tuple[Surface, ...],
-        tables: Sequence[ContactTable],
-        bends: BendLimits | None,
-        solve: SolveTable,
-        where: str,
-        held: Sequence[GraspTable] = (),
-        aloft: Sequence[tuple[float, float]] = (),
-    ) -> None:
-        self.figure, self.surfaces, self.tables, self.bends = figure, surfaces, tables, bends
-        self.solve, self.where, self.held, self.aloft = solve, where, held, aloft
+    figure: Figure
+    surfaces: tuple[Surface, ...]
+    bends: BendLimits | None
+    solve: SolveTable
+    where: str
+    contact_tables: Sequence[ContactTable] = ()
+    grasp_tables: Sequence[GraspTable] = ()
+    aloft: Sequence[tuple[float, float]] = ()
 
     def timeline(self, keys: Sequence[Frame]) -> Timeline:
         """Return the keyframes' timeline, for a loop with its seam; raises TimelineError."""
@@ -184,12 +181,9 @@ class Stander:
         return result
 
     def known_positions(self, timeline: Timeline) -> _KnownPositions:
-        whole = [frame.state for frame in timeline.frames if frame.is_key]
-        soles = sole_points(self.figure, self.figure.to_qpos(np.reshape(whole, (-1, self.figure.width))))
-        tables = list(_during(self.tables, *timeline.times[[0, -1]].tolist()))
-        contact_rests = contacts(self.figure, timeline, tables, self.where, soles, self.surfaces)
-        held_sites = grasps_of(self.figure, timeline, self.held, self.where, soles)
-        return _KnownPositions(self.figure, timeline, soles, self.surfaces, contact_rests, held_sites)
+        tables = list(_during(self.contact_tables, *timeline.times[[0, -1]].tolist()))
+        specified = KeyframeContacts.of(self.figure, timeline, self.surfaces, self.where, tables, self.grasp_tables)
+        return _KnownPositions(self.figure, timeline, self.surfaces, specified)
 
     def _posed(self, key: Frame, known: _KnownPositions, k: int, left: Sequence[Placed]) -> Frame:
         """Return keyframe k posed for its feet and goals; feet that cannot keep their stance are released."""
@@ -240,17 +234,11 @@ class _KnownPositions:
     """
 
     def __init__(
-        self,
-        figure: Figure,
-        timeline: Timeline,
-        soles: Sequence[Point],
-        surfaces: Sequence[Surface],
-        found: Contacts,
-        held: Sequence[Grasp] = (),
+        self, figure: Figure, timeline: Timeline, surfaces: Sequence[Surface], specified: KeyframeContacts
     ) -> None:
-        self.figure, self.timeline, self.soles, self.contacts = figure, timeline, tuple(soles), found
-        self.grasps, self.limits = tuple(held), Thresholds.of(figure)
-        rests = [stance.point for stance in found.stances]
+        self.figure, self.timeline, self.limits = figure, timeline, Thresholds.of(figure)
+        self.soles, self.contacts, self.grasps = specified.points, specified.contacts, specified.grasps
+        rests = [stance.point for stance in self.contacts.stances]
         self.points = (*self.soles, *(p for i, p in enumerate(rests) if not _among(p, (*self.soles, *rests[:i]))))
         self.at_keys = KeyframePoints.of(figure, timeline, self.points, surfaces)
         self.told = self.at_keys.is_known
