@@ -31,7 +31,7 @@ from .kinds import RENAMED
 from .obstacles import obstacles
 from .parse import Parsed, check_times, keyframe_label, read, table_of
 from .pose import pose, soles_of
-from .posing.full_turns import lost_turns
+from .posing.keyframe_notes import keyframe_notes
 from .posing.placement import wanted
 from .posing.places import Places
 from .table import KEY, ClipTable, SolveTable
@@ -114,7 +114,7 @@ def from_parsed(
     if follows is not None:
         return build_following(source, scene, follows, posed.keys, fps or table.fps)
     clip = build(source, scene, figure, posed.keys, posed.placed, fps or table.fps)
-    notes = (*posed.notes, *lost_turns(figure, table.keyframe, clip.problem.raw))
+    notes = keyframe_notes(figure, table.keyframe, clip.problem.raw)
     return replace(clip, notes=(*clip.notes, *notes))
 
 

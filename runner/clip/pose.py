@@ -22,7 +22,7 @@ from .parse import Parsed
 from .posing import unmet_goals
 from .posing.placement import Wanted, check_search, wanted, with_pose
 from .posing.places import Places, sole_points
-from .posing.root_entries import ambiguities, set_roots
+from .posing.root_entries import set_roots
 from .posing.standing_feet import Stander
 from .table import KEY, ROTATION, ClipTable, KeyframeTable, RootTable, RotationTable, SceneTable
 
@@ -36,13 +36,11 @@ class Posed:
     Attributes:
         placed: Points whose positions the search determines.
         unreached: A line for each keyframe with unreachable positions; it is then as near as possible.
-        notes: Notes on ambiguous roots.
     """
 
     keys: list[Frame]
     placed: tuple[Placed, ...]
     unreached: list[str]
-    notes: list[str]
 
 
 def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None = None) -> Posed:
@@ -54,7 +52,7 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
     Raises:
         UserError: For tables that do not fit the figure.
     """
-    notes, rows = ambiguities(figure, source.table.keyframe), _with_objects(source.table)
+    rows = _with_objects(source.table)
     places = [f"{source.where}: {label}" for label in source.labels]
     wants = _targets(figure, rows, places)
     loose = [want.loose(figure, row) for want, row in zip(wants, rows, strict=True)]
@@ -80,7 +78,7 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
         if want.placed:
             check_search(figure, key, want.placed, here)
     placed = tuple(point for want in wants for point in want.placed)
-    return Posed(keys if base is not None else stander.stood(keys, placed), placed, missed, notes)
+    return Posed(keys if base is not None else stander.stood(keys, placed), placed, missed)
 
 
 def stander_of(source: Parsed, figure: Figure) -> Stander:

@@ -1,7 +1,8 @@
-"""Whole turns that keyframes specify and the motion omits, since rotations are quaternions.
+"""Notes on keyframes: ambiguous roots, and whole turns that keyframes specify and the motion omits.
 
-From one keyframe to the next a joint takes the shorter arc. A heading of 360 after 0 turns nothing, and one of 270
-after 0 turns back by 90°. Both are reported, with the additional keyframes that produce the turn.
+Rotations are quaternions, so from one keyframe to the next a joint takes the shorter arc. A heading of 360 after 0
+turns nothing, and one of 270 after 0 turns back by 90°. Both are reported, with the additional keyframes that produce
+the turn.
 """
 
 from __future__ import annotations
@@ -23,7 +24,26 @@ HALF, SAME = 180.0, 1.0  # [degrees] largest turn between two keyframes; toleran
 STEP = 120.0  # [degrees] largest turn between recommended keyframes
 
 
-def lost_turns(figure: Figure, rows: Sequence[KeyframeTable], keys: Timeline) -> list[str]:
+def keyframe_notes(figure: Figure, rows: Sequence[KeyframeTable], keys: Timeline) -> tuple[str, ...]:
+    """Return the notes on a clip's keyframe tables, for its raw timeline."""
+    return (*_ambiguities(figure, rows), *_lost_turns(figure, rows, keys))
+
+
+def _ambiguities(figure: Figure, rows: Sequence[KeyframeTable]) -> list[str]:
+    """Return a note on a model in which several trees, or several free bodies, could be the figure's root."""
+    root = figure.root
+    if root is None or not root.rivals:
+        return []
+    names = {tree.body: name for name, tree in reversed(roots_by_name(figure).items())}
+    main, others = names[root.body], ", ".join(f"'{names[body]}'" for body in root.rivals)
+    if root.limbs:
+        return [f"several figures of one size: the camera and flights are of '{main}', not of {others}"]
+    if any(row.root.model_fields_set for row in rows):
+        return [f"several free bodies: root is '{main}', the first in the model, not {others}"]
+    return []
+
+
+def _lost_turns(figure: Figure, rows: Sequence[KeyframeTable], keys: Timeline) -> list[str]:
     """Return a note on every rotation of a keyframe that the raw timeline does not reach by the turn specified."""
     names = list(dict.fromkeys(name for row in rows for name in _rotations(figure, row)))
     return [line for name in names for line in _lost(figure, name, rows, keys)]

@@ -120,14 +120,14 @@ def with_pose(
     all feet are to move alike, the root moves with them first.
     """
     try:
-        path = stander.timeline(keys)
+        path, also = stander.beside(keys, k, goals)
     except TimelineError as error:
         raise UserError(f"{where}: {error}") from None
     key = keys[k]
     home = np.where(key.fixed, key.state, figure.to_qpos(path.states[k]))
     for columns in figure.tables.quaternion_columns.T:
         home[columns] = quat.normalised(home[columns])
-    also = [*stander.beside(path, key, k, goals), *(_planted(figure, keys[k - 1], goals) if k else ())]
+    also += _planted(figure, keys[k - 1], goals) if k else []
     home = _root_above_feet(figure, home, ~key.fixed, goals, soles)
     is_slow = _speed(figure, path, k) < Thresholds.of(figure).travels
     best = None

@@ -25,20 +25,6 @@ MOVED = 1e-6  # [m] tolerance of a root's position
 FLAT = 1e-9  # component of a joint's motion below which it is ignored
 
 
-def ambiguities(figure: Figure, rows: Sequence[KeyframeTable]) -> list[str]:
-    """Return a note on a model in which several trees, or several free bodies, could be the figure's root."""
-    root = figure.root
-    if root is None or not root.rivals:
-        return []
-    names = {tree.body: name for name, tree in reversed(roots_by_name(figure).items())}
-    main, others = names[root.body], ", ".join(f"'{names[body]}'" for body in root.rivals)
-    if root.limbs:
-        return [f"several figures of one size: the camera and flights are of '{main}', not of {others}"]
-    if any(row.root.model_fields_set for row in rows):
-        return [f"several free bodies: root is '{main}', the first in the model, not {others}"]
-    return []
-
-
 def root_links(figure: Figure, row: KeyframeTable) -> set[int]:
     """Return the links of the roots that a keyframe's tables set, without those that are posed."""
     posed = {root.body for root, _ in posed_roots(figure, row)}

@@ -158,16 +158,16 @@ class Stander:
             *posed_keys[count:],
         ]
 
-    def beside(self, timeline: Timeline, key: Frame, k: int, goals: Sequence[Goal]) -> list[Goal]:
-        """Return goals of feet in a stance at keyframe k of a timeline, for limbs without goals.
+    def beside(self, keys: Sequence[Frame], k: int, goals: Sequence[Goal]) -> tuple[Timeline, list[Goal]]:
+        """Return the keyframes' timeline, and goals of feet in a stance at keyframe k, for limbs without goals.
 
         These are only feet that the goals also move; `stood` handles others.
         """
-        figure, free = self.figure, ~key.fixed
+        figure, free, timeline = self.figure, ~keys[k].fixed, self.timeline(keys)
         is_reached = reached(figure, goals)
         busy = {link for goal in goals for link in limb(figure, goal.bodies(figure.model)[0])}
         if not free[is_reached].any():
-            return []
+            return timeline, []
         inferred = self.known_positions(timeline)
         result: list[Goal] = []
         for foot in inferred.standing(k):
@@ -178,7 +178,7 @@ class Stander:
             links = limb(figure, goal.bodies(figure.model)[0])
             if not busy.intersection(links) and (reached(figure, [goal]) & is_reached & free).any():
                 result.append(goal)
-        return result
+        return timeline, result
 
     def known_positions(self, timeline: Timeline) -> _KnownPositions:
         tables = list(_during(self.contact_tables, *timeline.times[[0, -1]].tolist()))
