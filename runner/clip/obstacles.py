@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..scene.obstacle import KINDS, Obstacle
+from ..scene.compose import KINDS, Obstacle
 from .table import BarTable, BoxTable, SceneTable, SphereTable, StepTable
 
 

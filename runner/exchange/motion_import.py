@@ -17,8 +17,7 @@ from ..clip import load as clips
 from ..errors import listed
 from ..motion import Saved
 from ..scene.assets import Scene, taken_along
-from ..scene.compose import compiled, compose, figure_spec
-from ..scene.obstacle import Obstacle
+from ..scene.compose import Obstacle, compiled, compose, figure_spec
 from ..solving import unsolved
 from ..system.progress import Progress
 from ..system.quantity import positive

@@ -1,11 +1,9 @@
 """The scene: figure and stage as one model, and the files that a model may read.
 
-compose          figure and stage as one model
-obstacle         obstacles of a clip's scene, as geoms of the stage
+compose          figure, stage and obstacles as one model
 framing          size and position of a figure, for cameras
 assets           files to which a model refers (meshes, images, height fields, skins), as bytes
 model_files      files to which an MJCF file refers, from its text, before MuJoCo reads them
-mjcf_size        memory of an MJCF model, estimated from its text before MuJoCo reads it
 file_access      whether a model may refer to files outside its folder
 configuration    checks of configurations qpos, for untrusted input
 model_inputs     models for the Python API: a name, a path, MJCF text, an MjSpec or an MjModel

@@ -17,7 +17,7 @@ import mujoco
 
 from ..errors import UserError
 from ..system import mujoco_warnings, size_limit
-from . import file_access, mjcf_size
+from . import file_access
 from .model_files import FOLDERS, Model, elements, is_there
 from .mujoco_versions import mesh_folder, texture_folder
 
@@ -60,12 +60,12 @@ class Scene:
 
     def model(self) -> mujoco.MjModel:
         """Return the compiled model. Raises ValueError, and UserError if it would be too large."""
-        mjcf_size.check(self.mjcf, "model", assets=self.assets)
+        size_limit.check_mjcf(self.mjcf, "model", assets=self.assets)
         return mujoco.MjModel.from_xml_string(self.mjcf, dict(self.assets))
 
     def spec(self) -> mujoco.MjSpec:
         """Return the model for changes. Raises ValueError, and UserError if it would be too large."""
-        mjcf_size.check(self.mjcf, "model", assets=self.assets)
+        size_limit.check_mjcf(self.mjcf, "model", assets=self.assets)
         spec = mujoco.MjSpec.from_string(self.mjcf, assets=dict(self.assets))
         spec.assets = dict(self.assets)  # MuJoCo 3.2.7 does not store them
         return spec

@@ -1,8 +1,13 @@
-"""Figure and stage as one model: sky, light, floor and materials that the model lacks, and obstacles."""
+"""Figure and stage as one model: sky, light, floor and materials that the model lacks, and obstacles.
+
+Obstacles are boxes, spheres, capsules and cylinders in metres. One with a `body` is part of a free object, in its axes.
+Keyframes place the object, and hands can grasp it.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from xml.sax.saxutils import quoteattr
 
@@ -13,11 +18,11 @@ from dynsplines import models
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.naming import names_of_joints
-from dynsplines.solver.surface.touch import grounds, moves
+from dynsplines.solver.surface.touch import SCENERY, grounds, moves
 
 from ..errors import UserError, unknown, words_of
+from ..system import size_limit
 from ..system.mujoco_warnings import quietly
-from . import mjcf_size
 from .assets import Assets, Scene, check_places, taken_along
 from .framing import STANDING, is_of_people_size, rest_box, size_of
 from .model_files import is_there, models_in
@@ -31,13 +36,62 @@ from .mujoco_versions import (
     remove,
     size_of_pictures,
 )
-from .obstacle import Obstacle, add_bodies
 from .triangles import HIDDEN_GROUP
 
 PREFIX = "stage_"
 GREY = (0.5, 0.5, 0.5, 1.0)  # MuJoCo's default colour of a geom
 BURIED = 0.005  # [m] depth in the floor that is permitted for a fixed figure
 BELOW = 0.02  # [1] distance of an added floor below the figure's lowest point, relative to the figure's size
+KINDS = {
+    "box": mujoco.mjtGeom.mjGEOM_BOX,
+    "sphere": mujoco.mjtGeom.mjGEOM_SPHERE,
+    "capsule": mujoco.mjtGeom.mjGEOM_CAPSULE,
+    "cylinder": mujoco.mjtGeom.mjGEOM_CYLINDER,
+}
+
+
+@dataclass(frozen=True)
+class Obstacle:
+    """A static geom, or a part of a free body.
+
+    Attributes:
+        kind: "box", "sphere", "capsule" or "cylinder".
+        size: MuJoCo's size: half sizes, or radius and half length [m].
+        place: The centre, (3,) [m].
+        turn: The orientation, (4,) wxyz.
+        ends: The end points of a capsule or cylinder, instead of `place` and `turn`, (6,) [m].
+        color: Red, green, blue, opacity; None: that of the step.
+        body: The body of which it is a part, with `place` and `turn` in its axes; None: the world.
+        mass: The mass of the part [kg].
+    """
+
+    name: str
+    kind: str
+    size: tuple[float, ...]
+    place: Array
+    turn: Array
+    ends: Array | None = None
+    color: tuple[float, float, float, float] | None = None
+    body: str | None = None
+    mass: float | None = None
+
+    def add_to(self, spec: mujoco.MjSpec, material: str) -> None:
+        """Add the geom to the world of a spec, or to its body."""
+        if any(geom.name == self.name for geom in spec.geoms):
+            raise UserError(f"the scene has a {self.kind} '{self.name}', but the model already has a geom of that name")
+        owner = spec.worldbody if self.body is None else spec.body(self.body)
+        geom = owner.add_geom(name=self.name, type=KINDS[self.kind], contype=0, conaffinity=1 | SCENERY)
+        if self.mass is not None:
+            geom.mass = self.mass
+        geom.size[: len(self.size)] = self.size
+        if self.ends is None:
+            geom.pos, geom.quat = self.place, self.turn
+        else:
+            geom.fromto = self.ends
+        if self.color is None:
+            geom.material = material
+        else:
+            geom.rgba = self.color
 
 
 def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
@@ -49,7 +103,7 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
         if Path(figure).suffix or "/" in figure:
             raise UserError(f"no file '{figure}'; a figure is a path to MJCF or one of: {', '.join(models.figures())}")
         raise UserError(unknown("figure", figure, models.figures()))
-    mjcf_size.check_file(path)
+    size_limit.check_mjcf_file(path)
     try:
         models_read = models_in(path)
         with quietly():
@@ -110,6 +164,7 @@ def spec_joint_names(spec: mujoco.MjSpec) -> list[str]:
     return names_of_joints(names, bodies)
 
 
+@quietly()
 def compose(
     spec: mujoco.MjSpec,
     obstacles: Sequence[Obstacle] = (),
@@ -133,21 +188,29 @@ def compose(
     bare = _compiled(spec, assets) if bare is None else bare
     has_floor = bool(grounds(bare))
     is_staged = has_floor and any(material.name == PREFIX + "step" for material in spec.materials)  # by an earlier call
-    stage = _stage(spec, bare, has_floor=has_floor)
+    parts = _stage(spec, bare, has_floor=has_floor)
     try:
-        with quietly():
-            if not is_staged:
-                _dress(spec, bare)
-                attach(spec, stage, PREFIX)
-            if not has_floor and all(geom.name != "floor" for geom in spec.geoms):
-                geom_named(spec, PREFIX + "floor").name = "floor"
-            add_bodies(spec, obstacles)
-            for obstacle in obstacles:
-                obstacle.add_to(spec, PREFIX + "step")
-            model = _compiled(spec, assets)
-            return Scene(_with_keys(portable_text(spec), poses, bare, model), assets)
+        if not is_staged:
+            _dress(spec, bare)
+            attach(spec, parts, PREFIX)
+        if not has_floor and all(geom.name != "floor" for geom in spec.geoms):
+            geom_named(spec, PREFIX + "floor").name = "floor"
+        _add_bodies(spec, obstacles)
+        for obstacle in obstacles:
+            obstacle.add_to(spec, PREFIX + "step")
+        model = _compiled(spec, assets)
+        return Scene(_with_keys(portable_text(spec), poses, bare, model), assets)
     except ValueError as error:
         raise UserError(f"MuJoCo cannot compile the model with its stage: {words_of(error)}") from None
+
+
+def _add_bodies(spec: mujoco.MjSpec, parts: Sequence[Obstacle]) -> None:
+    """Add the bodies of the parts that have one, each with a free joint of its name, at rest at the world's origin."""
+    for name in dict.fromkeys(part.body for part in parts if part.body is not None):
+        names = {body.name for body in spec.bodies} | {joint.name for joint in spec.joints}
+        if name in names:
+            raise UserError(f"the scene has a body '{name}', but the model already has a body or joint of that name")
+        spec.worldbody.add_body(name=name).add_freejoint(name=name)
 
 
 def _with_keys(text: str, poses: Mapping[str, Array], bare: mujoco.MjModel, model: mujoco.MjModel) -> str:
@@ -219,9 +282,13 @@ def _depths(model: mujoco.MjModel) -> list[int]:
 
 def compiled(model: mujoco.MjSpec | Scene, where: object) -> mujoco.MjModel:
     """Return a compiled model; raises UserError that begins with `where` if MuJoCo cannot compile it."""
+    with quietly():
+        return _compile(model, where)
+
+
+def _compile(model: mujoco.MjSpec | Scene, where: object) -> mujoco.MjModel:
     try:
-        with quietly():
-            return model.compile() if isinstance(model, mujoco.MjSpec) else model.model()
+        return model.compile() if isinstance(model, mujoco.MjSpec) else model.model()
     except ValueError as error:
         raise UserError(f"{where}: MuJoCo cannot compile it: {words_of(error)}") from None
 
@@ -229,6 +296,6 @@ def compiled(model: mujoco.MjSpec | Scene, where: object) -> mujoco.MjModel:
 def _compiled(spec: mujoco.MjSpec, assets: Assets) -> mujoco.MjModel:
     spec.assets = dict(assets)
     try:
-        return compiled(spec, "the model")
+        return _compile(spec, "the model")
     finally:
         spec.assets = {}  # otherwise MuJoCo warns about attached models without assets

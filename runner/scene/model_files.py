@@ -13,8 +13,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from xml.etree import ElementTree
 
+from ..system.size_limit import attributes_in
 from . import file_access
-from .mjcf_size import attributes_in
 
 FOLDERS = ("meshdir", "texturedir", "assetdir")
 TAG = re.compile(r"<\s*([\w:.-]+)([^<>]*)")

@@ -16,7 +16,6 @@ from dynsplines.clip.load import load
 from dynsplines.clip.parse import check_times
 from dynsplines.errors import UserError
 from dynsplines.exchange.array_reader import read_npz
-from dynsplines.scene import mjcf_size
 from dynsplines.scene.assets import Scene, taken_along
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solving import solve
@@ -80,10 +79,10 @@ def test_copies_in_other_files_count_where_they_are_included_and_attached(tmp_pa
         mjcf = tmp_path / "whole.xml"
         if name == "many":
             with pytest.raises(UserError, match="over 1,000 MB"):
-                mjcf_size.check_file(mjcf)
+                size_limit.check_mjcf_file(mjcf)
         else:
-            mjcf_size.check_file(mjcf)
-    mjcf_size.check_file(tmp_path / "loop.xml")
+            size_limit.check_mjcf_file(mjcf)
+    size_limit.check_mjcf_file(tmp_path / "loop.xml")
 
 
 def test_an_image_is_as_large_as_its_head_says(tmp_path: Path) -> None:
@@ -92,26 +91,26 @@ def test_an_image_is_as_large_as_its_head_says(tmp_path: Path) -> None:
     (tmp_path / "m.xml").write_text(text, encoding="utf-8")
     (tmp_path / "a.png").write_bytes(head)
     with pytest.raises(UserError, match="9,600 MB"):
-        mjcf_size.check_file(tmp_path / "m.xml")
+        size_limit.check_mjcf_file(tmp_path / "m.xml")
     with pytest.raises(UserError, match="9,600 MB"):
         Scene(text, {"a.png": head}).model()
 
 
 @pytest.mark.parametrize("text", ["<a <a <a", '<a "' * 100_000, "<!--" * 100_000, "<", "<mujoco", "<a b='" * 100_000])
 def test_what_is_no_xml_is_left_to_mujoco_and_takes_no_time(text: str) -> None:
-    mjcf_size.check(text, "model")
+    size_limit.check_mjcf(text, "model")
 
 
 def test_what_ships_and_what_is_large_for_good_reason_passes() -> None:
     for name in models.figures():
-        mjcf_size.check(compose(figure_spec(name)).mjcf, name)
-    mjcf_size.check(copies(BALL, 10_000), "ten thousand copies")
-    mjcf_size.check(BOMBS["a height field"].replace("20000", "4000"), "four kilometres by the metre")
+        size_limit.check_mjcf(compose(figure_spec(name)).mjcf, name)
+    size_limit.check_mjcf(copies(BALL, 10_000), "ten thousand copies")
+    size_limit.check_mjcf(BOMBS["a height field"].replace("20000", "4000"), "four kilometres by the metre")
 
 
 def test_the_environment_says_how_large_is_too_large(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("DYNSPLINES_LARGEST", "100000")
-    mjcf_size.check(BOMBS["a height field"], "model")
+    size_limit.check_mjcf(BOMBS["a height field"], "model")
     monkeypatch.setenv("DYNSPLINES_LARGEST", "lots")
     with pytest.raises(UserError, match="DYNSPLINES_LARGEST=lots: give a number of MB, such as 4000"):
         size_limit.bound()
