@@ -14,7 +14,7 @@ from ..scene.assets import Scene
 from ..scene.compose import compose, figure_spec
 from ..system.output import Replacement, check_target
 from .build import around
-from .load import ground_of
+from .load import scene_and_figure
 from .parse import Parsed, table_of
 from .table import ClipTable, SolveTable
 from .text import keyframe_tables, written
@@ -122,7 +122,7 @@ def shipped_scene(scene: Scene) -> str:
 def _defines_scene(saved: Saved) -> bool:
     """Return whether the tables alone define the motion's scene. Files to which they refer may be missing."""
     try:
-        return ground_of(Parsed.of(saved.text, saved.name, saved.name))[0].mjcf == saved.mjcf
+        return scene_and_figure(Parsed.of(saved.text, saved.name, saved.name))[0].mjcf == saved.mjcf
     except UserError:
         return False
 

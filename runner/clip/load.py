@@ -104,7 +104,7 @@ def from_parsed(
     if like is not None and _has_ground(like, table):
         scene, figure = like.scene, like.figure
     else:
-        scene, figure = ground_of(source, figure_file, spec)
+        scene, figure = scene_and_figure(source, figure_file, spec)
     follows = None if table.recording is None else followed(table.recording, figure, recording, where)
     posed = pose(source, figure, None if follows is None else follows.pose)
     if posed.unreached and unmet is None:
@@ -118,7 +118,7 @@ def from_parsed(
     return replace(clip, notes=(*clip.notes, *notes))
 
 
-def ground_of(
+def scene_and_figure(
     source: Parsed, figure_file: str | None = None, spec: mujoco.MjSpec | None = None
 ) -> tuple[Scene, Figure]:
     """Return the scene of a clip, and its figure in this scene.

@@ -15,16 +15,16 @@ from dynsplines.solver.figure.figure import Figure
 
 MOST = 50  # [1] scenes, and figures, that are kept
 BUILT = load.figure_of
-COMPOSED = load.ground_of
+COMPOSED = load.scene_and_figure
 _figures: Cache[Figure] = Cache(MOST)
-_grounds: Cache[tuple[Scene, Figure]] = Cache(MOST)
+_staged: Cache[tuple[Scene, Figure]] = Cache(MOST)
 
 
 def figure_of(scene: Scene, where: str, coordinates: str = "auto") -> Figure:
     return _figures.get(_key(scene, coordinates), lambda: BUILT(scene, where, coordinates))
 
 
-def ground_of(
+def scene_and_figure(
     source: Parsed, figure_file: str | None = None, spec: mujoco.MjSpec | None = None
 ) -> tuple[Scene, Figure]:
     text = None if spec is not None else _self_contained(figure_file or source.table.figure, source.folder)
@@ -32,7 +32,7 @@ def ground_of(
     if text is None:
         return _shared(*COMPOSED(source, figure_file, spec), coordinates)
     key = text, repr(source.table.scene), frozenset(row.others for row in source.table.keyframe), coordinates
-    return _grounds.get(key, lambda: _shared(*COMPOSED(source, figure_file), coordinates))
+    return _staged.get(key, lambda: _shared(*COMPOSED(source, figure_file), coordinates))
 
 
 def _shared(scene: Scene, figure: Figure, coordinates: str) -> tuple[Scene, Figure]:
@@ -56,4 +56,4 @@ def _self_contained(figure: str, folder: Path | None) -> str | None:
 
 def share() -> None:
     """From here on, in whatever is loaded."""
-    load.figure_of, load.ground_of = figure_of, ground_of
+    load.figure_of, load.scene_and_figure = figure_of, scene_and_figure
