@@ -115,7 +115,7 @@ class Draw:
         goals: list[Goal] = []
         for point in chosen:
             goal = PointGoal.of(figure, point)
-            goals.append(PointGoal.of(figure, point, goal.place(data)))
+            goals.append(PointGoal.of(figure, point, goal.places(data)[0]))
             if number % 3 == 2:
                 body = figure.model.body(goal.bodies(figure.model)[0]).name
                 goals.append(BodyGoal(body, data.body(body).xquat.copy()))

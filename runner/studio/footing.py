@@ -12,7 +12,7 @@ import numpy as np
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.forward import kinematics
-from dynsplines.solver.posing import FixedPoints, FloorClearance, PointGoal, limb
+from dynsplines.solver.posing import FloorClearance, PointGoal, limb
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.plane import Plane
 from dynsplines.solver.surface.points import Point, body_points
@@ -71,7 +71,7 @@ class Footing:
             points.setdefault(point.link, []).append(point)
         out = {}
         for link in sorted(points):
-            offsets = np.array([PointGoal.of(self.figure, point).offset for point in points[link]])
+            offsets = np.array([PointGoal.of(self.figure, point).offsets[0] for point in points[link]])
             radii = np.array([point.radius for point in points[link]])
             out[link] = Spheres(self.figure.links[link].body, offsets, radii)
         return out
@@ -100,19 +100,19 @@ class Footing:
         """Return the height [m] of a foot's lowest point above the ground."""
         return float((np.array([self.height(centre) for centre in foot.centres(data)]) - foot.radii).min())
 
-    def fixed(self, foot: Spheres, data: mujoco.MjData) -> FixedPoints:
+    def fixed(self, foot: Spheres, data: mujoco.MjData) -> PointGoal:
         """Return the goal that fixes a foot."""
         outermost = foot.outermost(data)
-        return FixedPoints("sole", foot.body, outermost.offsets, outermost.centres(data))
+        return PointGoal("sole", foot.body, outermost.offsets, outermost.centres(data))
 
-    def landed(self, foot: Spheres, data: mujoco.MjData) -> FixedPoints:
+    def landed(self, foot: Spheres, data: mujoco.MjData) -> PointGoal:
         """Return the goal that moves a foot down to the ground, free to slide."""
         outermost = foot.outermost(data)
         positions = outermost.centres(data)
         heights = [self.height(position) for position in positions]
         positions[:, 2] += outermost.radii - heights
         positions[:, :2] = np.nan
-        return FixedPoints("sole", foot.body, outermost.offsets, positions)
+        return PointGoal("sole", foot.body, outermost.offsets, positions)
 
     def floor(self, root: int, data: mujoco.MjData) -> FloorClearance | None:
         """Return the limit of a tree to above the highest level plane, or its present depth; None without a plane."""

@@ -138,7 +138,7 @@ class Poser:
     def _stands(self, link: int) -> bool:
         """Return whether a sole point of a link is on the ground."""
         points = [point for point in self.soles if point.link == link]
-        positions = [PointGoal.of(self.figure, point).place(self.data) for point in points]
+        positions = [PointGoal.of(self.figure, point).places(self.data)[0] for point in points]
         heights = [self.footing.height(position) for position in positions]
         return any(height - point.radius < STANDING for height, point in zip(heights, points, strict=True))
 
@@ -158,9 +158,10 @@ class Poser:
         A limb that reaches moves alone. A foot that comes near the ground lands on it. A knee or thigh moves with its
         foot fixed as long as that is possible.
         """
-        target = PointGoal("target", grip.body, grip.offset, np.array(position, float))
+        place = np.array(position, float)
+        target = PointGoal("target", grip.body, grip.offset[None], place[None])
         has_foot = bool(grip.hanging) and grip.is_balanced
-        if grip.limb.any() and not has_foot and self._is_within_reach(grip, target.position):
+        if grip.limb.any() and not has_foot and self._is_within_reach(grip, place):
             pose = self._dragged(grip, target, np.where(grip.limb, begin, grip.qpos), free=grip.limb)
             if pose.worst <= SHORT and self._keeps_balance(grip, pose):
                 return pose
@@ -170,7 +171,7 @@ class Poser:
             if pose.missed[0] <= LIFTED and self._keeps_balance(grip, pose):
                 return pose
         if feet and has_foot:
-            landing = tuple(foot for foot in feet if self._lands(grip, foot, target.position))
+            landing = tuple(foot for foot in feet if self._lands(grip, foot, place))
             return self._dragged(grip, target, begin, landing=landing)
         pose = self._dragged(grip, target, begin)
         for _ in range(LANDINGS if grip.hanging else 0):  # the support polygon moves with the sliding foot

@@ -4,7 +4,7 @@ inverse_kinematics  the pose for goals, from several starting poses
 drag                the pose that follows the drag of a point, with soles, floor and balance
 pose_search         the pose for goals, from one starting pose
 least_squares       damped least squares, of one pose or of many at once
-goals               positions of points, rotations of bodies, grasps; the joints that they depend on
+goals               positions of points in the world or on a body, rotations of bodies; the joints that they depend on
 bounds              joint ranges, and the bending of knees and elbows
 limits              the floor, and the support polygon of the centre of mass
 """
@@ -13,9 +13,7 @@ from .bounds import WHOLE_TURNS as WHOLE_TURNS
 from .drag import Constraints as Constraints
 from .drag import dragged as dragged
 from .goals import BodyGoal as BodyGoal
-from .goals import FixedPoints as FixedPoints
 from .goals import Goal as Goal
-from .goals import GraspGoal as GraspGoal
 from .goals import PointGoal as PointGoal
 from .goals import chain as chain
 from .goals import limb as limb

@@ -12,7 +12,6 @@ import numpy as np
 
 from .. import quaternion as quat
 from ..array import Array, Mask
-from ..figure.algebra import cross
 from ..figure.figure import Figure
 from ..figure.forward import kinematics
 from ..surface.points import Point
@@ -43,78 +42,71 @@ class Goal(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class PointGoal:
-    """A target position for a point of a body.
-
-    Attributes:
-        index: MuJoCo's id of the body.
-        offset: The position of the point in the body's frame, (3,) [m].
-        position: The target in the world, (3,) [m]; NaN along unconstrained axes.
-    """
-
-    name: str
-    index: int
-    offset: Array
-    position: Array
-
-    @classmethod
-    def of(cls, figure: Figure, point: Point, position: Array | None = None) -> PointGoal:
-        """Return the goal that a point of the figure is at a position (3,) [m]; None: at the origin."""
-        body = figure.links[point.link].body
-        offset = quat.rotated(quat.inverse(figure.body_turn[body]), point.position - figure.body_offset[body])
-        return cls(point.name, body, offset, np.zeros(3) if position is None else np.array(position, float))
-
-    def bodies(self, model: mujoco.MjModel) -> Sequence[int]:
-        return [self.index]
-
-    def place(self, data: mujoco.MjData) -> Array:
-        """Return the current position of the point in the world, (3,) [m]."""
-        return data.xpos[self.index] + data.xmat[self.index].reshape(3, 3) @ self.offset
-
-    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        return (self.place(data) - self.position)[self._given]
-
-    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        rows = np.zeros((3, model.nv))
-        mujoco.mj_jac(model, data, rows, None, self.place(data), self.index)
-        return rows[self._given]
-
-    @cached_property
-    def _given(self) -> Mask:
-        return ~np.isnan(self.position)
-
-
-@dataclass(frozen=True, eq=False)
-class FixedPoints:
-    """Goal: target positions for n points of one body.
+    """Target positions for n points of a body, in the world or on another body.
 
     Attributes:
         index: MuJoCo's id of the body.
         offsets: The points in the frame of the body, (n, 3) [m].
-        positions: The targets in the world, (n, 3) [m]; NaN along unconstrained axes.
+        spots: The targets in the frame of the reference body, (n, 3) [m]; NaN along unconstrained axes of the world.
+        reference: MuJoCo's id of the body with the targets; 0: the world.
     """
 
     name: str
     index: int
     offsets: Array
-    positions: Array
+    spots: Array
+    reference: int = 0
+
+    @classmethod
+    def of(cls, figure: Figure, point: Point, spot: Array | None = None, link: int = 0) -> PointGoal:
+        """Return the goal that a point of the figure is at a position (3,) [m] in the frame of a link.
+
+        Link 0 is the world. Without a position it is the origin.
+        """
+        body, offset = _on_body(figure, point.link, point.position)
+        reference, spot = 0, np.zeros(3) if spot is None else np.array(spot, float)
+        if link:
+            reference, spot = _on_body(figure, link, spot)
+        return cls(point.name, body, offset[None], spot[None], reference)
 
     def bodies(self, model: mujoco.MjModel) -> Sequence[int]:
-        return [self.index]
+        return [self.index, self.reference] if self.reference else [self.index]
+
+    def places(self, data: mujoco.MjData) -> Array:
+        """Return the current positions of the points in the world, (n, 3) [m]."""
+        return data.xpos[self.index] + self.offsets @ data.xmat[self.index].reshape(3, 3).T
 
     def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        return (data.xpos[self.index] + self._arms(data) - self.positions)[self._constrained]
+        return (self.places(data) - self._targets(data))[self._is_constrained]
 
     def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        shift, turn = np.zeros((3, model.nv)), np.zeros((3, model.nv))
-        mujoco.mj_jacBody(model, data, shift, turn, self.index)
-        return (shift + cross(turn[:, None], self._arms(data).T[:, :, None]).swapaxes(0, 1))[self._constrained]
+        rows = _jacobians(model, data, self.index, self.places(data))
+        if self.reference:
+            rows -= _jacobians(model, data, self.reference, self._targets(data))
+        return rows[self._is_constrained]
 
-    def _arms(self, data: mujoco.MjData) -> Array:
-        return self.offsets @ data.xmat[self.index].reshape(3, 3).T
+    def _targets(self, data: mujoco.MjData) -> Array:
+        if not self.reference:
+            return self.spots
+        return data.xpos[self.reference] + self.spots @ data.xmat[self.reference].reshape(3, 3).T
 
     @cached_property
-    def _constrained(self) -> Mask:
-        return ~np.isnan(self.positions)
+    def _is_constrained(self) -> Mask:
+        return ~np.isnan(self.spots)
+
+
+def _on_body(figure: Figure, link: int, position: Array) -> tuple[int, Array]:
+    """Return the body of a link, and a position (3,) [m] in the frame of the link in that of the body."""
+    body = figure.links[link].body
+    return body, quat.rotated(quat.inverse(figure.body_turn[body]), position - figure.body_offset[body])
+
+
+def _jacobians(model: mujoco.MjModel, data: mujoco.MjData, body: int, places: Array) -> Array:
+    """Return the Jacobians (n, 3, nv) of points of a body at places (n, 3) [m] in the world."""
+    rows = np.zeros((len(places), 3, model.nv))
+    for row, place in zip(rows, places, strict=True):
+        mujoco.mj_jac(model, data, row, None, place, body)
+    return rows
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,49 +152,6 @@ def same_heading(figure: Figure, qpos: Array, body: int) -> BodyGoal:
     turn = quat.product(data.xquat[body], quat.inverse(at_rest)) * [1.0, 0, 0, 1]
     heading = turn / np.linalg.norm(turn) if np.linalg.norm(turn) > UPRIGHT else np.array([1.0, 0, 0, 0])
     return BodyGoal(str(model.body(body).name), quat.product(heading, at_rest), body)
-
-
-@dataclass(frozen=True, eq=False)
-class GraspGoal:
-    """A target that makes a point of one body coincide with a point of another.
-
-    Attributes:
-        index: MuJoCo's id of the grasping body.
-        offset: The grasping point in the frame of its body, (3,) [m].
-        held: MuJoCo's id of the grasped body.
-        spot: The grasped point in the frame of its body, (3,) [m].
-    """
-
-    name: str
-    index: int
-    offset: Array
-    held: int
-    spot: Array
-
-    @classmethod
-    def of(cls, figure: Figure, point: Point, link: int, spot: Array) -> GraspGoal:
-        """Return the goal that a point coincides with a position (3,) [m] in the frame of a link."""
-        hand, grip = PointGoal.of(figure, point), PointGoal.of(figure, Point(point.name, link, spot))
-        return cls(point.name, hand.index, hand.offset, grip.index, grip.offset)
-
-    def bodies(self, model: mujoco.MjModel) -> Sequence[int]:
-        return [self.index, self.held]
-
-    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        hand, spot = self._places(data)
-        return hand - spot
-
-    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        rows, back = np.zeros((3, model.nv)), np.zeros((3, model.nv))
-        hand, spot = self._places(data)
-        mujoco.mj_jac(model, data, rows, None, hand, self.index)
-        mujoco.mj_jac(model, data, back, None, spot, self.held)
-        return rows - back
-
-    def _places(self, data: mujoco.MjData) -> tuple[Array, Array]:
-        ends = ((self.index, self.offset), (self.held, self.spot))
-        hand, spot = (data.xpos[body] + data.xmat[body].reshape(3, 3) @ offset for body, offset in ends)
-        return hand, spot
 
 
 def chain(figure: Figure, body: int) -> list[int]:

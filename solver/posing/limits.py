@@ -79,7 +79,7 @@ class Balance:
 
     def _worst(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
         """Return the largest excess (1,) [m] over an edge, 0 inside, and its Jacobian (1, nv) for feet at rest."""
-        polygon = SupportPolygon.of(self.root, np.array([point.place(data) for point in self.points]), share=1.0)
+        polygon = SupportPolygon.of(self.root, np.concatenate([point.places(data) for point in self.points]), share=1.0)
         if polygon is None:
             return np.zeros(1), np.zeros((1, model.nv))
         values, rows = polygon.linearized(model, data)

@@ -80,7 +80,7 @@ class Pulls:
         bodies = sorted({self.figure.links[point.link].body for point in self.points})
         body = int(rng.choice(bodies))
         own = [point for point in self.points if self.figure.links[point.link].body == body]
-        offset = PointGoal.of(self.figure, own[rng.integers(len(own))]).offset
+        offset = PointGoal.of(self.figure, own[rng.integers(len(own))]).offsets[0]
         way = rng.normal(size=3)
         return Pull(body, offset, rng.uniform(NEAREST, FARTHEST) * way / np.linalg.norm(way))
 

@@ -93,7 +93,8 @@ def wanted(places: Places, row: KeyframeTable, where: str) -> Wanted:
         goals += body_goals
     for root, position in posed_roots(figure, row):
         name = str(figure.model.body(root.body).name)
-        goals.append(PointGoal(name, root.body, np.zeros(3), _target(position, f"{where}: root.position", "it")))
+        target = _target(position, f"{where}: root.position", "it")
+        goals.append(PointGoal(name, root.body, np.zeros((1, 3)), target[None]))
     return Wanted(tuple(goals), tuple(placed))
 
 
@@ -157,7 +158,7 @@ def _root_above_feet(figure: Figure, home: Array, free: Mask, goals: Sequence[Go
         return home
     across = figure.links[root.link].qpos + np.arange(2)
     feet = {figure.links[point.link].body for point in hanging(figure, root.link, soles)}
-    points = [goal for goal in goals if isinstance(goal, PointGoal) and not np.isnan(goal.position[:2]).any()]
+    points = [goal for goal in goals if isinstance(goal, PointGoal) and not np.isnan(goal.spots[:, :2]).any()]
     if not free[across].all() or any(goal.index == figure.links[root.link].body for goal in points):
         return home
     data, moves = kinematics(model, home), dict[int, list[Array]]()
@@ -165,7 +166,7 @@ def _root_above_feet(figure: Figure, home: Array, free: Mask, goals: Sequence[Go
         foot = goal.index
         while int(model.body_parentid[foot]) in feet:  # toes count for their foot
             foot = int(model.body_parentid[foot])
-        moves.setdefault(foot, []).append((goal.position - goal.place(data))[:2])
+        moves.setdefault(foot, []).append((goal.spots - goal.places(data))[0, :2])
     legs = {foot for foot in feet if int(model.body_parentid[foot]) not in feet}
     if not legs or not legs <= moves.keys():
         return home
@@ -296,7 +297,7 @@ def _body_goals(figure: Figure, name: str, body: int, table: BodyTable, where: s
     goals: list[Goal] = []
     if table.position is not None:
         target = _target(table.position, where, "the position")
-        goals.append(PointGoal(name, body, np.array(table.at or (0.0, 0, 0)), target))
+        goals.append(PointGoal(name, body, np.array([table.at or (0.0, 0, 0)]), target[None]))
     if table.is_rotation:
         goals.append(BodyGoal(name, table.quaternion(rest_rotation(figure.model, body)), body))
     elif table.flat:

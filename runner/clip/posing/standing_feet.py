@@ -26,7 +26,6 @@ from dynsplines.solver.penalty import BendLimits, Placed
 from dynsplines.solver.posing import (
     BodyGoal,
     Goal,
-    GraspGoal,
     PointGoal,
     Posed,
     in_winding,
@@ -218,7 +217,7 @@ class Stander:
     def _reaching(self, home: Array, free: Mask, missed: Sequence[Goal]) -> tuple[Array, Mask]:
         """Return a pose with sites as near as possible to goals out of reach, and the entries (N,) that determine it.
         Sites that remain too far from their goals are left out."""
-        goals = [goal for goal in missed if isinstance(goal, GraspGoal)]
+        goals = [goal for goal in missed if isinstance(goal, PointGoal) and goal.reference]
         while goals:
             pose = posed(self.figure, home, free, goals, self.bends, STARTS)
             if pose.worst <= Thresholds.of(self.figure).out_of_reach:
@@ -275,15 +274,15 @@ class _KnownPositions:
             for members in by_link.values()
         ]
 
-    def holding(self, k: int) -> list[GraspGoal]:
+    def holding(self, k: int) -> list[PointGoal]:
         """Return goals of sites that hold a known spot at keyframe k, unless it determines both bodies."""
-        t, is_known, goals = self.timeline.times[k], self.timeline.known[k : k + 1], list[GraspGoal]()
+        t, is_known, goals = self.timeline.times[k], self.timeline.known[k : k + 1], list[PointGoal]()
         for grasp in self.grasps:
             spot = grasp.spot(np.array([t]))
             ends = (grasp.point, Point(grasp.body, grasp.link, np.zeros(3)))
             is_told = placed(self.figure, is_known, ends).all()
             if spot is not None and grasp.first - ROUNDING <= t <= grasp.last + ROUNDING and not is_told:
-                goals.append(GraspGoal.of(self.figure, grasp.point, grasp.link, spot[:, 0]))
+                goals.append(PointGoal.of(self.figure, grasp.point, spot[:, 0], grasp.link))
         return goals
 
     def _neighbours(self, i: int, k: int) -> tuple[int | None, int | None]:

@@ -72,7 +72,7 @@ def _note(figure: Figure, key: Frame, goal: Goal, error: float, stopped: Contain
     nearest = f"off in the nearest pose, with {joints} free"
     if not isinstance(goal, PointGoal):
         return f"no pose found that turns body '{goal.name}' so: {np.degrees(error):.3g} degrees {nearest}"
-    where = ", ".join("free" if np.isnan(axis) else f"{axis:g}" for axis in goal.position)
+    where = ", ".join("free" if np.isnan(axis) else f"{axis:g}" for axis in goal.spots[0])
     is_turned = any(isinstance(other, BodyGoal) and other.bodies(figure.model)[0] == body for other in goals)
     turned = f" and body '{figure.model.body(body).name}' turned as specified" if is_turned else ""
     return f"no pose found that puts {kind} '{goal.name}' at ({where}): {_metres(error)} {nearest}{turned}"

@@ -73,7 +73,7 @@ def _sole(figure: Figure, point: Any) -> dict[str, Any]:
     from dynsplines.solver.posing import PointGoal
 
     goal = PointGoal.of(figure, point)
-    offset = [round(float(x), 5) for x in goal.offset]
+    offset = [round(float(x), 5) for x in goal.offsets[0]]
     return {"name": point.name, "body": goal.index, "offset": offset, "radius": round(float(point.radius), 5)}
 
 

@@ -14,7 +14,6 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.posing import (
     Balance,
     Constraints,
-    FixedPoints,
     FloorClearance,
     PointGoal,
     PoseSearch,
@@ -47,11 +46,11 @@ def arm() -> Figure:
 
 
 def hand(figure: Figure, place) -> PointGoal:
-    return PointGoal("hand", figure.model.body("lower").id, TIP, np.array(place, float))
+    return PointGoal("hand", figure.model.body("lower").id, TIP[None], np.array([place], float))
 
 
 def tip(figure: Figure, qpos) -> np.ndarray:
-    return hand(figure, np.zeros(3)).place(kinematics(figure.model, qpos))
+    return hand(figure, np.zeros(3)).places(kinematics(figure.model, qpos))[0]
 
 
 @pytest.mark.parametrize("far", [0.05, 2.0])
@@ -94,7 +93,7 @@ def test_derivatives_are_differences(human, rng):
     mujoco.mj_integratePos(model, qpos, 0.2 * rng.normal(size=model.nv), 1.0)
     places = rng.normal(size=(3, 3))
     places[1, 0] = np.nan
-    pins = FixedPoints("foot", foot, 0.1 * rng.normal(size=(3, 3)), places)
+    pins = PointGoal("foot", foot, 0.1 * rng.normal(size=(3, 3)), places)
     polygon = rng.normal(size=(6, 3))
     balance = SupportPolygon.of(1, polygon)
     assert balance is not None
@@ -102,7 +101,7 @@ def test_derivatives_are_differences(human, rng):
     above = FloorClearance(
         np.array([chest, chest, foot, foot]), offsets, np.full(4, 0.1), np.zeros(4), np.eye(3)[2], 3.0
     )
-    feet = Balance("feet", 1, tuple(PointGoal("foot", 0, place, np.zeros(3)) for place in polygon + 5.0))
+    feet = Balance("feet", 1, tuple(PointGoal("foot", 0, place[None], np.zeros((1, 3))) for place in polygon + 5.0))
     terms = [
         (lambda data: feet.missed(model, data), lambda data: feet.rows(model, data)),
         (lambda data: pins.missed(model, data), lambda data: pins.rows(model, data)),

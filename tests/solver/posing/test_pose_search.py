@@ -71,7 +71,7 @@ def test_points_and_sites_miss_what_mujoco_has_between_them_and_their_place_alon
             assert_rows(goal, model, qpos)
         plain = PointGoal.of(figure, point)
         np.testing.assert_allclose(plain.missed(model, data), data.site(name).xpos, atol=1e-12)
-        np.testing.assert_allclose(plain.place(data), data.site(name).xpos, atol=1e-12)
+        np.testing.assert_allclose(plain.places(data)[0], data.site(name).xpos, atol=1e-12)
         assert plain.bodies(model) == [figure.links[point.link].body]
 
 

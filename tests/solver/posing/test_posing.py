@@ -23,7 +23,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.penalty.joints.bend import bent
-from dynsplines.solver.posing import MET, STARTS, BodyGoal, Goal, GraspGoal, PointGoal, bounds, posed
+from dynsplines.solver.posing import MET, STARTS, BodyGoal, Goal, PointGoal, bounds, posed
 from dynsplines.solver.surface.points import Point, site_points
 
 HUMAN = {c: Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")), c) for c in ("world", "joint")}
@@ -267,7 +267,7 @@ HOLDING = """
 def test_a_hold_misses_what_mujoco_has_between_its_places_and_changes_as_both_bodies_move(rng):
     figure = figure_of(HOLDING)
     palm, grip = site_points(figure, ["palm", "grip"])
-    goal = GraspGoal.of(figure, palm, grip.link, grip.position)
+    goal = PointGoal.of(figure, palm, grip.position, grip.link)
     qpos = np.array(figure.model.qpos0)
     mujoco.mj_integratePos(figure.model, qpos, rng.normal(size=figure.model.nv), 1.0)
 
@@ -316,7 +316,7 @@ def asked_again(figure: Figure, points: Sequence[Point], wanted: Array, rng: np.
     """One or two of some points, where they are in a pose."""
     data = seen(figure, wanted)
     some = [points[i] for i in rng.choice(len(points), rng.integers(1, 3), replace=False)]
-    return [PointGoal.of(figure, point, PointGoal.of(figure, point).place(data)) for point in some]
+    return [PointGoal.of(figure, point, PointGoal.of(figure, point).places(data)[0]) for point in some]
 
 
 @pytest.mark.slow
