@@ -1,4 +1,4 @@
-"""Array types of the solver, read-only copies, runs of masks, segments between times, and sums of rows."""
+"""Array types of the solver, read-only copies, runs of masks, intervals of times, and sums of rows."""
 
 from __future__ import annotations
 
@@ -36,6 +36,23 @@ def segments_at(times: Array, t: Array) -> Index:
     A time before or after all segments belongs to the first or last one.
     """
     return np.clip(np.searchsorted(times, t, side="right") - 1, 0, times.size - 2)
+
+
+def within(t: Array, first: Array, last: Array) -> tuple[Index, Index]:
+    """Return the pairs of an interval and a time in it: two index arrays (p,), for times t (S,).
+
+    Args:
+        t: The times, (S,) [s], in any order.
+        first: The first times of the intervals, (n,) [s].
+        last: The last times of the intervals, (n,) [s], inclusive.
+    """
+    order = np.argsort(t, kind="stable")
+    rising = t[order]
+    begin, end = np.searchsorted(rising, first, "left"), np.searchsorted(rising, last, "right")
+    active = np.flatnonzero(end > begin)
+    begin, counts = begin[active], (end - begin)[active]
+    place = np.arange(counts.sum()) + np.repeat(begin - (np.cumsum(counts) - counts), counts)
+    return np.repeat(active, counts), order[place]
 
 
 def add_rows_at(into: Array, at: Index, rows: Array) -> None:

@@ -23,7 +23,6 @@ from .figure.kinematics import Samples
 from .figure.size import Size
 from .penalty import Block, Dense, Penalty, Role
 from .penalty.block import summed
-from .penalty.penalty import instants_of
 
 # see `tension`: LONG [s] time between keyframes from which tension rises; exponent of the rise; upper limit of tension
 LONG, TENSION_POWER, MAX_TENSION = 0.25, 4.0, 8.0
@@ -118,7 +117,7 @@ class Objective:
         spacing = (last - first) / (raw.spline.times.size - 1)
         terms = []
         for term, integral in zip(self.terms, integrals, strict=True):
-            scale, instants = term.penalty.normalization, instants_of(term.penalty)
+            scale, instants = term.penalty.normalization, term.penalty.instants
             length = instants.size or last - first
             whole = scale.reference * size.length**scale.length_power * length / spacing**scale.time_power
             most = whole if scale.is_violation else scale.raw_cap * length
@@ -206,7 +205,7 @@ class Objective:
             including tension, (terms, S), in [s], or [1] at instants.
         """
         t, w = self.quadrature.nodes(times)
-        instants_by_term = [instants_of(term.penalty) for term in self.terms]
+        instants_by_term = [term.penalty.instants for term in self.terms]
         instants = np.unique(np.concatenate([*instants_by_term, np.zeros(0)]))
         instants = instants[(instants >= times[0]) & (instants <= times[-1])]
         t, w = np.append(t, instants), np.append(w, 0 * instants)
@@ -318,7 +317,7 @@ def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
             weights = objective.factor(term, t[run]) * w[run]
             np.add.at(out[:, k], segment[run], weights * term.penalty.evaluate(samples))
     for k, term in enumerate(objective.terms):
-        at = instants_of(term.penalty)
+        at = term.penalty.instants
         at = at[(at >= times[0]) & ((at < times[-1]) | (at == path.spline.times[-1]))]
         if at.size:
             segment = segments_at(times, at)
@@ -387,7 +386,7 @@ class Discretised:
         self.instants = [
             (term, Sampling.of(self.spline, t[weight > 0]))
             for term, weight in zip(objective.terms, weights_by_term, strict=True)
-            if instants_of(term.penalty).size and weight.any()
+            if term.penalty.instants.size and weight.any()
         ]
         self._last: tuple[Array, Sequence[EvaluatedRun]] | None = None
         self._shares = [factors * weights_by_term[:, piece.which] for piece in self._pieces]

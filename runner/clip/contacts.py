@@ -14,7 +14,7 @@ from itertools import pairwise
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
-from dynsplines.solver.contacts import ROUNDING, Contacts, Grasp, Rest, Spot, Stance
+from dynsplines.solver.contacts import ROUNDING, Contacts, Grasp, Rest, Stance
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
@@ -263,7 +263,7 @@ def _no_body(figure: Figure, name: str, bodies: dict[str, int]) -> str:
     return unknown("body", name, bodies)
 
 
-def _grasp_spots(figure: Figure, keys: Timeline, grasp: Grasp, name: str) -> list[Spot]:
+def _grasp_spots(figure: Figure, keys: Timeline, grasp: Grasp, name: str) -> list[Stance]:
     """Return the site's spots on the body over the interval, as far as the table and keyframes specify them."""
     limits = Thresholds.of(figure)
     setting, places, exact = _grasp_places(figure, keys, grasp)
@@ -283,7 +283,7 @@ def _grasp_spots(figure: Figure, keys: Timeline, grasp: Grasp, name: str) -> lis
         spots = {grasp.first: target}
     if not spots:
         return []
-    there = replace(grasp, spots=tuple(Spot(*stretch) for stretch in _grasp_stretches(spots, grasp)))
+    there = replace(grasp, spots=tuple(_grasp_stances(spots, grasp)))
     slack: dict[float, float] = {}
     for k in np.setdiff1d(setting, firm):
         t = float(keys.times[k])
@@ -293,14 +293,15 @@ def _grasp_spots(figure: Figure, keys: Timeline, grasp: Grasp, name: str) -> lis
         if short <= limits.out_of_reach:
             spots[t], slack[t] = places[:, k].copy(), SLACK * short * (short > limits.met)
     return [
-        Spot(*stretch, (slack.get(stretch[0], 0.0), slack.get(stretch[1], 0.0)))
-        for stretch in _grasp_stretches(spots, grasp)
+        replace(stance, slack=(slack.get(stance.first, 0.0), slack.get(stance.last, 0.0)))
+        for stance in _grasp_stances(spots, grasp)
     ]
 
 
-def _grasp_stretches(places: dict[float, Array], grasp: Grasp) -> Iterator[tuple[float, float, Array, Array]]:
-    """Yield (first, last, from, to) from position to position of a grasp, by time."""
-    return stretches(sorted(places.items(), key=lambda pair: pair[0]), grasp.first, grasp.last)
+def _grasp_stances(places: dict[float, Array], grasp: Grasp) -> Iterator[Stance]:
+    """Yield the stances from position to position of a grasp, by time."""
+    for stretch in stretches(sorted(places.items(), key=lambda pair: pair[0]), grasp.first, grasp.last):
+        yield Stance(grasp.point, *stretch, link=grasp.link)
 
 
 def _grasp_places(figure: Figure, keys: Timeline, grasp: Grasp) -> tuple[Index, Array, Mask]:

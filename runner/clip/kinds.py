@@ -17,6 +17,7 @@ from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.naming import geom_name
 from dynsplines.solver.penalty import (
+    Attachment,
     Bend,
     BendLimits,
     Between,
@@ -28,12 +29,9 @@ from dynsplines.solver.penalty import (
     GraspPenalty,
     HoverPenalty,
     JointRange,
-    Level,
-    LoopClosure,
     OvershootPenalty,
     PeakAcceleration,
     Penalty,
-    Placement,
     Posture,
     Range,
     RestPenalty,
@@ -41,7 +39,6 @@ from dynsplines.solver.penalty import (
     SelfContact,
     Skate,
     Speed,
-    StancePenalty,
     Sum,
     Support,
     SwingSegments,
@@ -298,13 +295,21 @@ def _stance(context: Context, options: Options) -> Penalty | None:
     stances = (*schedule.stances, *schedule.resting_objects)
     if schedule.footsteps:
         return SteppingStances.of(schedule, BendLimits(context.bends), stances)
-    return StancePenalty(stances) if context.points or schedule.resting_objects else None
+    return Attachment(stances) if context.points or schedule.resting_objects else None
 
 
 def _contact(context: Context, options: Options) -> Penalty | None:
     contacts = context.schedule.contacts
-    parts = StancePenalty(contacts.stances), RestPenalty(contacts.rests, context.surfaces)
+    parts = Attachment(contacts.stances), RestPenalty(contacts.rests, context.surfaces)
     return Sum(parts, term_name=RestPenalty.name) if contacts.requested else None
+
+
+def _grasp(context: Context, options: Options) -> Penalty | None:
+    return GraspPenalty.of(context.schedule.grasps) if context.schedule.grasps else None
+
+
+def _placement(context: Context, options: Options) -> Penalty | None:
+    return Attachment.at_instants(context.placed) if context.placed else None
 
 
 def _no_slip(context: Context, options: Reach) -> Penalty | None:
@@ -331,7 +336,7 @@ def _equality(context: Context, options: Options) -> Penalty | None:
     loops, followers = closures(context.figure), couplings(context.figure)
     parts = list[Penalty]()
     if loops:
-        parts.append(LoopClosure(loops))
+        parts.append(Attachment(loops, "closed"))
     if followers:
         parts.append(CouplingPenalty(followers))
     return Sum(tuple(parts), term_name="equality") if parts else None
@@ -417,7 +422,7 @@ def _bodies(context: Context, options: UprightOptions) -> Penalty | None:
         if name not in movable:
             raise UserError(f"{context.where}: penalty 'upright': {unknown('body', name, movable)}")
         links.append(movable[name])
-    return Level.of(context.figure, links, options.axis)
+    return Upright.of(context.figure, links, options.axis)
 
 
 RENAMED = {  # kinds of version 0.2, and the terms that they are now
@@ -486,12 +491,11 @@ KINDS = {
                 Part(750.0, "movement of [[contact]] points", _contact, "contact"),
                 Part(
                     750.0, "movement of [[grasp]] sites relative to the held body",
-                    lambda context, options: GraspPenalty(context.schedule.grasps) if context.schedule.grasps else None,
-                    "grasp",
+                    _grasp, "grasp",
                 ),
                 Part(
                     30.0, 'distance of sites with by = "search" from their targets',
-                    lambda context, options: Placement(context.placed) if context.placed else None, "placement",
+                    _placement, "placement",
                 ),
             ),
         ),

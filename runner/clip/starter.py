@@ -251,7 +251,7 @@ def _joint(link: Link, qpos: Array) -> RotationTable | float:
 def _loops(figure: Figure) -> set[int]:
     path, links = figure.tables.path > 0, set()
     for closure in closures(figure):
-        links |= set(np.flatnonzero(path[closure.one.link] != path[closure.two.link]).tolist())
+        links |= set(np.flatnonzero(path[closure.point.link] != path[closure.link]).tolist())
     return {i for i in links if figure.links[i].kind is not JointKind.FREE}
 
 

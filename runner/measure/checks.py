@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -17,13 +17,12 @@ from dynsplines.solver.contacts import Grasp, Rest, Stance
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
+    Attachment,
     BendLimits,
     Contact,
     CouplingPenalty,
     JointRange,
-    LoopClosure,
     Placed,
-    Placement,
     Range,
     Rolling,
     Speed,
@@ -248,11 +247,11 @@ def loop_gaps(fixed: Fixed) -> Check | None:
     pairs = closures(fixed.figure)
     if not pairs:
         return None
-    loops = LoopClosure(pairs)
-    rows = [row_of("torn", pair.name, f"the loop of {pair.name} is torn by {{}}") for pair in pairs]
-    both = fixed.places[[pair.one.link for pair in pairs]] & fixed.places[[pair.two.link for pair in pairs]]
-    _, groups = np.unique([pair.name for pair in pairs], return_inverse=True)
-    return Check.each("torn", rows, lambda samples: Hits.of(np.linalg.norm(loops.gaps(samples), axis=0)), both, groups)
+    names = [pair.point.name for pair in pairs]
+    rows = [row_of("torn", name, f"the loop of {name} is torn by {{}}") for name in names]
+    both = fixed.places[[pair.point.link for pair in pairs]] & fixed.places[[pair.link for pair in pairs]]
+    _, groups = np.unique(names, return_inverse=True)
+    return Check.each("torn", rows, partial(_distances, Attachment(pairs)), both, groups)
 
 
 def whips(figure: Figure, raw_peak: float) -> Check | None:
@@ -354,13 +353,13 @@ def slips(grasps: Sequence[Grasp], starts: Sequence[Array], fixed: Fixed) -> Che
 def misses(points: Sequence[Placed]) -> Check:
     """Return the check of points left to the search that miss their positions."""
     rows = [row_of("placement", place.point.name, f"{place.point.name} is {{}} off its place") for place in points]
-    placement = Placement(tuple(points))
+    return Check.each("placement", rows, partial(_distances, Attachment.at_instants(points)))
 
-    def hits(samples: Samples) -> Hits:
-        which, at = placement.pairs(samples)
-        return Hits(which, at, np.linalg.norm(placement.away(samples)[1], axis=0))
 
-    return Check.each("placement", rows, hits)
+def _distances(attachment: Attachment, samples: Samples) -> Hits:
+    """Return the distances of points from their positions."""
+    stance, at, away = attachment.displacements(samples)
+    return Hits(stance, at, np.linalg.norm(away, axis=0))
 
 
 def penetrations(parts: Sequence[Contact], soles: frozenset[str], feet: Index, fixed: Fixed) -> Check:

@@ -18,13 +18,13 @@ from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import (
+    Attachment,
     BendLimits,
     Contact,
     Penalty,
     RestPenalty,
     Rolling,
     Speed,
-    StancePenalty,
     Sum,
     joint_ranges,
     slipped,
@@ -226,7 +226,8 @@ def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[tuple[ContactTa
     Frames of a recording are samples, not poses: a foot that lands between two of them is near its place in both.
     """
     figure, feet = clip.figure, feet_of(clip.figure, clip.context.points)
-    specified = [stance for part in _parts(clip) if isinstance(part, StancePenalty) for stance in part.stances]
+    resting = [part for part in _parts(clip) if isinstance(part, Attachment) and part.name == "attach.stance"]
+    specified = [stance for part in resting for stance in part.stances]
     rests = clip.context.schedule.contacts.requested
     if rests:
         middle = samples_at(figure, path_of(timeline), np.array([0.5 * (rest.first + rest.last) for rest in rests]))

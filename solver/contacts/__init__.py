@@ -1,8 +1,10 @@
 """Inference of when and where figures touch their surroundings, from keyframes, clips and recordings.
 
 schedule          all contacts of one clip: stances, grasps, flights, gait
-stance            points that stay in one place           grasp     points that hold another body
-footing           points that carry                       grounded  intervals near the ground
+stance            points that stay in one place
+grasp             points that hold another body, and bodies at rest between holds
+footing           points that carry
+grounded          intervals near the ground
 steps             legs that swing while another one stands
 footsteps         the steps of two feet between keyframes in which both stand
 flight            free fall between contacts
@@ -21,8 +23,8 @@ from .footing import Interval as Interval
 from .footing import footings as footings
 from .footing import within as within
 from .grasp import Grasp as Grasp
-from .grasp import Spot as Spot
 from .grasp import grasped_links as grasped_links
+from .grasp import resting_objects as resting_objects
 from .grasp import surfaces_on as surfaces_on
 from .grasp import tree_of as tree_of
 from .schedule import ROUNDING as ROUNDING
@@ -30,6 +32,5 @@ from .schedule import Contacts as Contacts
 from .schedule import ContactSchedule as ContactSchedule
 from .stance import Rest as Rest
 from .stance import Stance as Stance
-from .stance import resting_objects as resting_objects
 from .stance import stances as stances
 from .steps import Steps as Steps

@@ -1,45 +1,23 @@
-"""Grasps: a point of one link stays where it grasped another body, while both may move."""
+"""Grasps: a point of one link stays where it grasped another body, while both may move. Otherwise the body may rest."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from .. import quaternion as quat
 from ..array import Array, Mask
+from ..curve.spline import path_of
 from ..figure.figure import Figure
+from ..figure.kinematics import Samples
 from ..surface import Surface, moving_surface
 from ..surface.points import Point
 from ..surface.touch import movers
-
-
-@dataclass(frozen=True, eq=False)
-class Spot:
-    """A grasped position on a body, which may drift as keyframes do: `start` (3,) [m] at `first` [s], `end` at `last`.
-
-    slack  [m] distance from the spot without cost, at either end of the interval. If a keyframe puts the body out of
-           the limb's reach, only a stretched limb approaches the spot; without slack it would whip to this pose and
-           back.
-    """
-
-    first: float
-    last: float
-    start: Array
-    end: Array
-    slack: tuple[float, float] = (0.0, 0.0)
-
-    def at(self, t: Array) -> Array:
-        """Return the position (3, S) in the link's axes at times t (S,)."""
-        return self.start[:, None] + (self.end - self.start)[:, None] * self._share(t)
-
-    def slack_at(self, t: Array) -> Array:
-        start, end = self.slack
-        return start + (end - start) * self._share(t)
-
-    def _share(self, t: Array) -> Array:
-        return (t - self.first) / (self.last - self.first)
+from .keyframe_points import KeyframePoints
+from .stance import Stance, stance_between
 
 
 @dataclass(frozen=True, eq=False)
@@ -47,7 +25,7 @@ class Grasp:
     """A grasp of one link by a point of another from `first` to `last` [s].
 
     link   index of the grasped link;  body  its name
-    spots  positions on the link, consecutive without gaps; none if unknown
+    spots  stances on the link, consecutive without gaps; none if the position is unknown
     position  the specified position (3,) on the link [m], from which keyframes may differ a little; None without one
     """
 
@@ -56,7 +34,7 @@ class Grasp:
     body: str
     first: float
     last: float
-    spots: tuple[Spot, ...] = ()
+    spots: tuple[Stance, ...] = ()
     position: Array | None = None
 
     @property
@@ -70,17 +48,10 @@ class Grasp:
             return None
         out = np.empty((3, t.size))
         for spot, during in self._during(t):
-            out[:, during] = spot.at(t[during])
+            out[:, during] = spot.place(t[during])
         return out
 
-    def slack(self, t: Array) -> Array:
-        """Return the distances (S,) [m] from the spot without cost, at times t (S,) of the grasp."""
-        out = np.zeros(t.size)
-        for spot, during in self._during(t):
-            out[during] = spot.slack_at(t[during])
-        return out
-
-    def _during(self, t: Array) -> Iterator[tuple[Spot, Mask]]:
+    def _during(self, t: Array) -> Iterator[tuple[Stance, Mask]]:
         """Yield the spots, each with the mask of its times among t (S,)."""
         which = np.searchsorted([spot.last for spot in self.spots[:-1]], t)
         for i, spot in enumerate(self.spots):
@@ -114,3 +85,83 @@ def surfaces_on(figure: Figure, link: int) -> tuple[Surface, ...]:
         if surface is not None:
             surfaces.append(surface)
     return tuple(surfaces)
+
+
+class _Unheld(NamedTuple):
+    """A part of a segment in which nothing holds an object that lies at keyframe `key`.
+
+    Attributes:
+        grasp: The grasp that begins or ends the hold at its other end.
+        hold: The time of this end [s].
+    """
+
+    key: int
+    grasp: Grasp
+    hold: float
+
+
+def resting_objects(
+    keyframes: KeyframePoints, links: Sequence[int], grasps: Sequence[Grasp] = ()
+) -> tuple[Stance, ...]:
+    """Return the stances of objects before and after holds, three points per object.
+
+    An object with equal poses in two neighbouring keyframes rests between them. In a segment in which a hold begins or
+    ends, it also rests between the hold and a keyframe at which it lies: its pose is the same in the keyframe on the
+    other side, or there is none. A hand must be near it at this end of the hold. Otherwise the object may be in flight,
+    as if thrown.
+
+    Args:
+        keyframes: Any points at the keyframes.
+        links: The objects: links with a separate kinematic tree.
+        grasps: All grasps.
+    """
+    inferred: list[Stance] = []
+    for link in links:
+        arm, name = keyframes.limits.object_arm, keyframes.figure.links[link].name
+        points = keyframes.with_points([Point(name, link, arm * axis) for axis in np.eye(3)])
+        is_set = np.logical_and.reduce(points.is_known)
+        stays: Mask = np.logical_and.reduce(points.moves < points.limits.same_place) & is_set[:-1] & is_set[1:]
+        inferred += [stance_between(points, i, k) for k in np.flatnonzero(stays).tolist() for i in range(3)]
+        for part in _unheld(points, stays, is_set, [grasp for grasp in grasps if grasp.link == link]):
+            if _is_near(points, part, link):
+                first, last = sorted((float(keyframes.keys.times[part.key]), part.hold))
+                places = points.centres[:, :, part.key].T.copy()
+                inferred += [Stance(p, first, last, at, at) for p, at in zip(points.points, places, strict=True)]
+    return tuple(inferred)
+
+
+def _unheld(points: KeyframePoints, stays: Mask, is_set: Mask, grasps: Sequence[Grasp]) -> Iterator[_Unheld]:
+    """Yield the parts of segments before and after holds of one object, given by its points.
+
+    Args:
+        stays: The segments in which it rests, (K − 1,).
+        is_set: The keyframes that place it, (K,).
+        grasps: Its grasps.
+    """
+    for k, start, end in points.segments():
+        holds = [grasp for grasp in grasps if grasp.first < end and start < grasp.last]
+        if not holds or stays[k]:
+            continue
+        first, last = min(holds, key=lambda grasp: grasp.first), max(holds, key=lambda grasp: grasp.last)
+        if first.first - start > points.limits.lift_off and is_set[k] and _lies(stays, k - 1):
+            yield _Unheld(k, first, first.first)
+        if end - last.last > points.limits.lift_off and is_set[k + 1] and _lies(stays, k + 1):
+            yield _Unheld(k + 1, last, last.last)
+
+
+def _lies(stays: Mask, beyond: int) -> bool:
+    """Return whether an object lies in the segment beyond a keyframe, or there is none."""
+    return not 0 <= beyond < stays.size or bool(stays[beyond])
+
+
+def _is_near(points: KeyframePoints, part: _Unheld, link: int) -> bool:
+    """Return whether the hand is near the object at the end of the hold, on the spline through the keyframes."""
+    at = np.array([part.hold])
+    samples = Samples(points.figure, *path_of(points.keys).motion(at))
+    grasp, links = part.grasp, points.samples.links
+    hand, _ = samples.links.points(np.array([grasp.point.link]), grasp.point.position[:, None])
+    spot = grasp.spot(at)
+    place: Array = links.x[:, link, part.key]
+    if spot is not None:
+        place = place + links.rotation[:, :, link, part.key] @ spot[:, 0]
+    return float(np.linalg.norm(hand[:, 0, 0] - place)) < points.limits.at_hand

@@ -18,10 +18,10 @@ from .footing import Footing, Interval, footings
 from .footsteps import Footsteps, footsteps
 from .gait import GaitCycle
 from .gait_period import Gait
-from .grasp import Grasp, grasped_links
+from .grasp import Grasp, grasped_links, resting_objects
 from .grounded import grounded_intervals, open_intervals
 from .keyframe_points import KeyframePoints
-from .stance import Rest, Stance, resting_objects, stances
+from .stance import Rest, Stance, stances
 from .steps import Steps, hops
 from .thresholds import Thresholds
 

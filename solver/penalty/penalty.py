@@ -97,6 +97,15 @@ class Penalty(ABC):
         """Whether the constraint is an obstacle that the figure can go around. False for a floor or a step."""
         return False
 
+    @property
+    def instants(self) -> Array:
+        """The instants at which alone the constraint is evaluated, ascending, (I,) [s]; empty: an integral is.
+
+        E contains Σ f_j over the instants instead of the integral. f_j is zero at all other times and depends on y
+        only. Of its curvature, only what `Curvature.add_rows` adds is used.
+        """
+        return np.zeros(0)
+
     @abstractmethod
     def residuals(self, samples: Samples) -> Iterable[Block | Dense]:
         """Return the residuals. f_j is the weighted sum of their squares.
@@ -192,30 +201,6 @@ def _one_sided(blocks: Iterable[Block | Dense], samples: Samples) -> OneSidedRes
     return OneSidedResiduals.joined([block.one_sided_residuals(samples) for block in chosen]) if chosen else None
 
 
-class Momentary(Penalty):
-    """A soft constraint evaluated only at given instants: E contains Σ f_j over `instants` instead of an integral.
-
-    f_j is zero at all other times and depends on y only. Of its curvature, only what
-    `Curvature.add_rows` adds is used.
-    """
-
-    @property
-    @abstractmethod
-    def times(self) -> Array:
-        """The time of every constrained item, (n,) [s], possibly with duplicates."""
-
-    @property
-    def instants(self) -> Array:
-        """The distinct times in ascending order, (I,) [s]."""
-        return np.unique(self.times)
-
-    def pairs(self, samples: Samples) -> tuple[Index, Index]:
-        """Return the pairs of a constrained item and a sample at its time: two index arrays (p,), samples ascending."""
-        near = np.flatnonzero(np.isin(samples.t, self.instants))
-        at, which = np.nonzero(samples.t[near, None] == self.times)
-        return which, near[at]
-
-
 class Guide(Penalty):
     """A soft constraint that provides an initial path, for clips whose raw spline is a poor initial guess.
 
@@ -234,8 +219,3 @@ class Guide(Penalty):
     def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
         """Return the timeline with its variable frames on the initial path, extended to at most `most` frames."""
         ...
-
-
-def instants_of(penalty: Penalty) -> Array:
-    """Return the instants (I,) [s] of a `Momentary` constraint; an empty array for all others."""
-    return penalty.instants if isinstance(penalty, Momentary) else np.zeros(0)

@@ -17,7 +17,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.penalty import StancePenalty
+from dynsplines.solver.penalty import Attachment
 
 HEIGHTS = [(0.7, True), (0.45, False)]
 KNEES = ("left_knee", "right_knee")
@@ -104,7 +104,7 @@ def test_what_was_posed_stays_free_and_is_where_the_search_and_the_raw_spline_be
         assert quat.angle_between(there[columns], key.state[columns]) < 1e-9
         assert quat.rotation_vector(there[columns])[1] > np.radians(40)
     np.testing.assert_allclose(soles(problem, 1), soles(problem, 0), atol=1e-6)
-    planted = next(penalty for penalty, _ in problem.penalties if isinstance(penalty, StancePenalty))
+    planted = next(penalty for penalty, _ in problem.penalties if isinstance(penalty, Attachment))
     assert {(stance.point.name, stance.first, stance.last) for stance in planted.stances} == {
         (point.name, first, first + 1.0) for point in problem.context.points for first in (0.0, 1.0)
     }

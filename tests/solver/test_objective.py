@@ -38,7 +38,6 @@ from dynsplines.solver.penalty import (
     RootAcceleration,
 )
 from dynsplines.solver.penalty.block import Dense
-from dynsplines.solver.penalty.penalty import Momentary
 from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point
 
@@ -264,7 +263,7 @@ class Clock(Penalty):
         return [Dense(samples.t[None] ** 2.5, lambda cotangent, bar: None)]
 
 
-class Bell(Momentary):
+class Bell(Penalty):
     """1 + t at some instants."""
 
     @property
@@ -276,8 +275,8 @@ class Bell(Momentary):
         return Normalization(1.0)
 
     @property
-    def times(self) -> np.ndarray:
-        return np.array([3.0, 0.25, 0.5, 0.5, -1.0, 0.0, 1.1, 2.0])  # of which two are outside
+    def instants(self) -> np.ndarray:
+        return np.array([-1.0, 0.0, 0.25, 0.5, 1.1, 2.0, 3.0])  # of which two are outside
 
     def residuals(self, samples: Samples) -> list[Dense]:
         rings = np.isin(samples.t, self.instants)

@@ -13,10 +13,10 @@ from dynsplines.solver.figure.dynamics import generalised_forces
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
+    Attachment,
     CovariantAcceleration,
     Penalty,
     RootAcceleration,
-    StancePenalty,
     Torque,
     UnitMagnitude,
 )
@@ -25,7 +25,7 @@ from dynsplines.solver.penalty.one_sided import OneSidedResiduals
 from dynsplines.solver.surface.points import places_of
 
 STEP_SIZE = 1e-5
-PLANTED = StancePenalty((stance_of(1, 0.2, 1.0), stance_of(2, 0.5, 2.0), stance_of(2, 0.0, 0.6)))
+PLANTED = Attachment((stance_of(1, 0.2, 1.0), stance_of(2, 0.5, 2.0), stance_of(2, 0.0, 0.6)))
 
 
 def _blocks(samples: Samples) -> tuple[Array, Array, Array]:

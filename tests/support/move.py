@@ -17,7 +17,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Stance
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import BendLimits, StancePenalty, Sum
+from dynsplines.solver.penalty import Attachment, BendLimits, Sum
 from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface.points import places_of
 
@@ -102,7 +102,8 @@ class Move:
     def stances(self) -> tuple[Stance, ...]:
         penalties = [penalty for penalty, _ in self.clip.penalties]
         parts = [p for penalty in penalties for p in (penalty.parts if isinstance(penalty, Sum) else (penalty,))]
-        return tuple(stance for part in parts if isinstance(part, StancePenalty) for stance in part.stances)
+        resting = [part for part in parts if isinstance(part, Attachment) and part.name == "attach.stance"]
+        return tuple(stance for part in resting for stance in part.stances)
 
     def displacement(self, stance: Stance) -> Array:
         """(3, S) [m] how far a point at rest is from its spot."""

@@ -20,14 +20,14 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import applied
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrenches import of_point
-from dynsplines.solver.penalty import BendLimits, Block, Guide, StancePenalty
+from dynsplines.solver.penalty import Attachment, BendLimits, Block, Guide
 from dynsplines.solver.surface.points import free_root, places_of
 
 from .standing_feet import Standing, upright
 
 
 @dataclass(frozen=True)
-class SteppingStances(StancePenalty, Guide):
+class SteppingStances(Attachment, Guide):
     """The stances of a clip with footsteps, and the squared depths [m²] of points below `Swing.lowest` in steps.
 
     Without these depths, the search would press feet to the ground that the initial guess raises, as low feet need less
@@ -54,7 +54,8 @@ class SteppingStances(StancePenalty, Guide):
                 poses.append(Frame.variable(time, _stepped(schedule, bends, state, places)))
         segments = [steps.segment for steps in schedule.footsteps]
         swings = tuple(swing for steps in schedule.footsteps for swing in steps.swings if swing.height)
-        return cls(stances, swings, tuple(poses), tuple((float(times[k]), float(times[k + 1])) for k in segments))
+        spans = tuple((float(times[k]), float(times[k + 1])) for k in segments)
+        return cls(stances, swings=swings, poses=tuple(poses), spans=spans)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         yield from super().residuals(samples)

@@ -6,7 +6,6 @@ speed         maximum speeds
 overshoot     joints with the same value in two neighbouring keyframes
 coupling      joints coupled by equality constraints
 loop_closure  loops closed by equality constraints
-upright       a trunk at its posed tilt
-level         bodies that stay upright
+upright       bodies that stay upright, a trunk at its posed tilt
 self_contact  collisions of a figure with itself
 """

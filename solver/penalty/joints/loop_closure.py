@@ -6,72 +6,22 @@ rotation costs about as much as an error of position; it holds one if its `torqu
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass
-from functools import cached_property
-
 import mujoco
 import numpy as np
 
 from ... import quaternion as quat
-from ...array import Array, Index
+from ...array import Array
+from ...contacts.stance import Stance
 from ...figure.figure import Figure
-from ...figure.kinematics import Samples
-from ...figure.wrenches import every_axis, of_point
 from ...surface.points import Point
-from ..block import Block
-from ..penalty import Normalization, Penalty
 
 TORQUE_SCALE = 10  # index of `torquescale` in the data of a weld; zero leaves the rotation free
 UNTURNED = np.array([1.0, 0, 0, 0])
 ARM = 0.1  # [m] distance from the middle of a weld to the points that hold its rotation
 
 
-@dataclass(frozen=True, eq=False)
-class Closure:
-    """Two points that must coincide, on different links or on a link and the world (link 0)."""
-
-    name: str
-    one: Point
-    two: Point
-
-
-@dataclass(frozen=True)
-class LoopClosure(Penalty):
-    """Σ over closures of the squared distance [m²]."""
-
-    closures: tuple[Closure, ...]
-
-    name = "closed"
-    normalization = Normalization(1e-4, length_power=2, is_violation=True)
-
-    @cached_property
-    def _sides(self) -> tuple[tuple[Index, Array], tuple[Index, Array]]:
-        """The links (n,) and positions (3, n) of both ends."""
-        ends = [[c.one for c in self.closures], [c.two for c in self.closures]]
-        one, two = (
-            (np.array([p.link for p in end], np.intp), np.array([p.position for p in end]).T.reshape(3, -1))
-            for end in ends
-        )
-        return one, two
-
-    def gaps(self, samples: Samples) -> Array:
-        """Return the vectors from the second points to the first, (3, n, S) [m]."""
-        (links, positions), (others, places) = self._sides
-        return samples.links.points(links, positions)[0] - samples.links.points(others, places)[0]
-
-    def residuals(self, samples: Samples) -> Iterator[Block]:
-        places, changes = [], []
-        for (links, positions), sign in zip(self._sides, (1.0, -1.0), strict=True):
-            place, arms = samples.links.points(links, positions)
-            places.append(place)
-            at, link, axes = every_axis(links, samples.count)
-            changes.append(of_point(at, link, np.tile(arms.reshape(3, -1), 3), sign * axes))
-        yield Block(changes[0].at, (places[0] - places[1]).ravel(), tuple(changes))
-
-
-def closures(figure: Figure) -> tuple[Closure, ...]:
-    """Return the active connections and welds of a model, except those of mocap bodies."""
+def closures(figure: Figure) -> tuple[Stance, ...]:
+    """Return the points that the active connections and welds of a model hold, except those of mocap bodies."""
     model, result = figure.model, []
     kinds = {int(mujoco.mjtEq.mjEQ_CONNECT): "connect", int(mujoco.mjtEq.mjEQ_WELD): "weld"}
     for i in np.flatnonzero(model.eq_active0 != 0):
@@ -90,7 +40,8 @@ def closures(figure: Figure) -> tuple[Closure, ...]:
                 link, place = figure.point_on_link(body, position + quat.rotated(turn, offset))
                 ends.append(Point(name, link, place))
             if ends[0].link != ends[1].link:
-                result.append(Closure(name, ends[0], ends[1]))
+                one, two = ends
+                result.append(Stance(one, -np.inf, np.inf, two.position, two.position, link=two.link))
     return tuple(result)
 
 

@@ -1,6 +1,6 @@
-"""Upright: a trunk of unspecified rotation stays at the tilt of its pose over the feet.
+"""Upright: a trunk, a tray or a cup stays upright. A trunk of unspecified rotation stays at its tilt over the feet.
 
-Without it a squat leans far back, which shortens the path of the hips at no other cost. Not in the paper.
+Without the latter a squat leans far back, which shortens the path of the hips at no other cost. Not in the paper.
 """
 
 from __future__ import annotations
@@ -11,53 +11,85 @@ from functools import cached_property
 
 import numpy as np
 
-from ...array import Array, Index
+from ... import quaternion as quat
+from ...array import Array, Index, within
 from ...curve.frame import Timeline
 from ...figure.algebra import applied, cross
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
 from ...figure.wrenches import along_axes, of_turn
 from ..block import Block
-from ..penalty import Momentary, Normalization
+from ..penalty import Normalization, Penalty
 
 
 @dataclass(frozen=True, eq=False)
 class Lean:
-    """A unit axis (3,) of a link that must be vertical at a time [s]."""
+    """A unit axis (3,) of a link that must be vertical at a time [s], or always."""
 
     link: int
-    time: float
     axis: Array
+    time: float | None = None
 
 
 @dataclass(frozen=True)
-class Upright(Momentary):
-    """Σ over leans of |R axis − z|², approximately the squared angle [rad²] of the axis to the vertical."""
+class Upright(Penalty):
+    """Σ over leans of |R axis − z|², approximately the squared angle [rad²] of the axis to the vertical.
+
+    Either all of them have a time, or none.
+    """
 
     leans: tuple[Lean, ...]
+    term_name: str = "upright.trunk"
 
-    name = "upright.trunk"
     normalization = Normalization(float(np.radians(10) ** 2), is_violation=True)
 
+    @classmethod
+    def of(cls, figure: Figure, bodies: Sequence[int], axis: Sequence[float] | None = None) -> Upright:
+        """Return the penalty of bodies by index.
+
+        Args:
+            bodies: MuJoCo's ids of the bodies.
+            axis: The axis in each body's frame, (3,); None: the axis that points up at rest.
+
+        Raises:
+            ValueError: The axis is zero.
+        """
+        links = figure.body_link[np.array(bodies)].tolist()
+        if axis is not None and not np.any(axis):
+            raise ValueError("axis is [0, 0, 0], which points nowhere")
+        if axis is None:
+            rest = Samples.still(figure, figure.to_state(figure.model.qpos0)[None])
+            axes = rest.links.rotation[2][:, links, 0].T
+        else:
+            axes = [quat.rotated(figure.body_turn[body], axis) / np.linalg.norm(axis) for body in bodies]
+        return cls(tuple(Lean(link, along) for link, along in zip(links, axes, strict=True)), "upright.bodies")
+
+    @property
+    def name(self) -> str:
+        return self.term_name
+
     @cached_property
-    def times(self) -> Array:
-        return np.array([lean.time for lean in self.leans])
+    def instants(self) -> Array:
+        return np.unique([lean.time for lean in self.leans if lean.time is not None])
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        which, at = self.pairs(samples)
+        links, axes, *times = self._arrays
+        which, at = within(samples.t, *times)
         if not which.size:
             return
-        links, axes = self._arrays
-        turned = applied(samples.links.rotation[:, :, links[which], at], axes[:, which])
+        turned = applied(samples.links.poses(links[which] * samples.count + at)[1], axes[:, which])
         at, link, along = along_axes(at, links[which])
         changes = of_turn(at, link, cross(np.tile(turned, 3), along))
         yield Block(at, (turned - np.array([[0.0], [0], [1]])).ravel(), (changes,))
 
     @cached_property
-    def _arrays(self) -> tuple[Index, Array]:
-        """Links (n,) and axes (3, n)."""
+    def _arrays(self) -> tuple[Index, Array, Array, Array]:
+        """The links (n,), the axes (3, n), and the first and last times (n,) [s]."""
         axes = np.array([lean.axis for lean in self.leans]).reshape(-1, 3).T
-        return np.array([lean.link for lean in self.leans], np.intp), axes
+        first, last = (
+            np.array([end if lean.time is None else lean.time for lean in self.leans]) for end in (-np.inf, np.inf)
+        )
+        return np.array([lean.link for lean in self.leans], np.intp), axes, first, last
 
 
 def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, ...]:
@@ -76,7 +108,7 @@ def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, .
         posed = keys.known[:, columns].all(axis=1) & ~keys.fixed[:, columns].all(axis=1)
         for k in np.flatnonzero(posed):
             axis = samples.links.rotation[2, :, root, k].copy()
-            result.append(Lean(int(root), float(keys.times[k]), axis))
+            result.append(Lean(int(root), axis, float(keys.times[k])))
     return tuple(result)
 
 

@@ -15,7 +15,7 @@ from dynsplines.solver.contacts import Rest, Stance
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import Contact, RestPenalty, StancePenalty, Sum
+from dynsplines.solver.penalty import Attachment, Contact, RestPenalty, Sum
 from dynsplines.solver.surface.points import places_of
 
 STEP = """
@@ -41,7 +41,7 @@ def text(*contacts: str, x: float = 0.0, y: float = 0.0) -> str:
 def planted(clip: clips.Clip) -> tuple[tuple[Stance, ...], tuple[Rest, ...]]:
     penalties = [penalty for penalty, _ in clip.penalties if penalty.name in ("attach.stance", "attach.contact")]
     parts = [p for penalty in penalties for p in (penalty.parts if isinstance(penalty, Sum) else (penalty,))]
-    stances = tuple(stance for part in parts if isinstance(part, StancePenalty) for stance in part.stances)
+    stances = tuple(stance for part in parts if isinstance(part, Attachment) for stance in part.stances)
     return stances, tuple(rest for part in parts if isinstance(part, RestPenalty) for rest in part.rests)
 
 

@@ -13,7 +13,7 @@ from dynsplines import inbetween, recordings
 from dynsplines.solver.contacts.footsteps import Footsteps, footsteps
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.penalty import StancePenalty
+from dynsplines.solver.penalty import Attachment
 
 
 def clip(forward: float, left: float = 0.0, turn: float = 0.0, time: float = 1.2, more: str = "") -> str:
@@ -189,8 +189,8 @@ def test_feet_that_slide_cost_as_much_as_they_are_too_low(rng):
     penalty = next(penalty for penalty, _ in loaded.problem.penalties if penalty.name == "attach.stance")
     path, swing = path_of(loaded.problem.raw), loaded.context.schedule.footsteps[0].swings[0]
     middle = loaded.problem.objective.samples(path, np.array([(swing.first + swing.last) / 2]))
-    assert isinstance(penalty, StancePenalty)
-    on_ground, planted = penalty.evaluate(middle), StancePenalty(penalty.stances).evaluate(middle)
+    assert isinstance(penalty, Attachment)
+    on_ground, planted = penalty.evaluate(middle), Attachment(penalty.stances).evaluate(middle)
     np.testing.assert_allclose(on_ground - planted, 2 * (0.4 * 0.12) ** 2, rtol=0.1)
     assert penalty_slope(penalty, loaded.problem.objective.samples(path, np.linspace(0.02, 1.18, 24)), rng) > 1.95
 

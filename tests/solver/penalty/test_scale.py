@@ -10,12 +10,12 @@ from random_samples import random_samples
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import Grasp, Rest, Spot, Stance
+from dynsplines.solver.contacts import Grasp, Rest, Stance
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
+    Attachment,
     Bend,
     BendLimits,
-    Closure,
     Contact,
     Coupling,
     CouplingPenalty,
@@ -24,19 +24,15 @@ from dynsplines.solver.penalty import (
     HoverPenalty,
     JointRange,
     Lean,
-    Level,
-    LoopClosure,
     PeakAcceleration,
     Penalty,
     Placed,
-    Placement,
     Posture,
     Range,
     RestPenalty,
     RootAcceleration,
     Skate,
     Speed,
-    StancePenalty,
     Sum,
     Torque,
     Upright,
@@ -45,15 +41,15 @@ from dynsplines.solver.penalty.joints.self_contact import Bar, SelfContact
 from dynsplines.solver.surface.points import Point
 
 UP, X = np.array([0.0, 0, 1]), np.array([1.0, 0, 0])
-ORIGIN, WORLD = Point("middle", 1, np.zeros(3)), Point("spot", 0, np.zeros(3))
+ORIGIN = Point("middle", 1, np.zeros(3))
 CENTIMETRE = {
     "contact": Contact((ORIGIN,), (FLOOR,)),
     "grounded": HoverPenalty((ORIGIN,), (FLOOR,), ((-1.0, 1.0),), reach=10.0),
-    "planted": StancePenalty((Stance(ORIGIN, -1, 1, np.zeros(3), np.zeros(3)),)),
+    "planted": Attachment((Stance(ORIGIN, -1, 1, np.zeros(3), np.zeros(3)),)),
     "resting": RestPenalty((Rest(ORIGIN, -1, 1),), (FLOOR,)),
-    "placement": Placement((Placed(ORIGIN, 0.0, np.zeros(3)),)),
-    "grasp": GraspPenalty((Grasp(ORIGIN, 0, "world", -1, 1, (Spot(-1, 1, np.zeros(3), np.zeros(3)),)),)),
-    "closed": LoopClosure((Closure("ring", ORIGIN, WORLD),)),
+    "placement": Attachment.at_instants((Placed(ORIGIN, 0.0, np.zeros(3)),)),
+    "grasp": GraspPenalty.of((Grasp(ORIGIN, 0, "world", -1, 1, (Stance(ORIGIN, -1, 1, np.zeros(3), np.zeros(3)),)),)),
+    "closed": Attachment((Stance(ORIGIN, -np.inf, np.inf, np.zeros(3), np.zeros(3)),), "closed"),
     "self": SelfContact((Bar(0, 1, 0 * UP, UP, 0.0, 0.1), Bar(1, 0, 0.19 * UP, UP, 0.0, 0.1)), np.array([[0], [1]])),
 }  # fmt: skip
 
@@ -99,7 +95,7 @@ def test_a_degree_beyond_a_joints_range_a_bends_bound_or_a_couplings_line_counts
 
 
 @pytest.mark.parametrize(
-    "penalty", [Level(np.array([1]), UP[:, None]), Upright((Lean(1, 0.0, UP),))], ids=["level", "upright"]
+    "penalty", [Upright((Lean(1, UP),)), Upright((Lean(1, UP, 0.0),))], ids=["always", "at a time"]
 )
 def test_ten_degrees_off_the_vertical_count_as_the_reference_specifies(penalty):
     figure = figure_of(BALL)

@@ -32,11 +32,11 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.size import Size
 from dynsplines.solver.objective import Discretised, Objective
 from dynsplines.solver.penalty import (
+    Attachment,
     Contact,
     CovariantAcceleration,
     Penalty,
     RootAcceleration,
-    StancePenalty,
     UnitMagnitude,
 )
 from dynsplines.solver.penalty.block import Block
@@ -101,7 +101,7 @@ def test_so_it_is_between_two_keyframes(rng, ends, variable):
 
 
 def test_stances_enter_the_model_like_the_others(rng, monkeypatch):
-    planted = StancePenalty((stance_of(1, 0.2, 1.0), stance_of(2, 0.5, 1.2)))
+    planted = Attachment((stance_of(1, 0.2, 1.0), stance_of(2, 0.5, 1.2)))
     monkeypatch.setattr("curvature_of.PLANTED", planted)
     figure = figure_of(TINY)
     names = ("covariant", "unit", "root", "planted")

@@ -8,7 +8,7 @@ from random_samples import at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import Grasp, Spot
+from dynsplines.solver.contacts import Grasp, Stance
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
@@ -29,8 +29,8 @@ def grasps(figure: Figure) -> tuple[Grasp, Grasp]:
     """One whose spot drifts and then stays, with more and more slack, and one whose spot nobody knows."""
     last = len(figure.links) - 1
     spots = (
-        Spot(0.1, 0.4, np.array([0.1, 0, 0.2]), np.array([0.1, 0.3, 0]), (0.0, 0.3)),
-        Spot(0.4, 0.8, np.array([0.1, 0.3, 0]), np.array([0.1, 0.3, 0]), (0.3, 0.7)),
+        Stance(HAND, 0.1, 0.4, np.array([0.1, 0, 0.2]), np.array([0.1, 0.3, 0]), 1.0, last, (0.0, 0.3)),
+        Stance(HAND, 0.4, 0.8, np.array([0.1, 0.3, 0]), np.array([0.1, 0.3, 0]), 1.0, last, (0.3, 0.7)),
     )
     return Grasp(HAND, last, "it", 0.1, 0.8, spots), Grasp(Point("b", last, np.ones(3)), 1, "it", 0.3, 1.0)
 
@@ -71,13 +71,13 @@ def test_the_value_is_the_distance_from_the_spot_or_what_the_hand_slides_on_the_
     expected = ((t >= 0.1) & (t <= 0.8)) * np.sum(known(samples, first) ** 2, axis=1)
     settling = Thresholds.of(samples.figure).settling
     expected += ((t >= 0.3) & (t <= 1.0)) * settling**2 * np.sum(sliding(samples, second) ** 2, axis=1)
-    np.testing.assert_allclose(GraspPenalty((first, second)).evaluate(samples), expected, rtol=1e-6)
+    np.testing.assert_allclose(GraspPenalty.of((first, second)).evaluate(samples), expected, rtol=1e-6)
 
 
 @pytest.mark.parametrize("which", [0, 1])
 def test_the_gradient_has_taylor_slope_two(figure, rng, which):
     samples, some = case(figure, rng)
-    assert penalty_slope(GraspPenalty((some[which],)), samples, rng) > 1.95
+    assert penalty_slope(GraspPenalty.of((some[which],)), samples, rng) > 1.95
 
 
 @pytest.mark.slow
@@ -88,12 +88,14 @@ def test_a_hand_stays_on_a_box_that_turns_where_the_raw_spline_loses_it(is_known
     for i in range(2):
         box, turn = np.array([0.5, 0.4, 0.3]) * i, [np.cos(0.6 * i), 0, 0, np.sin(0.6 * i)]
         keys.append(Frame.key(float(i), [*(box + quat.rotated(turn, spot)), 1, 0, 0, 0, *box, *turn]))
-    spots = (Spot(0, 1, spot, spot),) if is_known else ()
-    grasp = Grasp(Point("hand", 1, np.zeros(3)), 2, "box", 0.0, 1.0, spots)
+    hand = Point("hand", 1, np.zeros(3))
+    spots = (Stance(hand, 0, 1, spot, spot, link=2),) if is_known else ()
+    grasp = Grasp(hand, 2, "box", 0.0, 1.0, spots)
     others = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
 
     def worst(weight: float) -> float:
-        motion = inbetween(Problem(figure, keys, [*others, (GraspPenalty((grasp,)), weight)], Settings(tolerance=1e-5)))
+        penalties = [*others, (GraspPenalty.of((grasp,)), weight)]
+        motion = inbetween(Problem(figure, keys, penalties, Settings(tolerance=1e-5)))
         samples = Samples(figure, *(figure.to_state(motion.at(np.linspace(0, 1, 80))),) * 3)
         return float(np.linalg.norm(slipped(samples, grasp) - spot[:, None], axis=0).max())
 

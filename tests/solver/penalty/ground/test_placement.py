@@ -19,7 +19,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
-from dynsplines.solver.penalty import CovariantAcceleration, Placed, Placement, UnitMagnitude
+from dynsplines.solver.penalty import Attachment, CovariantAcceleration, Placed, UnitMagnitude
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.refine.subdivision import by_weak_form
 from dynsplines.solver.surface.points import Point
@@ -31,11 +31,11 @@ def placed(link: int, time: float, target: Array = TARGET) -> Placed:
     return Placed(Point("p", link, np.array([0.1, 0.2, -0.3])), time, target)
 
 
-def placement_of(figure: Figure, *times: float) -> Placement:
+def placement_of(figure: Figure, *times: float) -> Attachment:
     """Points of the first and the last link at every time, one of them with a free axis."""
     last = len(figure.links) - 1
     loose = np.array([0.4, np.nan, 0.2])
-    return Placement(tuple(point for t in times for point in (placed(1, t, loose), placed(last, t))))
+    return Attachment.at_instants(tuple(point for t in times for point in (placed(1, t, loose), placed(last, t))))
 
 
 def some(figure: Figure, rng: np.random.Generator) -> Samples:
@@ -107,7 +107,8 @@ def test_a_reachable_place_is_reached_within_a_millimetre(coordinates, which):
     free = np.zeros(7, bool)
     keys = [Frame.key(float(i), [0.1 * i, 0, 1, 1, 0, 0, 0]) for i in range(3)]
     keys[which] = Frame.key(float(which), keys[which].state, free)
-    penalties = [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 1.0), (Placement((placed(1, float(which)),)), 30.0)]
+    placement = Attachment.at_instants((placed(1, float(which)),))
+    penalties = [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 1.0), (placement, 30.0)]
     motion = inbetween(Problem(figure, keys, penalties))
     data = kinematics(figure.model, motion.at(float(which))[0])
     assert np.linalg.norm(data.site_xpos[0] - TARGET) < 1e-3

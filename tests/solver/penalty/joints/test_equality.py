@@ -15,7 +15,7 @@ from random_samples import random_samples
 from dynsplines import recordings, solving
 from dynsplines.clip.build import Clip
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.penalty import CouplingPenalty, LoopClosure, closures, couplings
+from dynsplines.solver.penalty import Attachment, CouplingPenalty, closures, couplings
 
 GRIPPER = """
 <mujoco><compiler angle="degree"/><worldbody>
@@ -101,7 +101,7 @@ def test_points_of_closed_loops_are_those_of_mujoco(rng):
     model = mujoco.MjModel.from_xml_string(FOUR_BAR)
     figure, data = Figure(model), mujoco.MjData(model)
     samples = random_samples(figure, rng)
-    apart = LoopClosure(closures(figure)).gaps(samples)
+    apart = Attachment(closures(figure), "closed").displacements(samples)[2].reshape(3, -1, samples.count)
     for i, qpos in enumerate(figure.to_qpos(samples.y)):
         data.qpos[:] = qpos
         mujoco.mj_forward(model, data)
@@ -112,10 +112,10 @@ def test_points_of_closed_loops_are_those_of_mujoco(rng):
 
 
 def test_a_closure_is_called_by_its_name_or_else_by_its_bodies_or_the_world():
-    names = [closure.name for closure in closures(figure_of(FOUR_BAR))]
+    names = [closure.point.name for closure in closures(figure_of(FOUR_BAR))]
     assert names == ["rod and rocker", *["lid and world"] * 3]
     named = FOUR_BAR.replace("<connect body1", '<connect name="joint of rod" body1')
-    assert closures(figure_of(named))[0].name == "joint of rod"
+    assert closures(figure_of(named))[0].point.name == "joint of rod"
 
 
 def test_a_weld_without_torque_leaves_rotations_alone():
@@ -129,7 +129,7 @@ def test_a_weld_without_torque_leaves_rotations_alone():
 @pytest.mark.parametrize("penalty", ["coupled", "closed"])
 def test_the_gradient_has_taylor_slope_two(penalty, rng):
     figure = figure_of(GRIPPER if penalty == "coupled" else FOUR_BAR)
-    term = CouplingPenalty(couplings(figure)) if penalty == "coupled" else LoopClosure(closures(figure))
+    term = CouplingPenalty(couplings(figure)) if penalty == "coupled" else Attachment(closures(figure), "closed")
     assert penalty_slope(term, random_samples(figure, rng), rng) > 1.95
 
 

@@ -1,4 +1,4 @@
-"""Upright: the value by hand, gradient and curvature, and which keyframes it is about."""
+"""Upright: the value, gradient and curvature, which keyframes it is about, and a chest that rises."""
 
 import numpy as np
 import pytest
@@ -7,6 +7,7 @@ from oracles import kinematics
 from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
+from dynsplines import inbetween, load
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
@@ -16,12 +17,25 @@ from dynsplines.solver.penalty import Lean, Upright, leans
 
 AXES = np.array([[0.6, 0.0, 0.8], [0.0, -1.0, 0.0]])
 UP = np.array([0.0, 0, 1])
+BOW = """
+figure = "human"
+[[keyframe]]
+time = 0
+others = "rest"
+root.rotation = {{rotvec = [0, 30, 0]}}
+[[keyframe]]
+time = 1
+others = "rest"
+root.rotation = {{rotvec = [0, 30, 0]}}
+{more}
+"""
+ASKED = '[[penalty]]\nkind = "upright"\nbodies = ["chest"]'
 
 
 def upright_of(figure: Figure, *times: float) -> Upright:
     """Axes of the first and the last link at every time."""
     links = (1, len(figure.links) - 1)
-    return Upright(tuple(Lean(link, t, axis) for t in times for link, axis in zip(links, AXES, strict=True)))
+    return Upright(tuple(Lean(link, axis, t) for t in times for link, axis in zip(links, AXES, strict=True)))
 
 
 def some(figure: Figure, rng: np.random.Generator) -> Samples:
@@ -57,3 +71,33 @@ def test_it_is_about_keyframes_whose_roots_turn_was_posed_and_keeps_what_points_
     (lean,) = leans(figure, raw_timeline(figure, keys), figure.tables.free_links.tolist())
     assert (lean.link, lean.time) == (int(figure.tables.free_links[0]), 1.0)
     np.testing.assert_allclose(turned(figure, qpos, lean.link, lean.axis), UP, atol=1e-12)
+
+
+@pytest.mark.parametrize("axis", [None, (0.3, -0.2, 1.0)])
+def test_the_value_is_what_mujoco_computes_of_the_axis(figure, rng, axis):
+    samples, model = random_samples(figure, rng, 4), figure.model
+    bodies = [i for i in range(1, model.nbody) if figure.body_link[i]][:2]
+    rest, expected = kinematics(model), np.zeros(4)
+    for s, qpos in enumerate(figure.to_qpos(samples.y)):
+        data = kinematics(model, qpos)
+        for body in bodies:
+            own = rest.xmat[body].reshape(3, 3).T @ [0, 0, 1] if axis is None else np.array(axis) / np.linalg.norm(axis)
+            expected[s] += np.sum((data.xmat[body].reshape(3, 3) @ own - [0, 0, 1]) ** 2)
+    np.testing.assert_allclose(Upright.of(figure, bodies, axis).evaluate(samples), expected, atol=1e-9)
+
+
+def test_the_gradient_of_bodies_has_taylor_slope_two(figure, rng):
+    bodies = np.flatnonzero(figure.body_link)[:3].tolist()
+    assert penalty_slope(Upright.of(figure, bodies), random_samples(figure, rng, 5), rng) > 1.95
+
+
+@pytest.mark.slow
+def test_a_chest_rises_between_keyframes_that_bow():
+    lean = {}
+    for more in ("", ASKED):
+        motion = inbetween(load(BOW.format(more=more)))
+        model = motion.clip.figure.model
+        data = kinematics(model, motion.at(0.5))
+        lean[more] = np.degrees(np.arccos(data.body("chest").xmat[8]))
+    assert lean[""] > 25
+    assert lean[ASKED] < 0.5 * lean[""]

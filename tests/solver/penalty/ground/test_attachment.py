@@ -16,7 +16,7 @@ from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.penalty import StancePenalty
+from dynsplines.solver.penalty import Attachment
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 
@@ -27,7 +27,7 @@ FOOT = Point("foot", 1, np.array([0.0, 0, -0.5]), 0.1)
 def test_the_gradient_has_taylor_slope_two(figure, rng):
     samples = at_times(random_samples(figure, rng, 8), np.linspace(0, 2, 8))
     last = len(figure.links) - 1
-    planted = StancePenalty((stance_of(1, 0.2, 1.0), stance_of(last, 0.5, 2.0), stance_of(last, 0.0, 0.6)))
+    planted = Attachment((stance_of(1, 0.2, 1.0), stance_of(last, 0.5, 2.0), stance_of(last, 0.0, 0.6)))
     assert penalty_slope(planted, samples, rng) > 1.95
 
 
@@ -39,7 +39,7 @@ def test_it_is_the_squared_distance_from_the_drifting_spot_while_the_stance_last
     away = samples.links.x[:, 1] + offset - np.array([0.1, 0.2, 0])[:, None]
     away -= np.array([0.03, 0, 0.01])[:, None] * (t - 0.5) / 0.5
     expected = np.where((t >= 0.5) & (t <= 1.0), np.sum(away**2, axis=0), 0)
-    np.testing.assert_allclose(StancePenalty((stance,)).evaluate(samples), expected, rtol=1e-12)
+    np.testing.assert_allclose(Attachment((stance,)).evaluate(samples), expected, rtol=1e-12)
     assert np.count_nonzero(expected) == 3
 
 
