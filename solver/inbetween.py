@@ -24,10 +24,9 @@ from .one_thread import one_thread
 from .penalty import JointRange, Penalty, Role
 from .penalty.joints.joint_range import Range
 from .problem import Problem, Settings, guide_of
-from .refine.edit_window import EditWindow
 from .refine.limits import limited
+from .refine.parts import Part, Window, edited, is_long, windows
 from .refine.subdivision import CRITERIA, midpoints, split
-from .refine.windows import Assembly, is_long, windows
 from .search.descent import Descent, optimiser_of
 from .search.minimum import Optimiser, Stop
 from .search.refinement import NONE
@@ -104,7 +103,7 @@ def _search_result(
         try:
             timeline = search(loop)
             moved = limited(problem.figure, timeline, hard)
-            if moved is not timeline and loop.is_whole_clip and loop.stop is not Stop.INTERRUPTED:
+            if moved is not timeline and loop.part is None and loop.stop is not Stop.INTERRUPTED:
                 timeline = loop.descend(moved, problem.settings.tolerance)  # other joints adapt to the moved ones
         except KeyboardInterrupt:
             timeline, loop.stop = loop.best() if loop.best is not None else begin, Stop.INTERRUPTED
@@ -131,10 +130,7 @@ class _Loop:
     Attributes:
         trace: (evaluation, round, E, parts) of every improvement.
         best: Builds the best timeline so far; None before any evaluation.
-        since: The interval in which segments may be split begins here [s].
-        until: The end of this interval [s].
-        outside_terms: The contribution of segments outside the searched part to the terms of E, (terms,).
-        embed: Inserts the searched part into the whole clip.
+        part: The searched part of the clip; None: the whole clip is searched at once.
         last: The terms of E at the last evaluation, by name.
         least: The least E since the samples changed, if they did.
     """
@@ -146,15 +142,13 @@ class _Loop:
         self.best: Callable[[], Timeline] | None = None
         self.stop = Stop.CONVERGED
         self.optimiser = self.new_optimiser()
-        self.outside_terms = np.zeros(len(objective.terms))
-        self.since, self.until = -np.inf, np.inf
-        self.embed: Callable[[Timeline], Timeline] = lambda timeline: timeline
+        self.part: Part | None = None
         self.last: dict[str, float] = {}
 
     @property
-    def is_whole_clip(self) -> bool:
-        """Whether the whole clip is searched at once."""
-        return not np.isfinite([self.since, self.until]).any()
+    def outside_terms(self) -> Array:
+        """The contribution of segments outside the searched part to the terms of E, (terms,)."""
+        return np.zeros(len(self.objective.terms)) if self.part is None else self.part.outside_terms
 
     def new_optimiser(self) -> Optimiser:
         return optimiser_of(self.settings.optimiser, self.objective.figure.width, self.settings.tolerance)
@@ -170,7 +164,7 @@ class _Loop:
         in_windows = settings.quadrature.kind == "gauss" and is_long(raw)
         first = split(raw, settings.beginning(raw.times, in_windows=in_windows))
         if in_windows:
-            return self.run_windows(raw, first)
+            return self.over_windows(raw, first)
         guide = guide_of(self.objective)
         if guide is not None and first.variable_count:
             most = settings.frames if settings.variable is None else first.variable_count
@@ -182,41 +176,61 @@ class _Loop:
     def continue_from(self, raw: Timeline, begin: Timeline, between: Sequence[tuple[float, float]]) -> Timeline:
         """Return the nearest minimum from a timeline, over the whole clip or only near the edited intervals."""
         segments, budget = len(raw.frames) - 1, self.settings.frames
-        if not between and is_long(raw):
-            between = [(float(raw.times[0]), float(raw.times[-1]))]
-        if between and all(EditWindow.about(begin, raw.times, span) is not None for span in between):
-            several = len(between) > 1
-            parts = segment_integrals(self.objective, path_of(begin), raw.times) if several else None
-            for span in between:
-                cut = EditWindow.about(begin, raw.times, span)
-                assert cut is not None, "as above: keyframes alone decide"
-                begin = self._continue_in_window(cut, begin, raw, budget, parts)
-                if self.stop is Stop.INTERRUPTED:
-                    break
-                if parts is not None:
-                    inside = cut.inside(raw.times)
-                    edges = raw.times[inside.start : inside.stop + 1]
-                    parts[inside] = segment_integrals(self.objective, path_of(begin), edges)
-                self.optimiser = self.new_optimiser()
-            return begin
+
+        def nearest(part: Part, window: Window) -> Timeline:
+            count, least = window.end - window.begin, part.timeline.variable_count
+            limit = None if budget is None else max(least, budget * count // segments)
+            return self.run(part.timeline, count, limit)[-1].timeline
+
+        parts = edited(raw, between)
+        if parts:
+            return self.over_parts(raw, begin, parts, "clamped", nearest)
         end = self.run(begin, segments, None if budget is None else max(budget, begin.variable_count))[-1]
         self.stop = end.stop
         return end.timeline
 
-    def _continue_in_window(
-        self, cut: EditWindow, begin: Timeline, raw: Timeline, budget: int | None, parts: Array | None
+    def over_windows(self, raw: Timeline, first: Timeline) -> Timeline:
+        """Return the whole clip after solving its windows in order."""
+        segments, budget = len(raw.frames) - 1, self.settings.frames
+
+        def best(part: Part, window: Window) -> Timeline:
+            count, limit = window.last - window.first, budget
+            if budget is not None:
+                others = part.whole.variable_count - part.timeline.variable_count
+                limit = min(round(budget * count / segments), budget - others)
+            return self.searched(part.timeline, count, limit)
+
+        return self.over_parts(raw, first, windows(segments), raw.ends, best)
+
+    def over_parts(
+        self,
+        raw: Timeline,
+        timeline: Timeline,
+        parts: Sequence[Window],
+        ends: str,
+        search: Callable[[Part, Window], Timeline],
     ) -> Timeline:
-        """Return the whole timeline with one part at its nearest minimum.
+        """Return the whole timeline after a search of parts in order.
 
         Args:
-            budget: The limit of variable frames in the whole clip.
-            parts: The terms of E before the edits, (segments, terms); None if there is only one edit.
+            raw: The timeline of the raw spline.
+            timeline: The timeline from which the search starts.
+            parts: The parts.
+            ends: The ends of every part, as those of a timeline.
+            search: Returns a better timeline of a part.
         """
-        self.since, self.until = cut.first, cut.last
-        self.embed = cut.around(begin)
-        self.outside_terms = cut.outside_terms(self.objective, begin, raw.times, parts)
-        limit = None if budget is None else max(cut.part.variable_count, budget * cut.segments // (len(raw.frames) - 1))
-        return self.embed(self.run(cut.part, cut.segments, limit)[-1].timeline)
+        segments = len(raw.frames) - 1
+        terms, changed = np.zeros((segments, len(self.objective.terms))), slice(0, segments)
+        for window in parts:
+            path = path_of(timeline)
+            terms[changed] = segment_integrals(self.objective, path, raw.times[changed.start : changed.stop + 1])
+            self.part = Part.of(path, timeline, raw.times, window, ends, terms)
+            self.optimiser = self.new_optimiser()
+            timeline, changed = self.part.put_back(search(self.part, window)), slice(window.begin, window.end)
+            if self.stop is Stop.INTERRUPTED:
+                break
+            self.round += 1
+        return timeline
 
     def searched(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
         """Return the best timeline of several searches, each started only if the minimum before it is poor.
@@ -317,27 +331,10 @@ class _Loop:
             raise KeyboardInterrupt
         return timeline.with_rows(descent.problem.unknowns.rows(minimum.x))
 
-    def run_windows(self, raw: Timeline, first: Timeline) -> Timeline:
-        """Return the whole clip after solving its windows in order."""
-        segments = len(raw.frames) - 1
-        assembly = Assembly(self.objective, raw, first)
-        for window in windows(segments):
-            self.embed = assembly.around(window)
-            self.outside_terms = assembly.outside_terms(window)
-            self.since = float(raw.times[window.first])
-            self.optimiser = self.new_optimiser()
-            count, budget = window.last - window.first, self.settings.frames
-            opened = assembly.opened(window)
-            solved = self.searched(opened, count, None if budget is None else assembly.frame_budget(window, budget))
-            assembly.close(window, solved)
-            if self.stop is Stop.INTERRUPTED:
-                break
-            self.round += 1
-        return assembly.timeline()
-
     def descend(self, timeline: Timeline, tolerance: float) -> Timeline:
         descent = Descent(self.objective, timeline)
-        before, elsewhere = self.evaluations, float(self.outside_terms.sum())
+        before, outside_terms = self.evaluations, self.outside_terms
+        elsewhere = float(outside_terms.sum())
 
         def report(count: int, evaluation: Evaluation, x: Array) -> None:
             self.evaluations, self.last = before + count, evaluation.parts
@@ -346,9 +343,9 @@ class _Loop:
             if value >= self.least:
                 return
             self.least = value
-            self.best = partial(_built, self.embed, timeline, descent, x)
+            self.best = partial(_built, self.part, timeline, descent, x)
             parts = dict(evaluation.parts)
-            for term, more in zip(self.objective.terms, self.outside_terms, strict=True):
+            for term, more in zip(self.objective.terms, outside_terms, strict=True):
                 parts[term.penalty.name] += float(more)
             self.trace.append((before + count, self.round, value, parts))
             if self.improved is not None:
@@ -373,14 +370,15 @@ class _Loop:
             threshold *= present / max(sum(not frame.is_variable for frame in timeline.frames) - 1, 1)
         most = min(max_count, max(1, round(self.settings.batch * scores.size)))
         middles = midpoints(timeline)
-        inside = (middles > self.since) & (middles < self.until)  # fixed segments of a window are not split
-        scores = np.where(inside, scores, -np.inf)
+        if self.part is not None:  # its fixed segments are not split
+            scores = np.where((middles > self.part.since) & (middles < self.part.until), scores, -np.inf)
         order = np.argsort(scores)[::-1][:most]
         order = order[scores[order] > threshold]
         promise = float(scores[order].sum()) / present if present > 0 else 0.0
         return np.sort(middles[order]), promise
 
 
-def _built(embed: Callable[[Timeline], Timeline], timeline: Timeline, descent: Descent, x: Array) -> Timeline:
+def _built(part: Part | None, timeline: Timeline, descent: Descent, x: Array) -> Timeline:
     """Return the whole clip with the searched part at the unknowns x (n,)."""
-    return embed(timeline.with_rows(descent.problem.unknowns.rows(x)))
+    solved = timeline.with_rows(descent.problem.unknowns.rows(x))
+    return solved if part is None else part.put_back(solved)

@@ -4,6 +4,5 @@ subdivision     variable frames where the path is badly approximated (step 5 of 
 euler_lagrange  the Euler-Lagrange residual, its deviation per segment, the weak form
 limits          projection of a path into hard joint ranges
 warm_start      an earlier solution mapped to edited keyframes
-edit_window     the part of a clip that an edit affects, solved separately
-windows         long clips solved window by window, in linear time and bounded memory
+parts           parts of a clip as separate clips: near an edit, or the windows of a long clip
 """

@@ -18,6 +18,7 @@ from dynsplines.solver.inbetween import _Loop, continue_from, inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
+from dynsplines.solver.refine.parts import Part
 from dynsplines.solver.refine.subdivision import CRITERIA, split
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.search.refinement import METHODS
@@ -141,10 +142,9 @@ def test_nothing_is_split_in_what_is_held_and_nothing_that_promises_too_little(m
     monkeypatch.setitem(CRITERIA, criterion, lambda objective, timeline: needs)
     settings = Settings(criterion=criterion, threshold=0.3, batch=0.5)
     loop = _Loop(Objective.of(hinged(), [(CovariantAcceleration(), 1.0)]), settings, None)
-    loop.since, loop.until = since, until
-    loop.outside_terms = np.array([2.0])
-    loop.trace = [(0, 0, 9.0, {}), (1, 0, 4.4, {})]
     timeline = split(raw_timeline(hinged(), hinge_keys()), np.array([0.25, 0.95, 1.7]))
+    loop.part = Part(timeline, timeline, since, until, (True, True), np.array([2.0]))
+    loop.trace = [(0, 0, 9.0, {}), (1, 0, 4.4, {})]
     middles = (timeline.times[1:] + timeline.times[:-1]) / 2
     left = 4.4 - 2.0  # of E, in three segments: a segment deserves a frame beyond three tenths of its share
     least = 0.3 * left / 3 if criterion == "weak" else 0.3

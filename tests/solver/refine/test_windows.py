@@ -29,7 +29,7 @@ from dynsplines.solver.penalty import (
     UnitMagnitude,
 )
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.windows import AHEAD, BEHIND, KEPT, LARGEST, Assembly, Window, is_long, windows
+from dynsplines.solver.refine.parts import AHEAD, BEHIND, KEPT, LARGEST, Part, Window, is_long, windows
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface.points import Point
@@ -67,8 +67,8 @@ def short(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def in_short_windows(patch: pytest.MonkeyPatch) -> None:
-    patch.setattr("dynsplines.solver.refine.windows.KEPT", 6)
-    patch.setattr("dynsplines.solver.refine.windows.LARGEST", 0)
+    patch.setattr("dynsplines.solver.refine.parts.KEPT", 6)
+    patch.setattr("dynsplines.solver.refine.parts.LARGEST", 0)
 
 
 def fine_value(motion: Solution, path: Path | None = None) -> float:
@@ -86,16 +86,16 @@ def assert_whole(path: Path, keys: list[Frame]) -> None:
 @pytest.mark.parametrize("segments", [1, 5, 24, 25, 29, 47, 48, 49, 100, 241])
 def test_windows_keep_every_segment_once_and_overlap_their_neighbours(segments):
     found = windows(segments)
-    assert [k for window in found for k in range(window.first, window.solved_to)] == list(range(segments))
-    sizes = [window.solved_to - window.first for window in found]
+    edges = [window.first for window in found] + [segments]
+    assert edges[0] == 0
+    sizes = np.diff(edges)
     assert max(sizes) <= KEPT
     assert max(sizes) - min(sizes) <= 1
-    for window in found:
-        assert window.fixed_from == max(window.first - BEHIND, 0)
-        assert window.last == min(window.solved_to + AHEAD, segments)
+    for window, kept_to in zip(found, edges[1:], strict=True):
+        assert window.begin == max(window.first - BEHIND, 0)
+        assert window.last == window.end == min(kept_to + AHEAD, segments)
     for one, other in pairwise(found):
-        assert other.fixed_from < one.solved_to < one.last
-    assert found[0].first == 0
+        assert other.begin < other.first < one.last
 
 
 def test_long_clips_of_large_figures_are_long_and_loops_never(monkeypatch):
@@ -107,15 +107,15 @@ def test_long_clips_of_large_figures_are_long_and_loops_never(monkeypatch):
         return is_long(raw_timeline(FIGURE, frames, ends, slope if ends == "clamped" else None))
 
     assert not long(keys)  # few entries
-    monkeypatch.setattr("dynsplines.solver.refine.windows.LARGEST", 0)
+    monkeypatch.setattr("dynsplines.solver.refine.parts.LARGEST", 0)
     assert not long(keys)  # fewer segments than a window
-    monkeypatch.setattr("dynsplines.solver.refine.windows.KEPT", 6)
+    monkeypatch.setattr("dynsplines.solver.refine.parts.KEPT", 6)
     assert long(keys)
     assert long(keys, "clamped")
     assert not long(loop, "periodic")
     assert not long(keys[:11])
     assert long(keys[:12])
-    monkeypatch.setattr("dynsplines.solver.refine.windows.LARGEST", LARGEST)
+    monkeypatch.setattr("dynsplines.solver.refine.parts.LARGEST", LARGEST)
     assert not long(keys)
 
 
@@ -224,12 +224,12 @@ def test_the_segments_integrals_add_up_to_the_objective():
         np.testing.assert_allclose(parts.sum(axis=0), own, rtol=1e-12)
 
 
-def assembly_of(ends: str) -> tuple[Assembly, Path]:
-    slope = np.random.default_rng(1).normal(size=(2, FIGURE.width)) if ends == "clamped" else None
-    raw = raw_timeline(FIGURE, long_keys(), ends, slope)
-    start = nudged(evenly(raw, 1), 0.02, np.random.default_rng(2))
-    assembly = Assembly(Objective.of(FIGURE, penalties()).renormalised(path_of(raw)), raw, start)
-    return assembly, path_of(assembly.timeline())
+def part_of(timeline: Timeline, raw: Timeline, window: Window) -> Part:
+    terms = np.arange(3.0 * SEGMENTS).reshape(SEGMENTS, 3)
+    part = Part.of(path_of(timeline), timeline, raw.times, window, raw.ends, terms)
+    elsewhere = [k for k in range(SEGMENTS) if not window.begin <= k < window.end]
+    np.testing.assert_allclose(part.outside_terms, terms[elsewhere].sum(axis=0))
+    return part
 
 
 def nudged(timeline: Timeline, size: float, rng: np.random.Generator) -> Timeline:
@@ -238,30 +238,32 @@ def nudged(timeline: Timeline, size: float, rng: np.random.Generator) -> Timelin
     return Timeline(tuple(frames), timeline.end_slope, timeline.ends)
 
 
-OPENED = [Window(0, 0, 4, 7), Window(3, 6, 12, 16), Window(13, 16, 20, 20), Window(0, 0, 20, 20), Window(0, 2, 9, 20)]
+OPENED = [Window(0, 0, 7, 7), Window(3, 6, 16, 16), Window(13, 16, 20, 20), Window(0, 0, 20, 20), Window(0, 2, 20, 20)]
 
 
 @pytest.mark.parametrize("ends", ["free", "clamped"])
 @pytest.mark.parametrize("window", OPENED, ids=str)
 def test_a_window_begins_as_the_clip_has_it_and_put_back_unchanged_changes_nothing(window, ends):
     """A C² spline through the same frames with the same slopes at its ends is the same spline."""
-    assembly, path = assembly_of(ends)
-    times = assembly.key_times
-    opened = assembly.opened(window)
-    own = path_of(opened)
-    assert own.span == (times[window.fixed_from], times[window.last])
+    slope = np.random.default_rng(1).normal(size=(2, FIGURE.width)) if ends == "clamped" else None
+    raw = raw_timeline(FIGURE, long_keys(), ends, slope)
+    timeline = nudged(evenly(raw, 1), 0.02, np.random.default_rng(2))
+    path, times, part = path_of(timeline), raw.times, part_of(timeline, raw, window)
+    own = path_of(part.timeline)
+    assert own.span == (times[window.begin], times[window.end])
     t = np.linspace(*own.span, 300)
     np.testing.assert_allclose(own.motion(t), path.motion(t), rtol=1e-7, atol=1e-7)
-    free = [frame.time for frame in opened.frames if frame.is_variable]
-    beyond = times[window.first] if window.fixed_from < window.first else -np.inf
-    expected = [f.time for f in assembly.frames if f.is_variable and max(own.span[0], beyond) < f.time <= own.span[1]]
+    free = [frame.time for frame in part.timeline.frames if frame.is_variable]
+    beyond = times[window.first] if window.begin < window.first else -np.inf
+    expected = [f.time for f in timeline.frames if f.is_variable and max(own.span[0], beyond) < f.time <= own.span[1]]
     assert free == expected
-    held = [frame.time for frame in opened.frames if not frame.is_variable]
-    within = [f.time for f in assembly.frames if own.span[0] <= f.time <= own.span[1] and f.time not in free]
-    assert len(held) == len(within) + (window.fixed_from > 0)  # one more beside a cut
-    assert held[:1] + held[1 + (window.fixed_from > 0) :] == within
-    whole = assembly.around(window)(opened)
-    np.testing.assert_array_equal(whole.times, assembly.timeline().times)
+    held = [frame.time for frame in part.timeline.frames if not frame.is_variable]
+    within = [f.time for f in timeline.frames if own.span[0] <= f.time <= own.span[1] and f.time not in free]
+    pinned = int(window.begin > 0 and ends == "free")  # one more beside a cut
+    assert len(held) == len(within) + pinned
+    assert held[:1] + held[1 + pinned :] == within
+    whole = part.put_back(part.timeline)
+    np.testing.assert_array_equal(whole.times, timeline.times)
     t = np.linspace(times[0], times[-1], 300)
     np.testing.assert_allclose(path_of(whole).motion(t), path.motion(t), rtol=1e-7, atol=1e-7)
     assert whole.ends == ends
@@ -287,23 +289,23 @@ def test_a_few_steps_in_windows_lower_e_in_every_part_of_the_clip_and_are_report
     raw = segment_integrals(motion.objective, path_of(evenly(motion.raw, 1)), times).sum(axis=1)
     found = segment_integrals(motion.objective, motion.path, times).sum(axis=1)
     assert found.sum() < 0.95 * raw.sum()
-    for window in windows(14):
-        assert found[window.first : window.solved_to].sum() < raw[window.first : window.solved_to].sum()
+    edges = [window.first for window in windows(14)]
+    assert np.all(np.add.reduceat(found, edges) < np.add.reduceat(raw, edges))
 
 
 def test_what_a_window_holds_is_held_whole_up_to_the_keyframe_that_it_begins_to_keep():
     """Keyframe 4 leaves its knee free or some of its root: the window behind it must not move what is there already."""
     raw = raw_timeline(FIGURE, long_keys(partial=True))
-    assembly = Assembly(Objective.of(FIGURE, penalties()[:2]), raw, evenly(raw, 1))
-    for window in (Window(1, 4, 9, 13), Window(4, 7, 9, 13)):
+    timeline = evenly(raw, 1)
+    for window in (Window(1, 4, 13, 13), Window(4, 7, 13, 13)):
         assert not raw.frames[window.first].fixed.all()
-        opened, times = assembly.opened(window), assembly.key_times
-        for frame in opened.frames:
-            held = frame.time <= times[window.first]
+        part = part_of(timeline, raw, window)
+        for frame in part.timeline.frames:
+            held = frame.time <= raw.times[window.first]
             assert frame.fixed.all() == (held or (not frame.is_variable and _is_whole(raw, frame.time)))
-        for frame, own in zip(raw.frames, assembly.around(window)(opened).frames[::2], strict=True):
+        for frame, own in zip(raw.frames, part.put_back(part.timeline).frames[::2], strict=True):
             np.testing.assert_array_equal(own.fixed, frame.fixed)  # in the whole clip it stays what it was
-    opened = assembly.opened(Window(0, 0, 4, 7))
+    opened = part_of(timeline, raw, Window(0, 0, 7, 7)).timeline
     np.testing.assert_array_equal([f.fixed for f in opened.frames[::2]], [f.fixed for f in raw.frames[:8]])
 
 
