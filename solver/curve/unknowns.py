@@ -35,16 +35,12 @@ class Unknowns:
     Attributes:
         constant: The rows for x = 0, (M + 2, N).
         start: The x of the timeline itself, (n,).
-        whole: Rows of which every entry is an unknown, (r,): variable frames and free end slopes.
-        blocks: The indices in x of these rows' entries, (r, N).
         place: The index in the flattened rows of each unknown, rising, (n,).
         ties: The dependence of other entries of the rows on x, sparse ((M + 2) N, n); None without any.
     """
 
     constant: Array
     start: Array
-    whole: Index
-    blocks: Index
     place: Index
     ties: sparse.csr_matrix | None
 
@@ -102,9 +98,7 @@ class Unknowns:
             columns = np.arange(width)
             constant[adjacent] = rows[adjacent] - shares @ rows
             ties.follow(adjacent, shares, columns, columns)
-        whole = np.flatnonzero(loose.all(axis=1))
-        blocks = np.searchsorted(place, whole * width)[:, None] + np.arange(width)
-        return cls(constant, start, whole, blocks, place, ties.matrix())
+        return cls(constant, start, place, ties.matrix())
 
 
 def _loose(figure: Figure, timeline: Timeline) -> Mask:

@@ -64,8 +64,7 @@ def test_x_holds_the_unfixed_entries_and_the_free_end_slopes_and_nothing_else(fi
     assert Unknowns.of(figure, clamped).size == 5
     unknowns = Unknowns.of(figure, evenly(raw, 1))
     assert unknowns.row_of.shape == (unknowns.size,)
-    values = unknowns.rows(unknowns.start)[unknowns.whole]
-    np.testing.assert_array_equal(unknowns.start[unknowns.blocks], values)
+    np.testing.assert_array_equal(unknowns.rows(unknowns.start).ravel()[unknowns.place], unknowns.start)
 
 
 def test_the_raw_timeline_of_whole_keyframes_is_the_natural_spline(figure, rng):
