@@ -22,7 +22,7 @@ from ..curve.recording import GAIN, NORMAL, ORDER, RecordedMotion
 from ..figure.algebra import cross
 from ..figure.kinematics import Samples
 from ..surface import Plane, Surface
-from ..surface.heights import ground_at, grounds
+from ..surface.heights import ground_at, heights_nearby
 from ..surface.points import Point, arrays_of, places_of
 from .thresholds import Thresholds
 
@@ -91,7 +91,7 @@ def _segments(
     limits = Thresholds.of(recorded.figure)
     tracks = _tracks(recorded, points)
     times, centres, is_known, noise = tracks
-    height, _ = grounds(surfaces, centres, np.array([point.radius for point in points]), limits.edge)
+    height, _ = heights_nearby(surfaces, centres, np.array([point.radius for point in points]), limits.edge)
     moving = surprisal(times, centres, noise**2 + limits.rolls**2, is_known, limits)
     speeds, smooth_height = _smooth(recorded, points, surfaces, times)
     lowest = smooth_height.min(axis=0)  # of the soles at each time, which a recording that drifts raises or lowers
@@ -170,7 +170,7 @@ def _smooth(
     offset = np.einsum("ijpt,jp->ipt", motion.rotation[:, :, links], positions) - (radii * UP[:, None])[:, :, None]
     speeds = np.linalg.norm(motion.x_d[:, links] + cross(motion.omega[:, links], offset), axis=0)
     reach = Thresholds.of(recorded.figure).edge
-    return speeds, grounds(surfaces, places_of(points, samples)[0], radii, reach)[0]
+    return speeds, heights_nearby(surfaces, places_of(points, samples)[0], radii, reach)[0]
 
 
 def _largest_speed(speeds: Array, runs: Sequence[Sequence[tuple[int, int]]], limits: Thresholds) -> float:

@@ -90,7 +90,7 @@ def height_gradients(surfaces: Sequence[Surface], nearest: Index, points: Array)
     return up
 
 
-def grounds(surfaces: Sequence[Surface], points: Array, radius: Array, reach: float) -> tuple[Array, Array]:
+def heights_nearby(surfaces: Sequence[Surface], points: Array, radius: Array, reach: float) -> tuple[Array, Array]:
     """Return `height_over` for points of uncertain position, above the surface below them or a higher one nearby.
 
     Args:
@@ -110,7 +110,7 @@ def grounds(surfaces: Sequence[Surface], points: Array, radius: Array, reach: fl
 
 def ground_at(surfaces: Sequence[Surface], point: Array, radius: float, reach: float) -> Plane | None:
     """Return the plane on which a sphere at `point` (3,) rests, or one within `reach` [m]; None if there is none."""
-    height, where = grounds(surfaces, point[:, None, None], np.array([radius]), reach)
+    height, where = heights_nearby(surfaces, point[:, None, None], np.array([radius]), reach)
     if height[0, 0] >= FAR:
         return None
     _, up = height_over(surfaces, where, np.array([radius]))

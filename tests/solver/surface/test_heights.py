@@ -5,7 +5,14 @@ import numpy as np
 import pytest
 
 from dynsplines.solver.surface import Box, Plane
-from dynsplines.solver.surface.heights import FAR, clearance_gradients, clearances, ground_at, grounds, height_over
+from dynsplines.solver.surface.heights import (
+    FAR,
+    clearance_gradients,
+    clearances,
+    ground_at,
+    height_over,
+    heights_nearby,
+)
 
 UP = np.array([0.0, 0, 1])
 FLOOR = Plane("floor", np.zeros(3), UP)
@@ -18,7 +25,7 @@ def test_within_reach_of_an_edge_it_is_the_nearer_of_both(rng):
     """Over a box and its floor: the top's where a point is over it or within 7 cm of it, in any direction; what lies
     between that and 10 cm depends on the direction."""
     points = np.vstack([rng.uniform(-0.8, 0.8, (2, 1, 400)), rng.uniform(0.0, 0.7, (1, 1, 400))])
-    found, where = grounds([FLOOR, BOX], points, np.array([0.05]), REACH)
+    found, where = heights_nearby([FLOOR, BOX], points, np.array([0.05]), REACH)
     beyond = np.maximum(np.abs(points[:2]) - 0.5, 0).max(axis=0)[0]
     z = points[2, 0] - 0.05
     top_is_nearer, on_top, on_floor = np.abs(z - 0.4) + 0.05 < np.abs(z), beyond == 0, beyond > REACH
@@ -36,14 +43,14 @@ def test_within_reach_of_an_edge_it_is_the_nearer_of_both(rng):
 def test_the_ground_below_wins_unless_that_beside_is_nearer_by_5_cm(height, is_on_top):
     low = Box("low", np.array([0.0, 0.0, 0.05]), np.eye(3), np.array([0.5, 0.5, 0.05]))
     points = np.array([[[0.55, -0.55]], [[0.0, 0.0]], [[height + 0.05] * 2]])
-    found, _ = grounds([FLOOR, low], points, np.array([0.05]), REACH)
+    found, _ = heights_nearby([FLOOR, low], points, np.array([0.05]), REACH)
     np.testing.assert_allclose(found, height - 0.1 * is_on_top, atol=1e-12)
 
 
 def test_over_a_slope_it_is_that_of_the_slope_unless_it_is_far_off():
     slope = Plane("slope", np.zeros(3), TILT)
     points = np.array([[0.0, 0.3], [0.0, 0.0], [0.06, 0.0]])[:, None]
-    found, _ = grounds([slope], points, np.array([0.05]), REACH)
+    found, _ = heights_nearby([slope], points, np.array([0.05]), REACH)
     np.testing.assert_allclose(found, height_over([slope], points, np.array([0.05]))[0], atol=0.06)
     assert found[0, 0] == pytest.approx(0.06 * TILT[2] - 0.05)
 
@@ -64,7 +71,7 @@ def test_next_to_an_edge_it_is_the_plane_that_ends_there_and_where_nothing_is_th
     assert found is not None
     assert found.height(np.array([0.7, 0.0, 0.41])) == pytest.approx(0.01)
     assert ground_at([BOX], np.array([2.0, 0.0, 0.4]), 0.05, REACH) is None
-    height, _ = grounds([BOX], np.array([[[2.0]], [[0.0]], [[0.4]]]), np.array([0.05]), REACH)
+    height, _ = heights_nearby([BOX], np.array([[[2.0]], [[0.0]], [[0.4]]]), np.array([0.05]), REACH)
     assert height[0, 0] == FAR
 
 
