@@ -30,7 +30,7 @@ from dynsplines.solver.penalty import (
     couplings,
     slipped,
 )
-from dynsplines.solver.penalty.motion.peak import relative_accelerations, rotary
+from dynsplines.solver.penalty.motion.peak import relative_accelerations
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import FAR, heights
 from dynsplines.solver.surface.points import Point, placed, places_of
@@ -256,7 +256,7 @@ def loop_gaps(fixed: Fixed) -> Check | None:
 
 def whips(figure: Figure, raw_peak: float) -> Check | None:
     """Return the check of links with a much greater angular acceleration in the parent than the raw spline requires."""
-    links = rotary(figure)
+    links = figure.tables.rotary_links
     if not links.size:
         return None
     bound = max(BOUNDS["whip"].most, WHIP_SHARE * raw_peak)

@@ -26,7 +26,6 @@ from dynsplines.solver.figure.naming import geom_name
 from dynsplines.solver.figure.wrench import RootWrench
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Rolling
-from dynsplines.solver.penalty.motion.peak import rotary
 from dynsplines.solver.surface import Box
 from dynsplines.solver.surface.heights import FAR, height_above, heights
 from dynsplines.solver.surface.points import body_points, displacements, places_of
@@ -286,7 +285,7 @@ def _torque(samples: Samples) -> Entry:
     figure = samples.figure
     forces = generalised_forces(samples)
     roots = [link.dof for link in figure.links[1:] if link.kind is JointKind.FREE]
-    torques = {figure.links[i].name: forces[:, figure.links[i].dofs] for i in rotary(figure)}
+    torques = {figure.links[i].name: forces[:, figure.links[i].dofs] for i in figure.tables.rotary_links}
     joints = np.linalg.norm(np.hstack([forces[:, :0], *torques.values()]), axis=1)
     peaks = {name: float(np.linalg.norm(torque, axis=1).max()) for name, torque in torques.items()}
     strongest = max(peaks, key=lambda name: peaks[name], default="")

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import IntEnum
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import mujoco
 import numpy as np
@@ -313,7 +313,7 @@ class Tables:
     quaternion_columns  (4, n) state columns of the n quaternion blocks, in the order of `quaternion_links` (n,)
     quaternion_slice    these columns as a slice, block after block; None if there are others in between
     free_links          (f,) links with a free joint, the root first, with `position_columns` (3, f)
-    ball_links          (b,) links with a ball joint
+    ball_links          (b,) links with a ball joint; rotary_links  also those with a hinge
     hinge_columns, slide_columns   (h,), (s,) columns of the hinges and slides, in the order of their links
     children            (L,) number of child links; 0 at the end of a limb
     path                (L, L) 1 if the column's link is on the chain from the root to the row's link, inclusive
@@ -330,6 +330,7 @@ class Tables:
     quaternion_links: Index
     free_links: Index
     ball_links: Index
+    rotary_links: Index
     position_columns: Index
     hinge_columns: Index
     hinge_links: Index
@@ -392,6 +393,7 @@ class Tables:
             quaternion_links=balls,
             free_links=free,
             ball_links=of_kind(JointKind.BALL),
+            rotary_links=of_kind(JointKind.BALL, JointKind.HINGE),
             position_columns=firsts(free) + np.arange(3)[:, None],
             hinge_columns=firsts(hinges),
             hinge_links=hinges,
@@ -428,3 +430,26 @@ def on_links(vectors: Array, owners: Index, count: int) -> Array:
     out = np.zeros((owners.size, 3, count))
     out[np.arange(owners.size), :, owners] = vectors.T
     return out.reshape(owners.size, 3 * count)
+
+
+@lru_cache(maxsize=8)
+def independent_joints(figure: Figure, child: tuple[int, ...]) -> list[tuple[Index, Index]]:
+    """Return joints in groups that share no link, each with its columns (g, 8): those of the children and of the
+    parents.
+
+    Joints without a parent in the state form separate groups with the columns of the children only, (g, 4).
+    """
+    tables = figure.tables
+    place = {int(link): tables.quaternion_columns[:, i] for i, link in enumerate(tables.quaternion_links)}
+    parents = [int(tables.parents[c]) for c in child]
+    pairs = [[c, p] if p in place else [c] for c, p in zip(child, parents, strict=True)]
+    groups: list[tuple[list[int], set[int]]] = []
+    for i, pair in enumerate(pairs):
+        fitting = (g for g in groups if not g[1] & set(pair) and len(pairs[g[0][0]]) == len(pair))
+        group = next(fitting, None)
+        if group is None:
+            groups.append(group := ([], set()))
+        group[0].append(i)
+        group[1].update(pair)
+    columns = [np.concatenate([place[link] for link in pair]) for pair in pairs]
+    return [(np.array(members), np.array([columns[i] for i in members])) for members, _ in groups]

@@ -12,7 +12,6 @@ from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...figure.wrenches import Wrenches
 from ..block import Block
-from ..motion.peak import rotary
 from ..penalty import Normalization, Penalty, Role
 
 STILL = 1e-12  # [rad/s] smallest divisor, against division by zero
@@ -37,7 +36,7 @@ class Speed(Penalty):
     @classmethod
     def of(cls, figure: Figure, limit: float) -> Speed:
         """Return the penalty of all hinges and ball joints with one limit [rad/s]."""
-        links = rotary(figure)
+        links = figure.tables.rotary_links
         return cls(links, np.full(links.size, limit))
 
     def residuals(self, samples: Samples) -> Iterator[Block]:

@@ -19,12 +19,11 @@ from ...curve.frame import Frame, Timeline
 from ...curve.spline import path_of
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, applied, conjugated, cross, dot, hamilton, vector_product
-from ...figure.figure import Figure
+from ...figure.figure import Figure, independent_joints
 from ...figure.kinematics import Samples
 from ..block import Block, Dense, every
 from ..curvature import Curvature
 from ..penalty import Guide, Normalization
-from .posture import independent_joints
 
 FRAMES = 8  # variable frames per period that a path needs to follow a cycle
 LITTLE = np.radians(5)  # [rad] small deviation of one joint, for the normalization

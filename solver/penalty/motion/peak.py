@@ -10,8 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ...array import Array, Index
-from ...figure.figure import Figure, JointKind
+from ...array import Array
 from ...figure.kinematics import Samples
 from ...figure.wrenches import Wrenches
 from ..block import Block
@@ -54,14 +53,8 @@ def relative_accelerations(samples: Samples) -> tuple[Array, Array]:
 
     They are zero for links without a ball joint or hinge.
     """
-    links, joints = samples.links, rotary(samples.figure)
+    links, joints = samples.links, samples.figure.tables.rotary_links
     relative = np.zeros_like(links.alpha)
     relative[:, joints] = links.alpha[:, joints] - links.alpha[:, samples.figure.tables.parents[joints]]
     sizes = np.sqrt(np.einsum("ils,ils->ls", relative, relative))
     return relative / np.maximum(sizes, STILL), sizes
-
-
-def rotary(figure: Figure) -> Index:
-    """Return the links on ball joints and hinges."""
-    kinds = (JointKind.BALL, JointKind.HINGE)
-    return np.array([i for i, link in enumerate(figure.links) if i and link.kind in kinds], np.intp)

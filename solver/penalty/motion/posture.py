@@ -26,7 +26,7 @@ from ...contacts.steps import Steps
 from ...curve.frame import Timeline
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, cross, vector_product
-from ...figure.figure import Figure, JointKind
+from ...figure.figure import Figure, JointKind, independent_joints
 from ...figure.kinematics import Samples
 from ...figure.size import Size
 from ...figure.wrenches import Wrenches, every_axis
@@ -176,26 +176,3 @@ def _curved(samples: Samples, share: Array, into: Curvature, scale: Array) -> No
 def _joints(figure: Figure) -> tuple[Index, Index]:
     child = np.array([i for i, link in enumerate(figure.links) if i and link.kind is JointKind.BALL], np.intp)
     return child, figure.tables.parents[child]
-
-
-@lru_cache(maxsize=8)
-def independent_joints(figure: Figure, child: tuple[int, ...]) -> list[tuple[Index, Index]]:
-    """Return joints in groups that share no link, each with its columns (g, 8): those of the children and of the
-    parents.
-
-    Joints without a parent in the state form separate groups with the columns of the children only, (g, 4).
-    """
-    tables = figure.tables
-    place = {int(link): tables.quaternion_columns[:, i] for i, link in enumerate(tables.quaternion_links)}
-    parents = [int(tables.parents[c]) for c in child]
-    pairs = [[c, p] if p in place else [c] for c, p in zip(child, parents, strict=True)]
-    groups: list[tuple[list[int], set[int]]] = []
-    for i, pair in enumerate(pairs):
-        fitting = (g for g in groups if not g[1] & set(pair) and len(pairs[g[0][0]]) == len(pair))
-        group = next(fitting, None)
-        if group is None:
-            groups.append(group := ([], set()))
-        group[0].append(i)
-        group[1].update(pair)
-    columns = [np.concatenate([place[link] for link in pair]) for pair in pairs]
-    return [(np.array(members), np.array([columns[i] for i in members])) for members, _ in groups]
