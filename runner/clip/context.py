@@ -17,7 +17,7 @@ from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.root import has_fixed_base
-from dynsplines.solver.figure.wrench import height
+from dynsplines.solver.figure.root_wrench import height
 from dynsplines.solver.penalty import Bend, Holds, Lean, Placed, Support, leans
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, displacements

@@ -20,7 +20,7 @@ from dynsplines.solver.figure.algebra import applied, cross
 from dynsplines.solver.figure.dynamics import inverse_dynamics
 from dynsplines.solver.figure.forward import set_qpos
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.wrench import RootWrench
+from dynsplines.solver.figure.root_wrench import RootWrench
 from dynsplines.solver.penalty import Support
 from dynsplines.solver.penalty.ground.support import Reactions
 

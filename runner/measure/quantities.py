@@ -23,7 +23,7 @@ from dynsplines.solver.figure.dynamics import generalised_forces
 from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.naming import geom_name
-from dynsplines.solver.figure.wrench import RootWrench
+from dynsplines.solver.figure.root_wrench import RootWrench
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Rolling
 from dynsplines.solver.surface import Box

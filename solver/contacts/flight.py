@@ -10,7 +10,7 @@ import numpy as np
 from ..array import Array, Mask
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
-from ..figure.wrench import RootWrench
+from ..figure.root_wrench import RootWrench
 from ..surface.points import Point, placed, places_of
 from .footing import Interval
 from .keyframe_points import KeyframePoints

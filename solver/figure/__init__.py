@@ -7,7 +7,7 @@ algebra      vectors, rotations and quaternions of many links at many samples, c
 kinematics   motion of the links at samples of a path
 adjoint      gradients with respect to that motion, pulled back to the path
 dynamics     inverse dynamics of all samples at once, and its adjoint (eqs. 18-21 and appendix A of the paper)
-wrench       the external wrench at a free root that its motion requires
+root_wrench  the external wrench at a free root that its motion requires
 turns        derivatives by small rotations of joints, converted to the coordinates of the state
 wrenches     Jacobian rows of residuals of the links' motion
 effort_rows  Jacobian rows of inverse dynamics: joint efforts, and the root's wrench

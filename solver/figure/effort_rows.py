@@ -24,8 +24,8 @@ from .adjoint import Cotangent
 from .algebra import applied, cross, dot
 from .dynamics import InverseDynamics
 from .kinematics import LinkMotion, Samples
+from .root_wrench import RootWrench
 from .turns import add_rows_of_shifts, add_rows_of_turns, chosen, followers, following, places, turning
-from .wrench import RootWrench
 from .wrenches import Wrenches, every_axis, of_point
 
 AT_ONCE = 20_000  # pairs of joints times samples in memory at once, about 9 MB per derived array

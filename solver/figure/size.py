@@ -12,7 +12,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from .figure import Figure
-from .wrench import STANDARD_GRAVITY, height
+from .root_wrench import STANDARD_GRAVITY, height
 
 ADULT = 1.41223671  # [m] `height` of the shipped human, 1.7 m tall
 DIGITS = 6  # of the ratio of lengths: the shipped human has the size of an adult exactly

@@ -21,7 +21,7 @@ from ...figure.algebra import applied, cross
 from ...figure.effort_rows import Pushes, wrench_rows
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ...figure.wrench import RootWrench, height, weight
+from ...figure.root_wrench import RootWrench, height, weight
 from ..block import Dense
 from ..curvature import Curvature
 from ..penalty import Normalization, Penalty, Role

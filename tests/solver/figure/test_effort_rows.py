@@ -14,8 +14,8 @@ from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.effort_rows import Pushes, joint_rows, wrench_rows
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.root_wrench import RootWrench
 from dynsplines.solver.figure.turns import turning
-from dynsplines.solver.figure.wrench import RootWrench
 from dynsplines.solver.penalty import Torque
 from dynsplines.solver.penalty.curvature import jacobian
 

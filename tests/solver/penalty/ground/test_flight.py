@@ -13,7 +13,7 @@ from dynsplines.solver.contacts import within
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.wrench import RootWrench, weight
+from dynsplines.solver.figure.root_wrench import RootWrench, weight
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, Flight, Penalty, RootAcceleration
 from dynsplines.solver.problem import Problem, Settings

@@ -16,7 +16,7 @@ from dynsplines.solver.contacts import Footing
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.wrench import RootWrench
+from dynsplines.solver.figure.root_wrench import RootWrench
 from dynsplines.solver.penalty import Flight, Support
 from dynsplines.solver.penalty.ground.support import friction_edges
 from dynsplines.solver.surface.points import Point

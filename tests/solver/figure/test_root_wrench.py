@@ -9,7 +9,7 @@ from taylor import taylor_slope
 
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.wrench import RootWrench, height, weight
+from dynsplines.solver.figure.root_wrench import RootWrench, height, weight
 
 
 def test_force_and_moment_are_those_of_mj_inverse_at_the_root(figure, rng):
