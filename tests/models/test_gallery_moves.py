@@ -9,8 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from carried import in_carried
-from move import of
+from move import in_carried, of
 
 pytestmark = pytest.mark.slow
 G = 9.81

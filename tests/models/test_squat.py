@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import walkers
-from links import link_named
+from figures import link_named
 from oracles import kinematics
 from squats import Measured, measured, solved, squat
 

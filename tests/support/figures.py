@@ -114,3 +114,10 @@ def with_armature(figure: Figure, rng: np.random.Generator) -> Figure:
     model.dof_armature[:] = rng.uniform(0.1, 1, model.njnt)[model.dof_jntid]
     mujoco.mj_setConst(model, mujoco.MjData(model))
     return Figure(model, figure.coordinates)
+
+
+def link_named(figure: Figure, name: str) -> int | None:
+    """The index of the link that a joint or a body of this name moves, or None."""
+    by_joint = next((i for i, link in enumerate(figure.links) if i and link.name == name), None)
+    body = mujoco.mj_name2id(figure.model, mujoco.mjtObj.mjOBJ_BODY, name)
+    return int(figure.body_link[body]) if by_joint is None and body > 0 else by_joint

@@ -4,22 +4,24 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache, cached_property
+from typing import Any
 
 import mujoco
 import numpy as np
 import shipped
 from oracles import kinematics
-from paper.penetration import Penetration, penetration
+from paper.penetration import Penetration, penetration, self_penetration
 
 from dynsplines.clip.build import Clip
 from dynsplines.motion import continuous, sampled, samples_at
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import Stance
+from dynsplines.solver.contacts import Stance, grasped_links
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Attachment, BendLimits, Sum
 from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface.points import places_of
+from dynsplines.solver.surface.touch import movers
 
 RATE = 500.0
 
@@ -127,3 +129,15 @@ def of(name: str) -> Move:
     """A shipped clip, solved once in a run of the tests."""
     done = shipped.solved(name)
     return Move(done.clip, done.motion)
+
+
+def in_carried(clip: Clip, time: Array, qpos: Array) -> dict[str, Any]:
+    """The deepest along qpos (T, nq), and where; empty if it holds nothing."""
+    model, links = clip.figure.model, grasped_links(clip.figure, clip.context.schedule.grasps)
+    if not links:
+        return {}
+    geoms = np.array(movers(model), np.intp)
+    is_carried = np.isin(clip.figure.body_link[model.geom_bodyid[geoms]], links)
+    pairs = np.array(np.meshgrid(geoms[~is_carried], geoms[is_carried])).reshape(2, -1)
+    deepest, where = self_penetration(model, pairs, time, qpos)
+    return {"deepest": deepest, "where": where}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from links import link_named
+from figures import link_named
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame

@@ -1,4 +1,4 @@
-"""Keyframes that stand on both feet at different places: the feet step in turn."""
+"""Keyframes that stand on both feet at different places: the feet step in turn, or a note says why not."""
 
 from __future__ import annotations
 
@@ -280,3 +280,36 @@ def test_a_hand_with_a_target_does_not_keep_the_root_behind_the_feet():
     keys = recordings.from_text(clip(1.2, time=3.0) + hand, name="steps").context.keys
     assert keys.states[1, 0] - keys.states[0, 0] == pytest.approx(1.2, abs=0.1)
     assert keys.states[1, 2] == pytest.approx(keys.states[0, 2], abs=0.03)
+
+
+def notes(keyframes: list[tuple[float, float, float]], more: str = "") -> list[str]:
+    """Notes on steps for a human at rest that stands at (time [s], distance [m], height above the floor [m])."""
+    text = 'figure = "human"\n' + "".join(
+        f'[[keyframe]]\ntime = {t}\nroot.position = [{x}, 0, {0.93 + z}]\nothers = "rest"\n' for t, x, z in keyframes
+    )
+    return [note for note in recordings.from_text(text + more, name="steps").notes if "steps" in note]
+
+
+def test_a_note_names_the_longest_way_that_a_figure_moves_on_both_feet():
+    (note,) = notes([(0, 0, 0), (0.5, 0, 0), (1.1, -0.8, 0), (1.6, -0.8, 0)])
+    assert note.startswith("keyframes 2 and 3, 0.6 s apart, form no gait cycle")
+    assert "every foot moves 0.8 m;" in note
+    (note,) = notes([(0, 0, 0), (0.6, 0.5, 0), (1.4, 1.3, 0)])
+    assert note.startswith("keyframes 2 and 3")
+    assert "0.8 m, as for 1 more pair of keyframes;" in note
+
+
+@pytest.mark.parametrize(
+    "keyframes",
+    [
+        [(0, 0, 0), (0.6, 0.2, 0)],  # less than a step
+        [(0, 0, 0), (0.3, 0.5, 0)],  # no time for one
+        [(0, 0, 0), (0.6, 0.5, 1.0), (1.2, 1.0, 0)],  # in the air
+    ],
+)
+def test_figures_that_step_or_fly_have_no_note(keyframes):
+    assert notes(keyframes) == []
+
+
+def test_a_clip_without_gaits_has_no_note():
+    assert notes([(0, 0, 0), (0.6, 0.5, 0)], '[[penalty]]\nkind = "cycle"\nweight = 0\n') == []

@@ -7,7 +7,7 @@ from typing import Any
 import mujoco
 import numpy as np
 import pytest
-from carried import in_carried
+from move import in_carried
 from oracles import kinematics
 from quiet import quiet
 

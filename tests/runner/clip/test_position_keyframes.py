@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 import pytest
 from command import commanded
-from links import link_named
+from figures import link_named
 from oracles import kinematics
 from quiet import quiet
 from rekeyed import with_keys

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import shipped
 import wild
-from inverse_oracle import oracle
+from oracles import inverse_dynamics
 from random_robots import motion_of
 
 from dynsplines import recordings, solving
@@ -157,7 +157,7 @@ def test_torques_include_every_passive_force_of_the_users_own_file_and_large_one
     path, lines, options = tmp_path / "arm.xml", [], ExportOptions(columns=("torques",))
     path.write_text(ARM)
     saved = motion_of(path, 3)
-    expected = oracle(mujoco.MjModel.from_xml_path(str(path)), wild.samples(saved))
+    expected = inverse_dynamics(mujoco.MjModel.from_xml_path(str(path)), wild.samples(saved))
     columns = quantities.table(SampledTrajectory.of(saved), ("torques",))
     torques = np.array([columns["shoulder.t [N m]"], columns["elbow.t [N m]"]]).T
     np.testing.assert_allclose(torques, expected, rtol=0, atol=1e-9 * np.abs(expected).max())

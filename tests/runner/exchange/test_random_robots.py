@@ -11,7 +11,7 @@ import pytest
 import wild
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from inverse_oracle import oracle
+from oracles import inverse_dynamics
 from random_robots import RandomRobot, motion_of, robots
 from simulated import exported, played
 
@@ -127,8 +127,8 @@ def test_random_robots_are_exported_imported_and_simulated_as_mujoco_computes(ro
         folder, figure = Path(name), Path(name) / "robot.xml"
         figure.write_text(robot.mjcf())
         model, saved = mujoco.MjModel.from_xml_path(str(figure)), motion_of(figure, robot.seed, spread)
-        check_forces(saved, oracle(model, wild.samples(saved)))
+        check_forces(saved, inverse_dynamics(model, wild.samples(saved)))
         for kind in carriers(robot):
             check_round_trip(saved, kind, folder, str(figure))
         model.jnt_actgravcomp[:] = 0  # the scene compensates gravity without actuators
-        check_simulation(saved, folder, oracle(model, wild.samples(saved)))
+        check_simulation(saved, folder, inverse_dynamics(model, wild.samples(saved)))

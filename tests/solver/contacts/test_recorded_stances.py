@@ -1,9 +1,8 @@
-"""Stances read off a recording: of a shipped run they are where soles rest; noise and a slow swing make none."""
+"""Stances and noise read off a recording, and how surprising the places of a point that moves are."""
 
 import numpy as np
 import pytest
 import shipped
-from densities import log_normal
 from faulted import Take
 from figures import figure_of
 from kneeling import kneeling
@@ -35,6 +34,13 @@ from dynsplines.solver.surface.points import Point, places_of
 
 ADULT = Thresholds()
 FPS = 60.0
+
+
+def log_normal(x: np.ndarray, covariance: np.ndarray) -> float:
+    """The log density about nought of all of x (n,) together, covariance (n, n)."""
+    sign, size = np.linalg.slogdet(2 * np.pi * covariance)
+    assert sign > 0
+    return float(-0.5 * (size + x @ np.linalg.solve(covariance, x)))
 
 
 @pytest.fixture(scope="module")
@@ -324,3 +330,35 @@ def test_how_unsure_a_recording_is_of_its_points_is_the_noise_of_the_one_that_is
     short = RecordedMotion(SLED, times[: ORDER - 1], qpos[: ORDER - 1], np.ones((ORDER - 1, 2)))
     assert largest_noise(short, [RUNNER]) == 0
     assert infer_stances(short, [RUNNER], [FLOOR]) == ()
+
+
+def covariance(times: np.ndarray, variance: float, first: float) -> np.ndarray:
+    """Of a place that begins known to a sample's noise at `first`, at unknown speed, its acceleration white noise."""
+    t = times - first
+    early, late = np.minimum.outer(t, t), np.maximum.outer(t, t)
+    wiener = ADULT.lively * (early**2 * (3 * late - early) / 6)  # twice integrated
+    return variance + ADULT.fastest**2 * np.multiply.outer(t, t) + wiener + variance * np.eye(t.size)
+
+
+@pytest.mark.parametrize("share", [1.0, 0.6])
+def test_surprisal_adds_up_to_the_density_of_all_samples_together(rng, share):
+    times = np.cumsum(rng.uniform(0.01, 0.06, 14))
+    known = rng.random(14) < share
+    known[3:5] = True
+    places = rng.normal(0, 0.2, (3, 2, 14))
+    variance = np.array([0.01, 0.03]) ** 2
+    found = surprisal(times, places, variance, known, ADULT)
+    first, *later = np.flatnonzero(known)
+    for i, own in enumerate(variance):
+        whole = covariance(times[later], own, times[first])
+        for many in range(1, len(later) + 1):
+            off = places[:, i, later[:many]] - places[:, i, [first]]
+            assert found[i, : later[many - 1] + 1].sum() == pytest.approx(
+                -sum(log_normal(row, whole[:many, :many]) for row in off), rel=1e-9
+            )
+    assert np.all(found[:, ~known] == 0)
+    assert np.all(found[:, first] == 0)
+
+
+def test_nothing_is_surprising_where_nothing_is_known():
+    assert np.all(surprisal(np.arange(4.0), np.zeros((3, 1, 4)), np.ones(1), np.zeros(4, bool), ADULT) == 0)

@@ -6,8 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 from even_frames import evenly
-from figures import BALL_TREE, figure_of
-from links import link_named
+from figures import BALL_TREE, figure_of, link_named
 from oracles import kinematics
 from random_keys import random_qpos
 

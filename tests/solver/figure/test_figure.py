@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
+import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE, CHAIN, EVERY_JOINT, LEG, MIXED, TINY, figure_of
-from links import link_named
+from figures import BALL_TREE, CHAIN, EVERY_JOINT, LEG, MIXED, TINY, figure_of, link_named
 from oracles import kinematics
 from random_keys import random_qpos
 
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
-from dynsplines.solver.figure.naming import names_of_joints
+from dynsplines.solver.figure.naming import geom_name, names_of_joints
 
 
 @pytest.mark.parametrize("text", [BALL_TREE, EVERY_JOINT, MIXED, TINY, LEG])
@@ -102,3 +102,17 @@ def test_gravity_is_the_models_unless_it_is_switched_off():
     np.testing.assert_array_equal(figure_of(text.format("")).gravity, [0, 1, -3])
     np.testing.assert_array_equal(figure_of(text.format('<flag gravity="disable"/>')).gravity, [0, 0, 0])
     np.testing.assert_array_equal(figure_of(text.format('<flag contact="disable"/>')).gravity, [0, 1, -3])
+
+
+UNNAMED = """
+<mujoco><worldbody><geom size="1"/>
+  <body name="foot"><geom name="sole" size="1"/><geom size="1"/></body>
+  <body name="leg"><geom size="1"/><geom size="1"/><geom name="leg 2" size="1"/></body>
+  <body><geom size="1"/></body>
+</worldbody></mujoco>"""
+
+
+def test_a_geom_without_a_name_is_called_after_its_body_and_no_two_alike():
+    model = mujoco.MjModel.from_xml_string(UNNAMED)
+    found = [geom_name(model, geom) for geom in range(model.ngeom)]
+    assert found == ["geom 0", "sole", "foot", "leg 1", "geom 4", "leg 2", "geom 6"]

@@ -1,12 +1,16 @@
 """The batched kinematics and its adjoint, against MuJoCo and Taylor expansions."""
 
+from __future__ import annotations
+
 import numpy as np
 import pytest
 from oracles import kinematics
 from random_samples import random_samples
 from taylor import taylor_slope
 
+from dynsplines.solver import quaternion as quat
 from dynsplines.solver.figure.adjoint import QUANTITIES, Cotangent
+from dynsplines.solver.figure.algebra import turned_back, vector_product
 from dynsplines.solver.figure.kinematics import Samples
 
 
@@ -79,3 +83,12 @@ def test_a_gradient_may_be_added_into_a_buffer_as_well_as_given_whole(figure, rn
     added.buffer(name)[...] += gradient
     for own, other in zip(given.gradients(), added.gradients(), strict=True):
         np.testing.assert_array_equal(own, other)
+
+
+@pytest.mark.parametrize(("v", "q"), [((5, 7), (5, 7)), ((4, 3, 6), (4, 1, 6)), ((1, 6), (4, 6))])
+def test_the_product_of_a_vector_and_a_quaternion_is_hamiltons(rng, v, q):
+    vector, quaternion = rng.normal(size=(3, *v)), rng.normal(size=(4, *q))
+    pure = np.concatenate([np.zeros((1, *v)), vector])
+    expected = quat.product(np.moveaxis(pure, 0, -1), np.moveaxis(quaternion, 0, -1))
+    product = turned_back(vector_product(quaternion), vector)
+    np.testing.assert_allclose(np.moveaxis(product, 0, -1), expected, atol=1e-14)

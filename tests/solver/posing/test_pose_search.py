@@ -7,8 +7,7 @@ from collections.abc import Callable
 import mujoco
 import numpy as np
 import pytest
-from figures import EVERY_JOINT, LEG, MIXED, figure_of
-from links import link_named
+from figures import EVERY_JOINT, LEG, MIXED, figure_of, link_named
 from oracles import kinematics
 from scipy.spatial.transform import Rotation
 from site_goal import SiteGoal

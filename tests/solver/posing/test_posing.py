@@ -8,10 +8,9 @@ import mujoco
 import numpy as np
 import pytest
 import walkers
-from figures import figure_of
+from figures import figure_of, link_named
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from links import link_named
 from oracles import kinematics
 from scipy.optimize import minimize
 from site_goal import SiteGoal

@@ -2,20 +2,42 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import mujoco
 import numpy as np
 import pytest
 import shipped
 from oracles import kinematics
 from scipy.spatial.transform import Rotation
-from turned_axes import turned
 
 from dynsplines import models
 from dynsplines.exchange.format import bvh
-from dynsplines.exchange.skeleton import retarget
+from dynsplines.exchange.skeleton import bvh_file, retarget
+from dynsplines.exchange.skeleton.bvh_file import Skeleton
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 from dynsplines.exchange.skeleton.up_axis import vertical
 from dynsplines.exchange.trajectory import SampledTrajectory
+from dynsplines.solver import quaternion as quat
+
+
+def turned(skeleton: Skeleton, world: Rotation, rest: Rotation) -> Skeleton:
+    """The same motion; offsets and joints' axes are turned by `rest`, places in the world by `world`."""
+    w, r = (turn.as_quat(scalar_first=True) for turn in (world, rest))
+    place, turn = (part.copy() for part in skeleton.local)
+    root = quat.rotated(w, place[:, 0]), quat.product(quat.product(w, turn[:, 0]), quat.conjugate(r))
+    place, turn = quat.rotated(r, place), quat.product(quat.product(r, turn), quat.conjugate(r))
+    place[:, 0], turn[:, 0] = root
+    joints = [
+        replace(
+            joint,
+            offset=quat.rotated(r, joint.offset),
+            end=None if joint.end is None else quat.rotated(r, joint.end),
+        )
+        for joint in skeleton.joints
+    ]
+    return bvh_file.skeleton(joints, place, turn, skeleton.fps)
+
 
 HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))
 NONE = Rotation.identity()
