@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from dense_hessian import tiny_clip
 from even_frames import evenly
@@ -9,11 +11,12 @@ from every_penalty import clip
 from figures import ONE_BALL, TINY, figure_of
 
 from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.objective import Discretised, Objective
+from dynsplines.solver.objective import Discretised, Evaluation, Objective
 from dynsplines.solver.penalty import (
     CovariantAcceleration,
     Penalty,
@@ -21,6 +24,8 @@ from dynsplines.solver.penalty import (
     Torque,
     UnitMagnitude,
 )
+from dynsplines.solver.search.minimum import Minimum
+from dynsplines.solver.search.refinement import minimise
 
 
 def turning(turns: list[float], variable: int) -> tuple[Objective, Timeline]:
@@ -59,3 +64,34 @@ def slider(times: np.ndarray, variable: int):
     keys = [Frame.key(t, [np.sin(3 * t)]) for t in times]
     raw = raw_timeline(figure, keys)
     return Objective.of(figure, [(RootAcceleration(), 1.0)]).renormalised(path_of(raw)).on(evenly(raw, variable))
+
+
+class Watched(Discretised):
+    """Counts its evaluations; `spoil` may change what the k-th gives, or raise."""
+
+    def __init__(self, problem: Discretised, spoil: Callable[[int, Evaluation], Evaluation] | None = None) -> None:
+        super().__init__(problem.objective, problem.timeline)
+        self.values: list[float] = []
+        self.points: list[Array] = []
+        self.spoil = spoil
+
+    def __call__(self, x: Array) -> Evaluation:
+        evaluation = super().__call__(x)
+        if self.spoil is not None:
+            evaluation = self.spoil(len(self.values) + 1, evaluation)
+        self.values.append(evaluation.value)
+        self.points.append(x.copy())
+        return evaluation
+
+
+def by_nlopt(
+    problem: Discretised, *, method: str = "lbfgs", max_evaluations: int = 5000, tolerance: float = 1e-13
+) -> Minimum:
+    """By E and its gradient in the unknowns, without any model."""
+
+    def fun(x: Array) -> tuple[float, Array]:
+        evaluation = problem(x)
+        return evaluation.value, evaluation.gradient
+
+    start = problem.unknowns.start
+    return minimise(fun, start, method=method, max_evaluations=max_evaluations, tolerance=tolerance)

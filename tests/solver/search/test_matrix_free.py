@@ -14,7 +14,7 @@ from dynsplines.solver.objective import Discretised
 from dynsplines.solver.search import descent
 from dynsplines.solver.search.descent import Descent
 from dynsplines.solver.search.matrix_free import FlatMetric, matrix_free
-from dynsplines.solver.search.minimum import Stop, StopSearch
+from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.search.newton import GaussNewton, Search
 
 
@@ -38,26 +38,6 @@ def test_at_a_minimum_it_ends_after_one_more_evaluation(problem: Discretised) ->
     there = problem.objective.on(problem.timeline.with_rows(problem.unknowns.rows(found.x)))
     again = matrix_free(there, max_evaluations=500, tolerance=1e-8)
     assert (again.stop, again.evaluations) == (Stop.CONVERGED, 2)
-
-
-@pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
-@pytest.mark.parametrize("at", [1, 3])
-def test_a_stop_requested_keeps_the_best_point(problem: Discretised, error: type[BaseException], at: int) -> None:
-    told: list[float] = []
-
-    def improved(_count: int, evaluation, _x: np.ndarray) -> None:
-        told.append(evaluation.value)
-        if len(told) == at:
-            raise error
-
-    found = matrix_free(problem, max_evaluations=100, tolerance=1e-12, improved=improved)
-    assert (found.stop, found.value) == (Stop.INTERRUPTED, told[-1])
-
-
-@pytest.mark.parametrize("budget", [1, 2, 6])
-def test_the_budget_holds(problem: Discretised, budget: int) -> None:
-    found = matrix_free(problem, max_evaluations=budget, tolerance=1e-15)
-    assert (found.stop, found.evaluations) == (Stop.MAX_EVALUATIONS, budget)
 
 
 def test_figures_of_many_joints_are_searched_like_that(

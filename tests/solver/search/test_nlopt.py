@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from typing import NoReturn
 
 import numpy as np
 import pytest
@@ -10,7 +9,7 @@ import pytest
 from dynsplines import load
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
+from dynsplines.solver.search.minimum import Minimum, Stop
 from dynsplines.solver.search.refinement import METHODS as NAMES
 from dynsplines.solver.search.refinement import NONE, minimise
 
@@ -41,67 +40,6 @@ def test_every_method_goes_down_a_bent_valley(method):
 def test_an_unknown_method_is_refused_and_the_known_ones_listed(name):
     with pytest.raises(ValueError, match=f"no optimiser '{name}'; there are: lbfgs, slsqp, ccsaq, tnewton, var2"):
         minimise(bowl, np.zeros(2), method=name)
-
-
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("budget", [1, 2, 5])
-def test_the_budget_holds_and_the_best_x_within_it_is_kept(method, budget):
-    seen: list[tuple[float, np.ndarray]] = []
-
-    def fun(x: np.ndarray) -> tuple[float, np.ndarray]:
-        value, slope = rosenbrock(x)
-        seen.append((value, x.copy()))
-        return value, slope
-
-    found = minimise(fun, START, method=method, max_evaluations=budget, tolerance=1e-15)
-    assert found.evaluations == len(seen) == budget
-    assert found.stop is Stop.MAX_EVALUATIONS
-    best = min(seen, key=lambda pair: pair[0])
-    assert found.value == best[0]
-    np.testing.assert_array_equal(found.x, best[1])
-
-
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt])
-def test_a_stop_requested_anywhere_keeps_the_best_x(method, error):
-    values: list[float] = []
-
-    def fun(x: np.ndarray) -> tuple[float, np.ndarray]:
-        if len(values) == 3:
-            raise error
-        value, slope = rosenbrock(x)
-        values.append(value)
-        return value, slope
-
-    found = minimise(fun, START, method=method)
-    assert found.stop is Stop.INTERRUPTED
-    assert found.value == min(values)
-    assert rosenbrock(found.x)[0] == found.value
-
-
-@pytest.mark.parametrize("method", METHODS)
-def test_an_error_of_the_caller_is_raised_unchanged(method):
-    error = ZeroDivisionError("mine")
-
-    def fail(*_: object) -> NoReturn:
-        raise error
-
-    with pytest.raises(ZeroDivisionError) as caught:
-        minimise(fail, START, method=method)
-    assert caught.value is error
-
-
-@pytest.mark.parametrize("method", METHODS)
-@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
-def test_values_that_are_no_numbers_never_become_the_best(method, bad):
-    def fun(x: np.ndarray) -> tuple[float, np.ndarray]:
-        value, slope = rosenbrock(x)
-        return (bad, slope) if x[0] > -0.5 else (value, slope)
-
-    found = minimise(fun, START, method=method, max_evaluations=200)
-    assert np.isfinite(found.value)
-    assert found.value <= rosenbrock(START)[0]
-    assert found.x[0] <= -0.5
 
 
 def test_a_gradient_that_is_no_number_counts_as_infinitely_bad():

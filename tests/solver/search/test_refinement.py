@@ -13,7 +13,7 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Discretised
 from dynsplines.solver.search import newton, refinement
 from dynsplines.solver.search.descent import Descent
-from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
+from dynsplines.solver.search.minimum import Minimum, Stop
 from dynsplines.solver.search.newton import GaussNewton
 from dynsplines.solver.search.quadratic import Layout, Model
 from dynsplines.solver.search.refinement import METHODS, NONE
@@ -58,25 +58,6 @@ def test_where_nothing_is_left_to_gain_it_takes_a_few_evaluations(problem):
     alone, refined = rough_and_refined(problem, "lbfgs", 1e-6, max_evaluations=200)
     assert alone.evaluations < refined.evaluations <= alone.evaluations + newton.PATIENCE
     assert refined.value == pytest.approx(alone.value, rel=1e-5)
-
-
-@pytest.mark.parametrize("error", [StopSearch, KeyboardInterrupt, ZeroDivisionError])
-def test_a_stop_or_an_error_in_it_is_the_callers(problem, error):
-    rough, refined = rough_and_refined(problem, "lbfgs")
-    assert refined.evaluations > rough.evaluations
-
-    def improved(count: int, _evaluation: object, _x: object) -> None:
-        if count > rough.evaluations:
-            raise error
-
-    search = GaussNewton("lbfgs", 1e-2)
-    if error is ZeroDivisionError:
-        with pytest.raises(ZeroDivisionError):
-            search(problem, tolerance=1e-2, improved=improved)
-        return
-    found = search(problem, tolerance=1e-2, improved=improved)
-    assert found.stop is Stop.INTERRUPTED
-    assert found.value <= rough.value
 
 
 def test_rounds_that_others_follow_have_none(problem, monkeypatch):
