@@ -83,14 +83,6 @@ def test_a_process_that_ends_by_itself_is_reported(kept: Pool):
     assert (outcome.cause, outcome.error) == ("lost", "its process ended with code 3")
 
 
-def test_nothing_is_left_when_it_stops(tmp_path: Path):
-    pool = Pool(tmp_path)
-    process = number(pool)
-    pool.stop()
-    assert gone(process)
-    assert list(tmp_path.iterdir()) == []
-
-
 @pytest.mark.skipif(sys.platform != "linux", reason="other systems have other allocators")
 def test_what_a_clip_took_is_given_back_before_the_next(kept: Pool):
     process = psutil.Process(number(kept))
