@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from geom_pairs import geom_pairs
 from move import Move, of
+from oracles import aligned
 from paper.penetration import self_penetration
 
 from dynsplines import models
@@ -115,9 +116,7 @@ def test_a_loop_continues_across_its_seam_and_its_two_steps_are_mirror_images(na
     t = np.linspace(0, half, 40)
     ahead = promise.travel / 2 * np.eye(figure.width)[0]
     one, two = Mirror.of(figure).states(motion.at(t)) + ahead, motion.at(t + half)
-    for columns in figure.tables.quaternion_columns.T:
-        one[:, columns] *= np.sign(np.sum(one[:, columns] * two[:, columns], axis=1))[:, None]
-    assert np.abs(one - two).max() < promise.mirrored
+    assert np.abs(aligned(figure, one, two) - two).max() < promise.mirrored
 
 
 def test_what_the_first_keyframe_of_a_loop_says_is_met_at_its_end_as_well():
@@ -125,9 +124,7 @@ def test_what_the_first_keyframe_of_a_loop_says_is_met_at_its_end_as_well():
     figure, wanted = move.clip.figure, move.clip.keys[0].state
     assert not move.clip.keys[-1].is_key
     qpos = move.motion.at([move.clip.keys[-1].time])[0] - PROMISES["run_loop"].travel * np.eye(figure.width)[0]
-    for columns in figure.tables.quaternion_columns.T:
-        qpos[columns] *= np.sign(qpos[columns] @ wanted[columns])
-    np.testing.assert_allclose(qpos, wanted, atol=1e-9)
+    np.testing.assert_allclose(aligned(figure, qpos, wanted), wanted, atol=1e-9)
 
 
 def test_in_walking_a_foot_is_always_down_and_knees_and_pelvis_move_as_in_normal_gait():

@@ -10,6 +10,7 @@ from typing import Any
 import mujoco
 import numpy as np
 import pytest
+from oracles import aligned
 
 from dynsplines import motion
 from dynsplines.errors import UserError
@@ -94,8 +95,7 @@ def test_keyframes_are_met_with_the_paths_own_sign(arrays, solved: Solved):
     np.testing.assert_array_equal(fixed, [key.fixed for key in solved.clip.keys])
     for columns in (slice(3, 7), slice(7, 11)):
         np.testing.assert_allclose(np.linalg.norm(reached[:, columns], axis=1), 1, atol=1e-12)
-        signs = np.sign(np.sum(wanted[:, columns] * reached[:, columns], axis=1))
-        wanted[:, columns] *= signs[:, None]
+    wanted = aligned(solved.clip.figure, wanted, reached)
     np.testing.assert_allclose(reached[fixed], wanted[fixed], atol=1e-9)
     on_path = motion.continuous(solved.clip.figure, sampled(solved.clip.figure, solved.motion.timeline, 1000.0).qpos)
     np.testing.assert_allclose(reached[1], on_path[200], atol=1e-9)

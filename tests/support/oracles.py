@@ -1,5 +1,7 @@
 """What MuJoCo and SciPy can be asked as oracles, and from which version on."""
 
+from collections.abc import Sequence
+
 import mujoco
 import numpy as np
 import pytest
@@ -59,3 +61,16 @@ def inverse_dynamics(model, at, rows=slice(None)):
         mujoco.mj_inverse(model, data)
         out.append(data.qfrc_inverse.copy())
     return np.array(out)
+
+
+def tracks(model: mujoco.MjModel, qpos: Array, names: Sequence[str]) -> Array:
+    """(T, n, 3) [m]: the places of sites along configurations (T, nq), by MuJoCo."""
+    return np.array([[data.site(name).xpos for name in names] for data in (kinematics(model, row) for row in qpos)])
+
+
+def aligned(figure: Figure, qpos: Array, wanted: Array) -> Array:
+    """Configurations (..., nq) with the quaternions' signs of others."""
+    out = np.array(qpos)
+    for columns in figure.tables.quaternion_columns.T:
+        out[..., columns] *= np.sign(np.sum(out[..., columns] * wanted[..., columns], axis=-1, keepdims=True))
+    return out

@@ -211,9 +211,7 @@ def test_a_person_stands_as_straight_as_a_robot_whose_thighs_turn_in_front_of_it
     np.savez(tmp_path / "robot.qpos.npz", time=np.arange(10) / 30, qpos=qpos)
     import_motion(tmp_path / "robot.qpos.npz", tmp_path / "robot.xml").export(tmp_path / "robot.bvh", fps=30)
     person = import_motion(tmp_path / "robot.bvh", "human")
-    data = mujoco.MjData(person.model)
-    data.qpos[:] = person.sampled(30).qpos[5]
-    mujoco.mj_kinematics(person.model, data)
+    data = kinematics(person.model, person.sampled(30).qpos[5])
     hip, knee, ankle = (data.body(f"left_{part}").xpos for part in ("thigh", "shin", "foot"))
     for bone in (knee - hip, ankle - knee):
         assert np.degrees(np.arccos(-bone[2] / np.linalg.norm(bone))) < 2

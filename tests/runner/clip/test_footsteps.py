@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from itertools import pairwise
 
-import mujoco
 import numpy as np
 import pytest
+from oracles import tracks
 from penalty_slope import penalty_slope
 
-from dynsplines import inbetween, recordings
+from dynsplines import Motion, inbetween, recordings
+from dynsplines.solver.array import Array
 from dynsplines.solver.contacts.footsteps import Footsteps, footsteps
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.curve.spline import path_of
@@ -91,16 +92,17 @@ def test_contacts_that_the_clip_specifies_decide(contacts, first):
     assert leading(clip(0.4, more="".join(rows))) == first
 
 
+def soles(motion: Motion, rate: float) -> Array:
+    """(T, 2 feet, 2 ends, 3) [m] of heels and toes, by MuJoCo."""
+    names = [f"{side}_{end}" for side in ("left", "right") for end in ("heel", "toe")]
+    return tracks(motion.model, motion.sampled(rate).qpos, names).reshape(-1, 2, 2, 3)
+
+
 @pytest.mark.slow
 def test_the_feet_are_raised_in_turn():
     """Without the order of the steps, the figure floated 8 cm above the ground, with both feet."""
     motion = inbetween(recordings.from_text(clip(0.4, time=0.9), name="steps"))
-    data, heights = mujoco.MjData(motion.model), []
-    for qpos in motion.sampled(100).qpos:
-        data.qpos = qpos
-        mujoco.mj_kinematics(motion.model, data)
-        heights.append([[data.site(f"{side}_{end}").xpos[2] for end in ("heel", "toe")] for side in ("left", "right")])
-    low = np.min(heights, axis=2)
+    low = soles(motion, 100)[..., 2].min(axis=2)
     assert low.max(axis=0).min() > 0.05
     assert low.min(axis=1).max() < 0.035
     assert (low[: len(low) // 3, 0] > low[: len(low) // 3, 1] - 1e-3).all()
@@ -147,14 +149,7 @@ def test_feet_do_not_step_on_a_box_in_their_way():
 )
 def test_a_figure_walks_between_two_keyframes(move):
     motion = inbetween(recordings.from_text(clip(**move), name="steps"))
-    data, soles = mujoco.MjData(motion.model), []
-    for qpos in motion.sampled(200).qpos:
-        data.qpos = qpos
-        mujoco.mj_kinematics(motion.model, data)
-        soles.append(
-            [[data.site(f"{side}_{end}").xpos.copy() for end in ("heel", "toe")] for side in ("left", "right")]
-        )
-    places = np.array(soles)  # (T, 2 feet, 2 ends, 3)
+    places = soles(motion, 200)
     low = places[..., 2].min(axis=2)
     assert low.max(axis=0).min() > 0.03
     assert low.min(axis=1).max() < 0.015
@@ -207,12 +202,7 @@ def test_a_hold_of_the_legs_does_not_keep_them_from_stepping():
     rows[0] = rows[0].replace('"previous"', '"rest"')
     wave = "joints.left_shoulder = {rotvec = [90, 0, 0]}\n"
     motion = inbetween(recordings.from_text('figure = "human"\n' + "".join(rows) + wave, name="steps"))
-    data, low = mujoco.MjData(motion.model), []
-    for qpos in motion.sampled(100).qpos:
-        data.qpos = qpos
-        mujoco.mj_kinematics(motion.model, data)
-        low.append([min(data.site(f"{side}_{end}").xpos[2] for end in ("heel", "toe")) for side in ("left", "right")])
-    assert np.max(low, axis=0).min() > 0.05
+    assert soles(motion, 100)[..., 2].min(axis=2).max(axis=0).min() > 0.05
     assert not [violation for violation in motion.violations if violation.kind in ("slide", "overshoot", "stance")]
 
 

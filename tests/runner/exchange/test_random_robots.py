@@ -11,7 +11,7 @@ import pytest
 import wild
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from oracles import inverse_dynamics
+from oracles import aligned, inverse_dynamics
 from random_robots import RandomRobot, motion_of, robots
 from simulated import exported, played
 
@@ -21,7 +21,6 @@ from dynsplines.exchange.forces import Forces
 from dynsplines.exchange.motion_import import read_recording
 from dynsplines.exchange.trajectory import SampledTrajectory
 from dynsplines.motion import Saved
-from dynsplines.scene.configuration import quaternions
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 
@@ -68,10 +67,8 @@ def check_round_trip(saved: Saved, kind: str, folder: Path, figure: str) -> None
     """A motion written in a format and read back has the same qpos, up to the signs of quaternions, and times."""
     target = formats.export(saved, kind, folder / f"out{formats.writer(kind).ending}")
     before, found = wild.samples(saved), read_recording(target, kind, figure=figure, fps=saved.fps)
-    after = found.qpos.copy()
-    assert after.shape == before.qpos.shape, kind
-    for columns in quaternions(saved.figure.model).values():
-        after[:, columns] *= np.sign(np.sum(after[:, columns] * before.qpos[:, columns], axis=1, keepdims=True))
+    assert found.qpos.shape == before.qpos.shape, kind
+    after = aligned(saved.figure, found.qpos, before.qpos)
     np.testing.assert_allclose(after, before.qpos, atol=EXACT, err_msg=kind)
     np.testing.assert_allclose(found.time - found.time[0], before.time - before.time[0], atol=1e-9)
 

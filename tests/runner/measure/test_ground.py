@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import mujoco
 import numpy as np
 import pytest
+from oracles import kinematics
 
 from dynsplines import inbetween, recordings, solving
 from dynsplines.clip.build import Clip
@@ -113,11 +113,7 @@ def test_a_jump_with_one_keyframe_in_the_air_falls_freely_or_is_reported(seconds
 
 
 def centre_of_mass(motion, t):
-    data = mujoco.MjData(motion.model)
-    data.qpos[:] = motion.at(t)
-    mujoco.mj_kinematics(motion.model, data)
-    mujoco.mj_comPos(motion.model, data)
-    return data.subtree_com[1]
+    return kinematics(motion.model, motion.at(t)).subtree_com[1]
 
 
 @pytest.mark.parametrize(("intervals", "kinds"), [("[[0.1, 0.6]]", []), ("[[0.3, 0.4]]", ["float", "float"])])

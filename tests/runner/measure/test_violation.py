@@ -602,9 +602,7 @@ def test_a_narrow_obstacle_inside_a_wide_geom_is_reported(model, row, box, above
     solved = inbetween(
         recordings.from_text('figure = "model.xml"\n' + scene + off + keys, folder=tmp_path, name="post")
     )
-    data = mujoco.MjData(solved.model)
-    data.qpos = solved.at(0.0)
-    mujoco.mj_kinematics(solved.model, data)
+    data = kinematics(solved.model, solved.at(0.0))
     geoms = [solved.model.geom(name).id for name in ("deck" if model is DECK else "rod", "post")]
     assert mujoco.mj_geomDistance(solved.model, data, *geoms, 0.1, None) < -0.02
     assert any(v.kind == "penetration" and v.amount > 0.02 for v in solved.violations)

@@ -8,7 +8,7 @@ from even_frames import evenly
 from figures import BALL, figure_of
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
-from oracles import by_scipy
+from oracles import aligned, by_scipy
 from random_keys import TIMES, closed, distance_from_key, partial_keys, random_keys
 from scipy.spatial.transform import Rotation
 
@@ -101,10 +101,7 @@ GRID = np.linspace(TIMES[0], TIMES[-1], 53)
 
 def apart(figure: Figure, a: Array, b: Array) -> float:
     """The largest entry by which configurations differ, quaternions up to their signs."""
-    a = a.copy()
-    for columns in figure.tables.quaternion_columns.T:
-        a[:, columns] *= np.sign(np.sum(a[:, columns] * b[:, columns], axis=1))[:, None]
-    return float(np.abs(a - b).max())
+    return float(np.abs(aligned(figure, a, b) - b).max())
 
 
 def key_rows(timeline: Timeline) -> Index:

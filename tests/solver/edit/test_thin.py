@@ -10,6 +10,7 @@ import pytest
 from figures import BALL, BALL_TREE, EVERY_JOINT, FIGURES, ONE_BALL, figure_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from oracles import kinematics
 from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
@@ -40,13 +41,10 @@ def of(name: str) -> Figure:
 
 def apart_by_mujoco(figure: Figure, times: np.ndarray, qpos: np.ndarray, timeline) -> tuple[float, float]:
     """The largest distance of a body's origin or a site [m] and the largest angle of a body [rad]."""
-    data = [mujoco.MjData(figure.model) for _ in range(2)]
     distance = angle = 0.0
     between = figure.to_qpos(path_of(timeline).at(times))
     for pair in zip(qpos, between, strict=True):
-        for each, row in zip(data, pair, strict=True):
-            each.qpos = row
-            mujoco.mj_kinematics(figure.model, each)
+        data = [kinematics(figure.model, row) for row in pair]
         for one, other in ((data[0].xpos, data[1].xpos), (data[0].site_xpos, data[1].site_xpos)):
             if len(one):
                 distance = max(distance, float(np.linalg.norm(one - other, axis=1).max()))

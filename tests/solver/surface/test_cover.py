@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from oracles import kinematics
 from scipy.spatial import ConvexHull
 
 from dynsplines import Keyframe, Motion, build, inbetween
@@ -254,9 +255,7 @@ PLATE = """<mujoco><asset><mesh name="plate" vertex="{corners}"/></asset><worldb
 
 def depths(motion: Motion, geom: str, obstacle: str) -> tuple[float, float]:
     """The depth [m] of a geom in an obstacle at 0.5 s by MuJoCo, and that of the only violation."""
-    model, data = motion.model, mujoco.MjData(motion.model)
-    data.qpos[:] = motion.at(0.5)
-    mujoco.mj_kinematics(model, data)
+    model, data = motion.model, kinematics(motion.model, motion.at(0.5))
     (violation,) = (violation for violation in motion.violations if violation.kind == "penetration")
     assert violation.name == geom
     distance = mujoco.mj_geomDistance(model, data, model.geom(geom).id, model.geom(obstacle).id, 1, None)
@@ -312,12 +311,9 @@ PAIR = """<mujoco><asset><mesh name="hand" vertex="0 0 0 .2 0 0 0 .1 0 0 0 .05"/
 
 def test_the_points_of_a_figure_are_the_spheres_of_its_geoms_where_mujoco_has_them(rng):
     model = mujoco.MjModel.from_xml_string(PAIR)
-    figure, data = Figure(model), mujoco.MjData(model)
+    figure, data = Figure(model), kinematics(model, rng.normal(size=model.nq))
     points = covering_points(figure)
     assert {point.name for point in points} == {"trunk", "pack", "arm", "hand"}, "inner is inside, others no part"
-    data.qpos[:] = rng.normal(size=model.nq)
-    mujoco.mj_normalizeQuat(model, data.qpos)
-    mujoco.mj_kinematics(model, data)
     trunk, arm = ("trunk", "trunk"), ("arm", "shoulder")
     for name, (body, joint) in {"trunk": trunk, "pack": trunk, "arm": arm, "hand": arm}.items():
         geom = model.geom(name).id

@@ -102,8 +102,7 @@ def test_the_gradient_of_depth_has_taylor_slope_two_and_length_one(name, rng):
 def test_a_height_is_that_over_the_top_which_a_ray_finds(name, rng):
     points = about(name, rng, 200)
     found = SURFACES[name].height(points)[:, 0]
-    data, geom = mujoco.MjData(MODEL), MODEL.geom(name).id
-    mujoco.mj_kinematics(MODEL, data)
+    data, geom = kinematics(MODEL), MODEL.geom(name).id
     hits = 0
     for point, height in zip(points[:, :, 0].T, found, strict=True):
         down, up = (_ray(data, geom, np.array([*point[:2], z]), side) for z, side in ((9.0, -1.0), (-9.0, 1.0)))
