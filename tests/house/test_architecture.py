@@ -124,12 +124,6 @@ def test_the_solver_uses_no_files_no_clock_and_no_terminal():
         assert not called & {"open", "print", "input", "exec", "eval", "hasattr"}, path
 
 
-def test_every_file_states_its_subject_and_none_is_named_for_a_drawer():
-    for path in FILES:
-        assert len(ast.get_docstring(tree(path)) or "") > 20, path
-        assert path.stem not in {"utils", "util", "helpers", "misc", "common"}
-
-
 # every folder, or module beside the folders, rests only on those in lines before its own
 STRATA = {
     "solver": """
@@ -195,15 +189,6 @@ def test_imports_inside_the_solver_make_no_circle():
         done |= ready
 
 
-def test_the_foundations_of_the_solver_rest_on_nothing_above_them():
-    def within(name: str) -> set[str]:
-        return {stratum(other) for other in imports(Path(f"solver/{name}.py")) if other.startswith("solver.")}
-
-    assert not within("array")
-    assert within("quaternion") == {"array"}
-    assert within("curve/frame") == {"array"}
-
-
 def test_no_folder_of_the_product_has_more_files_than_one_sees_at_a_glance():
     counts = Counter(path.parent for path in FILES if path.name != "__init__.py")
     assert {folder: count for folder, count in counts.items() if count > 15} == {}
@@ -220,25 +205,3 @@ def test_tests_lie_as_what_they_test_does(top):
     assert folders
     for folder in folders:
         assert (ROOT / folder.relative_to("tests")).is_dir(), folder
-
-
-def bare_constants(path: Path) -> list[str]:
-    """The numbers that a module names without a word on their unit or why they are as they are."""
-    lines = (ROOT / path).read_text(encoding="utf-8").splitlines()
-    found = []
-    for node in tree(path).body:
-        if not isinstance(node, ast.Assign) or isinstance(node.value, ast.Dict | ast.DictComp | ast.Call):
-            continue
-        parts = [e for t in node.targets for e in (t.elts if isinstance(t, ast.Tuple) else [t])]
-        names = [part.id for part in parts if isinstance(part, ast.Name) and part.id.lstrip("_").isupper()]
-        held = [c.value for c in ast.walk(node.value) if isinstance(c, ast.Constant)]
-        if names and any(isinstance(value, int | float) and not isinstance(value, bool) for value in held):
-            said = (
-                lines[node.lineno - 1] + lines[node.end_lineno - 1 if node.end_lineno else 0] + lines[node.lineno - 2]
-            )
-            found += [] if "#" in said else names
-    return found
-
-
-def test_a_number_with_a_name_states_its_unit_or_reason():
-    assert {path: names for path in FILES if (names := bare_constants(path))} == {}
