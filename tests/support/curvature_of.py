@@ -137,9 +137,8 @@ def some_samples(figure: Figure, rng: np.random.Generator, count: int = 4) -> Sa
     return at_times(random_samples(figure, rng, count), np.linspace(0.1, 1.3, count))
 
 
-def assert_squares(penalty: Penalty, residuals: Callable[[Samples], Array], figure: Figure, rng: np.random.Generator):
-    """That a penalty's matrices are 2 JᵀJ, J by differences."""
-    samples = some_samples(figure, rng)
+def assert_squares(penalty: Penalty, residuals: Callable[[Samples], Array], samples: Samples, rng: np.random.Generator):
+    """That a penalty is the sum of squared residuals (S, r), and its matrices are 2 JᵀJ, J by differences."""
     np.testing.assert_allclose(np.sum(residuals(samples) ** 2, axis=1), penalty.evaluate(samples), rtol=1e-9)
     scale, phi = rng.uniform(0.5, 2, samples.count), rng.normal(size=(samples.count, 3, 2))
     moved = np.einsum("sron,soa->sran", jacobians(residuals, samples), phi)

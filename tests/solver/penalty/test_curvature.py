@@ -56,11 +56,11 @@ def known(request: pytest.FixtureRequest) -> tuple[Penalty, Callable[[Samples], 
 
 def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng, known):
     penalty, residuals = known
-    assert_squares(penalty, residuals, figure, rng)
+    assert_squares(penalty, residuals, some_samples(figure, rng), rng)
 
 
 def test_the_curvature_of_torques_knows_the_armature(figure, rng):
-    assert_squares(Torque(), _efforts, with_armature(figure, rng), rng)
+    assert_squares(Torque(), _efforts, some_samples(with_armature(figure, rng), rng), rng)
 
 
 def test_the_quadratic_form_and_the_diagonal_are_those_of_the_same_matrices(figure, rng, known):

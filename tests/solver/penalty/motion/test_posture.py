@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from curvature_of import assert_squares
 from figures import BALL_TREE, CHAIN, HUMAN_AND_CHAINS, figure_of
 from penalty_slope import penalty_slope
 from random_samples import random_samples
@@ -16,7 +17,6 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.size import Size
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Between, CovariantAcceleration, Posture, RootAcceleration, UnitMagnitude
-from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.problem import Problem, Settings
 
 
@@ -38,10 +38,10 @@ def stepping(figure: Figure, links: list[int]) -> Between:
     return Between(times, turning, across, Steps(times, steps, steps[:, 0], placing), np.array([True]))
 
 
-def residuals(figure: Figure, y: np.ndarray, y_d: np.ndarray, exempt: list[int]) -> np.ndarray:
+def residuals(samples: Samples, exempt: list[int]) -> np.ndarray:
     """Half the velocities of joints and roots, those of roots times √12 and √2, of other joints, except those that
     place a foot, times 2, (S, r)."""
-    omega = Samples(figure, y, y_d, 0 * y).links.omega
+    figure, y_d, omega = samples.figure, samples.y_d, samples.links.omega
     balls = [i for i, link in enumerate(figure.links) if i and link.kind is JointKind.BALL and i not in exempt]
     relative = [(1 if i == PLACING else 2) * (omega[:, i] - omega[:, figure.links[i].parent]) for i in balls]
     is_moving = ~np.isin(figure.tables.hinge_links, exempt)
@@ -51,14 +51,6 @@ def residuals(figure: Figure, y: np.ndarray, y_d: np.ndarray, exempt: list[int])
     across = [np.sqrt(2) * y_d[:, figure.links[i].qpos : figure.links[i].qpos + 2] for i in roots]
     bending = np.where(hinge_links == PLACING, 1, 2) * y_d[:, hinges]
     return 0.5 * np.hstack([*(part.T for part in (*relative, *turning)), bending, *across])
-
-
-def test_only_joints_that_do_not_step_cost(jointed, rng):
-    samples = random_samples(jointed, rng, 4)
-    value = Posture(between=stepping(jointed, [2])).evaluate(samples)
-    expected = np.sum(residuals(jointed, samples.y, samples.y_d, [2]) ** 2, axis=1)
-    np.testing.assert_allclose(value, expected, rtol=1e-9)
-    assert np.all(value < Posture(between=stepping(jointed, [])).evaluate(samples))
 
 
 def roots_of(figure: Figure) -> list[int]:
@@ -93,19 +85,9 @@ def test_the_gradient_has_taylor_slope_two(jointed, rng, exempt):
 
 
 @pytest.mark.parametrize("exempt", [[], [2]])
-def test_its_curvature_is_that_of_differences(jointed, rng, exempt):
-    samples, h = random_samples(jointed, rng, 3), 1e-6
-    curvature, scale, phi = Curvature(samples), rng.uniform(1, 2, 3), rng.normal(size=(3, 3))
-    Posture(between=stepping(jointed, exempt)).curvature(samples, curvature, scale)
-    rows = []
-    for entry in np.eye(jointed.width):
-        moved = [
-            residuals(jointed, samples.y + s * phi[:, :1] * entry, samples.y_d + s * phi[:, 1:2] * entry, exempt)
-            for s in (h, -h)
-        ]
-        rows.append((moved[0] - moved[1]) / (2 * h))
-    expected = 2 * np.einsum("s,msr,nsr->mn", scale, np.array(rows), np.array(rows))
-    np.testing.assert_allclose(curvature.quadratic(phi, 0, 3), expected, rtol=1e-5, atol=1e-6 * expected.max())
+def test_it_and_its_curvature_are_squares_of_velocities(jointed, rng, exempt):
+    penalty = Posture(between=stepping(jointed, exempt))
+    assert_squares(penalty, lambda seen: residuals(seen, exempt), random_samples(jointed, rng, 3), rng)
 
 
 def test_a_root_that_turns_and_travels_evenly_between_its_keyframes_costs_nothing(rng):
