@@ -1,4 +1,4 @@
-"""MimicKit, DeepMimic and AMASS: their kinematics written out by hand from their own conventions, against MuJoCo's."""
+"""MimicKit and DeepMimic: their kinematics written out by hand from their own conventions, against MuJoCo's."""
 
 import json
 import pickle
@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 import shipped
 import wild
-from oracles import kinematics
 from scipy.spatial.transform import Rotation
 
 from dynsplines import models
@@ -199,52 +198,3 @@ def test_other_figures_than_people_are_refused_with_their_joints(tmp_path):
     says = "'deepmimic' is for a person .* no ball joint 'spine', only: floating, left_hip_pitch"
     with pytest.raises(UserError, match=says):
         formats.export(robot, "deepmimic", tmp_path / "out.json")
-
-
-SMPL = [
-    "pelvis", "left_hip", "right_hip", "spine1", "left_knee", "right_knee", "spine2", "left_ankle",
-    "right_ankle", "spine3", "left_foot", "right_foot", "neck", "left_collar", "right_collar",
-    "head", "left_shoulder", "right_shoulder", "left_elbow", "right_elbow", "left_wrist", "right_wrist",
-]  # fmt: skip
-
-
-def amass(folder, **turns):
-    """A file of AMASS: some of SMPL's joints turned, rotation vectors in its axes (x left, y up, z forward)."""
-    poses = np.zeros((3, 156))
-    for name, turn in turns.items():
-        poses[:, 3 * SMPL.index(name) : 3 * SMPL.index(name) + 3] = turn
-    walk = np.array([[0, 0, 1.0], [0.1, -0.2, 1.1], [0.2, -0.4, 1.3]])
-    np.savez(folder / "a.npz", poses=poses, trans=walk, mocap_framerate=120.0, gender="male", betas=np.zeros(16))
-    return formats.recording(folder / "a.npz", model=HUMAN)
-
-
-def test_amass_rotations_are_those_of_smpl_in_the_world(tmp_path):
-    rng = np.random.default_rng(4)
-    turns = {name: rng.uniform(-0.8, 0.8, 3) for name in SMPL[:20]}
-    data = kinematics(HUMAN, amass(tmp_path, **turns).qpos[0])
-    chain = {"left_hip": ["left_hip"], "left_ankle": ["left_hip", "left_knee", "left_ankle"]}
-    chain["chest"] = ["spine1", "spine2", "spine3"]
-    chain["right_elbow"] = [*chain["chest"], "right_collar", "right_shoulder", "right_elbow"]
-    for name, body in (
-        ("left_hip", "left_thigh"),
-        ("left_ankle", "left_foot"),
-        ("chest", "chest"),
-        ("right_elbow", "right_forearm"),
-    ):
-        world = Rotation.from_rotvec(turns["pelvis"])
-        for joint in chain[name]:
-            world = world * Rotation.from_rotvec(turns[joint])
-        axes = data.body(body).xmat.reshape(3, 3)
-        forward = [0, 0, 1]  # stays forward in our arms as well: they are raised about it
-        np.testing.assert_allclose(axes[:, 0], world.apply(forward), atol=1e-9, err_msg=name)
-        along = [-1, 0, 0] if name == "right_elbow" else [0, -1, 0]
-        np.testing.assert_allclose(-axes[:, 2], world.apply(along), atol=1e-9, err_msg=name)
-
-
-def test_bad_amass_files_are_reported(tmp_path):
-    np.savez(tmp_path / "b.npz", poses=np.zeros((3, 60)), trans=np.zeros((3, 3)), mocap_framerate=60)
-    with pytest.raises(UserError, match="'poses' has 60 numbers a sample; the 22 joints of SMPL's body need 66"):
-        formats.recording(tmp_path / "b.npz", model=HUMAN)
-    np.savez(tmp_path / "b.npz", poses=np.zeros((3, 156)), trans=np.zeros((3, 3)))
-    with pytest.raises(UserError, match="no 'mocap_framerate'"):
-        formats.recording(tmp_path / "b.npz", model=HUMAN)
