@@ -29,13 +29,6 @@ def test_link_positions_and_orientations_are_those_of_mj_kinematics(figure, rng)
                 np.testing.assert_allclose(samples.links.anchor[:, link_index, i], data.xanchor[link.joint], atol=1e-12)
 
 
-def test_selecting_all_samples_in_order_returns_the_same_object(figure, rng):
-    samples = random_samples(figure, rng, 4)
-    assert samples.select(np.arange(4)) is samples
-    for at in ([3, 2, 1, 0], [0, 1, 2], [0, 1, 2, 3, 3]):
-        np.testing.assert_array_equal(samples.select(np.array(at)).y, samples.y[at])
-
-
 @pytest.mark.parametrize("name", ["x", "x_d", "x_dd", "omega", "alpha"])
 def test_the_adjoint_of_each_quantity_has_taylor_slope_two(figure, rng, name):
     samples = random_samples(figure, rng)
