@@ -7,7 +7,6 @@ import importlib
 import json
 import os
 import re
-import signal
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -20,14 +19,12 @@ import numpy as np
 import pytest
 from command import Command, Done, commanded, refusal
 from PIL import Image
-from tiny import CLIP, FIGURE, HINGE, changed, names, written
+from tiny import CLIP, FIGURE, HINGE, changed, written
 from typer.main import get_command
 
 from dynsplines import cli, models, solving
 from dynsplines.clip.kinds import KINDS
 from dynsplines.picture import graphics, show
-
-POSIX = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
 
 KNEE = "joints.left_knee = {rotvec = [0, 0, 0]}"
 SMALL = ("--size", "32x32")
@@ -509,35 +506,6 @@ def test_ctrl_c_ends_with_130(run, monkeypatch, is_importing):
     monkeypatch.setattr(*((cli, "app") if is_importing else (models, "clips")), interrupted)
     done = run("clips")
     assert (done.code, done.err) == (130, "dynsplines: stopped\n")
-
-
-LONG = changed("evaluations = 8\nframes = 2", "evaluations = 100000\nframes = 400\ntolerance = 1e-15\nthreshold = 0")
-
-
-@pytest.mark.slow
-@POSIX
-def test_a_second_ctrl_c_only_cuts_the_measuring_short(tmp_path):
-    written(tmp_path, LONG)
-    script = (
-        "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
-        "from dynsplines.cli import main; sys.argv = ['dynsplines', 'report', 'tiny.toml', '--json']; main()"
-    )
-    process = subprocess.Popen(
-        [sys.executable, "-c", script], cwd=tmp_path, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-    )
-    try:
-        assert process.stderr is not None
-        assert "solving" in process.stderr.readline()
-        process.send_signal(signal.SIGINT)
-        assert any("the best path so far is kept" in line for line in process.stderr)
-        process.send_signal(signal.SIGINT)
-        out, err = process.communicate(timeout=60)
-    finally:
-        process.kill()
-    assert process.returncode == 0
-    assert "Traceback" not in err
-    assert json.loads(out)["after"]["keyframe error"] < 1e-12
-    assert names(tmp_path) == ["hinge.xml", "tiny.toml", "tiny.xml"]
 
 
 # loops and edits

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tiny import changed, written
+from tiny import changed, names, written
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
 
@@ -89,6 +89,21 @@ def test_a_signal_while_solving_keeps_the_best_path_and_reports_it_in_the_exit_c
     with np.load(tmp_path / "long.npz") as data:
         assert "interrupted" in json.loads(str(data["search"]))["stopped because"]
     assert not [path.name for path in tmp_path.iterdir() if path.name.startswith(".")]
+
+
+@pytest.mark.slow
+def test_a_second_ctrl_c_only_cuts_the_measuring_short(start: Start, tmp_path: Path):
+    process = start(COMMAND, "dynsplines", "report", "long.toml", "--json")
+    assert process.stderr is not None
+    assert "solving" in process.stderr.readline()
+    process.send_signal(signal.SIGINT)
+    assert any("the best path so far is kept" in line for line in process.stderr)
+    process.send_signal(signal.SIGINT)
+    out, said = process.communicate(timeout=60)
+    assert process.returncode == 0
+    assert "Traceback" not in said
+    assert json.loads(out)["after"]["keyframe error"] < 1e-12
+    assert names(tmp_path) == ["hinge.xml", "long.toml", "tiny.toml", "tiny.xml"]
 
 
 @pytest.mark.slow

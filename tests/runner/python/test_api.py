@@ -80,24 +80,6 @@ def test_every_name_is_there_and_listed():
         _ = dynsplines.lod  # type: ignore[attr-defined]
 
 
-@pytest.mark.slow
-def test_a_script_in_an_empty_folder(tmp_path):
-    (tmp_path / "arm.xml").write_text(ARM)
-    script = """
-from dynsplines import *
-clip = build("arm.xml", [Keyframe(0, others="rest"), Keyframe(1, joints={"elbow": 60.0})])
-motion = inbetween(clip)
-motion.save("up.npz"), motion.save("up.toml"), motion.export("up.csv")
-print(motion.at(1)[-1], load_motion("up.npz"), inbetween(load("up.toml")), sep="\\n")
-print(import_motion("up.csv", "arm.xml"))
-"""
-    last, *shown = run(script, tmp_path).splitlines()
-    assert float(last) == pytest.approx(np.pi / 3)
-    assert shown[0].startswith("<Motion clip: 1.00 s, 2 keyframes,")
-    assert shown[2] == "<Motion up: 1.00 s, 31 keyframes, 4 DOF>"
-    assert names(tmp_path) == ["arm.xml", "up.csv", "up.npz", "up.toml", "up.xml"]
-
-
 def test_what_ships_is_listed_and_loads():
     assert "run_and_step" in clips()
     assert "human" in figures()
@@ -385,18 +367,6 @@ def test_what_cannot_be_done_is_reported(motion, attempt, complaint, tmp_path, m
 
 
 @pytest.mark.slow
-def test_files_go_there_and_back(motion, loop, tmp_path):
-    for each in (motion, loop):
-        assert each.save(tmp_path / "m.npz") == tmp_path / "m.npz"
-        again = load_motion(tmp_path / "m.npz")
-        assert again.difference(each).distance < 1e-12
-        assert again.is_loop == each.is_loop
-        each.save(tmp_path / "m.toml", overwrite=True)
-        assert load(tmp_path / "m.toml").ends == each.clip.ends
-    assert str(load_motion(tmp_path / "m.npz").report())
-
-
-@pytest.mark.slow
 def test_a_recording_is_saved_as_a_clip_of_its_instants(motion, tmp_path):
     (tmp_path / "arm.xml").write_text(ARM)
     motion.export(tmp_path / "m.csv", fps=20)
@@ -413,13 +383,6 @@ def test_a_recording_is_saved_as_a_clip_of_its_instants(motion, tmp_path):
     again = inbetween(load(tmp_path / "m.toml"))
     assert again.key_times.size == 21
     assert recorded.difference(again).distance < 1e-9
-
-
-@pytest.mark.slow
-def test_pictures_are_drawn(motion, tmp_path, graphics):
-    assert motion.render(tmp_path / "m.png", at=0.5, size=(64, 48)) == tmp_path / "m.png"
-    motion.trimmed(0, 0.2).render(tmp_path / "m.gif", only="after", size=(64, 48), fps=10)
-    assert names(tmp_path) == ["m.gif", "m.png"]
 
 
 @pytest.mark.slow
