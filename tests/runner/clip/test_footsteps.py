@@ -98,17 +98,6 @@ def soles(motion: Motion, rate: float) -> Array:
     return tracks(motion.model, motion.sampled(rate).qpos, names).reshape(-1, 2, 2, 3)
 
 
-@pytest.mark.slow
-def test_the_feet_are_raised_in_turn():
-    """Without the order of the steps, the figure floated 8 cm above the ground, with both feet."""
-    motion = inbetween(recordings.from_text(clip(0.4, time=0.9), name="steps"))
-    low = soles(motion, 100)[..., 2].min(axis=2)
-    assert low.max(axis=0).min() > 0.05
-    assert low.min(axis=1).max() < 0.035
-    assert (low[: len(low) // 3, 0] > low[: len(low) // 3, 1] - 1e-3).all()
-    assert not [violation for violation in motion.violations if violation.kind in ("float", "slide", "stance")]
-
-
 @pytest.mark.parametrize(
     ("move", "count"),
     [
@@ -139,30 +128,26 @@ def test_feet_do_not_step_on_a_box_in_their_way():
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "move",
+    ("move", "lift"),
     [
-        {"forward": 2.0, "time": 2.5},
-        {"forward": -1.0, "time": 2.0},
-        {"forward": 0.0, "left": 1.0, "time": 2.2},
-        {"forward": 0.0, "turn": 170, "time": 2.0},
+        ({"forward": 0.1, "time": 1.0}, 0.01),
+        ({"forward": 0.4, "time": 0.8}, 0.05),
+        ({"forward": 0.4, "time": 0.9}, 0.05),  # both feet floated 8 cm above the ground without the order of the steps
+        ({"forward": 2.0, "time": 2.5}, 0.05),
+        ({"forward": -1.0, "time": 2.0}, 0.03),
+        ({"forward": 0.0, "left": 1.0, "time": 2.2}, 0.03),
+        ({"forward": 0.0, "turn": 170, "time": 2.0}, 0.03),
     ],
 )
-def test_a_figure_walks_between_two_keyframes(move):
+def test_a_figure_steps_from_one_keyframe_to_the_next(move, lift):
     motion = inbetween(recordings.from_text(clip(**move), name="steps"))
     places = soles(motion, 200)
     low = places[..., 2].min(axis=2)
-    assert low.max(axis=0).min() > 0.03
+    assert low.max(axis=0).min() > lift
     assert low.min(axis=1).max() < 0.015
     speed = np.linalg.norm(np.gradient(places, 1 / 200, axis=0)[..., :2], axis=-1)
     standing = speed.max(axis=2).min(axis=1)  # of the foot that moves less
     assert np.quantile(standing, 0.95) < 0.25
-    assert not [v for v in motion.violations if v.kind in ("float", "slide", "drag", "stance", "penetration")]
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize("move", [{"forward": 0.1, "time": 1.0}, {"forward": 0.4, "time": 0.8}])
-def test_feet_do_not_drag_over_the_ground_in_short_steps(move):
-    motion = inbetween(recordings.from_text(clip(**move), name="steps"))
     assert not [v for v in motion.violations if v.kind in ("float", "slide", "drag", "stance", "penetration")]
 
 
