@@ -91,18 +91,27 @@ def session(tmp_path, monkeypatch):
     return found
 
 
-def done(session, *deeds):
-    """What actions of one page leave of the second keyframe: as it was and is told, and what the text says of it."""
+def live(session, deed):
+    """The second keyframe of the loaded clip, before a page does something: deed(actions)."""
 
     async def life():
         session._load(session.document.text, 0, first=True)
         await asyncio.sleep(0.01)
-        before, actions = session.loaded["keys"][1], Actions(session, 1)
-        for name, said in deeds:
-            await getattr(actions, name)(**said)
+        before = session.loaded["keys"][1]
+        await deed(Actions(session, 1))
         return before
 
-    before = asyncio.run(life())
+    return asyncio.run(life())
+
+
+def done(session, *deeds):
+    """What actions of one page leave of the second keyframe: as it was and is told, and what the text says of it."""
+
+    async def deed(actions):
+        for name, said in deeds:
+            await getattr(actions, name)(**said)
+
+    before = live(session, deed)
     return before, session.loaded["keys"][1], tomllib.loads(session.document.text)["keyframe"][1]
 
 
@@ -201,12 +210,7 @@ def test_a_new_keyframe_of_one_limb_says_the_limb_that_was_turned(session):
 
 
 def test_further_free_bodies_are_placed_by_the_name_of_their_joint(session):
-    async def life():
-        session._load(session.document.text, 0, first=True)
-        await asyncio.sleep(0.01)
-        await session.edit("set_root", {"key": 1, "joint": "crate", "position": [1, 0, "free"]})
-
-    asyncio.run(life())
+    live(session, lambda _: session.edit("set_root", {"key": 1, "joint": "crate", "position": [1, 0, "free"]}))
     row = tomllib.loads(session.document.text)["keyframe"][1]
     assert row["roots"]["crate"] == {"position": [1, 0, "free"], "rotation": {"rotvec": [0, 0, 0]}}
     assert row["root"]["position"] == [0.1, 0, 0.85]
@@ -220,16 +224,13 @@ def test_a_cancelled_drag_changes_nothing(session):
 
 
 def test_an_edit_of_another_page_during_a_drag_is_kept(session):
-    async def life():
-        session._load(session.document.text, 0, first=True)
-        await asyncio.sleep(0.01)
-        actions = Actions(session, 1)
+    async def deed(actions):
         await actions.grip(time=0.5, body=4, offset=[0, 0, 0])
         await actions.drag(position=[0.2, 0, 0.2])
         await session.edit("set_joint", {"key": 0, "joint": "knee", "value": 33})
         await actions.drop(time=0.5)
 
-    asyncio.run(life())
+    live(session, deed)
     rows = tomllib.loads(session.document.text)["keyframe"]
     assert rows[0]["joints"]["knee"] == 33
     assert rows[1]["joints"]["ankle"] != -15
@@ -246,10 +247,7 @@ def test_a_turn_that_was_let_go_leaves_nothing_to_the_next_one(session):
 def test_a_figure_that_has_other_joints_by_now_is_not_posed_as_the_one_that_was_held(session, tmp_path):
     (tmp_path / "bare.xml").write_text(re.sub(r"<body name=.crate.*</body>", "", FIGURE))
 
-    async def life():
-        session._load(session.document.text, 0, first=True)
-        await asyncio.sleep(0.01)
-        actions = Actions(session, 1)
+    async def deed(actions):
         await actions.grip(time=0.5, body=5, offset=[0, 0, 0])
         text = re.sub(r"roots.*\n", "", CLIP).replace("leg.xml", "bare.xml")
         await session.reopen(Document("bare", text, tmp_path))
@@ -258,17 +256,15 @@ def test_a_figure_that_has_other_joints_by_now_is_not_posed_as_the_one_that_was_
             await actions.drag(position=[1, 0, 1])
         assert await actions.drop(time=0.5) == ""
 
-    asyncio.run(life())
+    live(session, deed)
 
 
 def test_what_follows_an_edit_at_once_is_of_the_path_after_it(session):
-    async def life():
-        session._load(session.document.text, 0, first=True)
-        await asyncio.sleep(0.01)
+    async def deed(actions):
         await session.edit("set_root", {"key": 1, "position": [0.13, 0, 0.85]})
-        await Actions(session, 1).pin(key=1, joints=["root"])
+        await actions.pin(key=1, joints=["root"])
 
-    asyncio.run(life())
+    live(session, deed)
     row = tomllib.loads(session.document.text)["keyframe"][1]
     assert row["root"]["position"] == pytest.approx([0.13, 0, 0.85], abs=1e-5)
 
