@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import Any
+
 import mujoco
 import numpy as np
 from rekeyed import with_keys
 
 from dynsplines import motion, solving
 from dynsplines.clip import load as clip
+from dynsplines.exchange import formats
+from dynsplines.exchange.motion_import import import_recording
 from dynsplines.motion import Sampled, Saved
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
@@ -100,3 +105,19 @@ def same_poses(model: mujoco.MjModel, first: np.ndarray, second: np.ndarray, tol
     assert a["xpos"].shape == b["xpos"].shape
     np.testing.assert_allclose(a["xpos"], b["xpos"], atol=tolerance)
     np.testing.assert_allclose(a["xmat"], b["xmat"], atol=tolerance)
+
+
+def exported(saved: Saved, kind: str, folder: Path, **more: Any) -> tuple[Path, list[str]]:
+    """The file of a motion in a format, and the lines that are reported."""
+    notes: list[str] = []
+    target = formats.export(saved, kind, folder / f"out{formats.writer(kind).ending}", report=notes.append, **more)
+    return target, notes
+
+
+def came_back(saved: Saved, target: Path, figure: str | None = "human", tolerance: float = 1e-9, **more: Any) -> None:
+    """A file read again brings every body to where it was, at the same times from 0 on."""
+    back = import_recording(target, figure=figure, **more)
+    assert abs(back.fps - saved.fps) < 1e-6
+    before, after = samples(saved), samples(back)
+    np.testing.assert_allclose(after.time - after.time[0], before.time - before.time[0], atol=1e-9)
+    same_poses(saved.figure.model, before.qpos, after.qpos, tolerance)

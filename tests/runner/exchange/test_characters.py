@@ -26,22 +26,9 @@ def hinged_knees():
     return wild.with_hinges(wild.motion_of("human", spread=1.2), "knee", "elbow")
 
 
-def exported(saved, kind, folder):
-    notes = []
-    target = formats.export(saved, kind, folder / f"out{formats.writer(kind).ending}", report=notes.append)
-    return target, notes
-
-
-def came_back(saved, target, figure="human", tolerance=1e-9):
-    back = import_recording(target, figure=figure)
-    before, after = wild.samples(saved), wild.samples(back, saved.fps)
-    np.testing.assert_allclose(after.time - after.time[0], before.time - before.time[0], atol=1e-9)
-    wild.same_poses(saved.figure.model, before.qpos, after.qpos, tolerance)
-
-
 @pytest.mark.slow
 def test_mimickit_frames_are_root_and_joints_as_rotation_vectors(human, tmp_path):
-    target, notes = exported(human, "mimickit", tmp_path)
+    target, notes = wild.exported(human, "mimickit", tmp_path)
     with target.open("rb") as stream:
         held = pickle.load(stream)
     assert (held["fps"], held["loop_mode"]) == (wild.FPS, 0)
@@ -64,14 +51,14 @@ def test_mimickit_frames_are_root_and_joints_as_rotation_vectors(human, tmp_path
         np.testing.assert_allclose([position[n] for n in place.values()], truth["xpos"][t, bodies], atol=1e-9)
         own = np.array([rotation[n].as_matrix() for n in place.values()])
         np.testing.assert_allclose(own, truth["xmat"][t, bodies].reshape(-1, 3, 3), atol=1e-9)
-    came_back(human, target)
+    wild.came_back(human, target)
 
 
 def test_mimickit_takes_three_hinges_on_a_body_for_a_ball_joint_whose_angles_are_zero_at_rest(tmp_path):
     text = wild.ROBOT.replace('name="left_knee"', 'name="left_knee" ref="0.5"')
     (tmp_path / "robot.xml").write_text(text.replace('name="left_hip_roll"', 'name="left_hip_roll" ref="-0.3"'))
     robot = wild.motion_of(str(tmp_path / "robot.xml"))
-    target, notes = exported(robot, "mimickit", tmp_path)
+    target, notes = wild.exported(robot, "mimickit", tmp_path)
     with target.open("rb") as stream:
         frames = np.array(pickle.load(stream)["frames"])
     assert frames.shape[1] == 6 + 3 + 1 + 1 and notes == []
@@ -79,7 +66,7 @@ def test_mimickit_takes_three_hinges_on_a_body_for_a_ball_joint_whose_angles_are
     leg = Rotation.from_euler("YXZ", turned[:, :3])
     np.testing.assert_allclose(Rotation.from_rotvec(frames[:, 6:9]).as_matrix(), leg.as_matrix(), atol=1e-12)
     np.testing.assert_allclose(frames[:, 9:], turned[:, 3:], atol=1e-12)
-    came_back(robot, target, str(tmp_path / "robot.xml"))
+    wild.came_back(robot, target, str(tmp_path / "robot.xml"))
     slides = mujoco.MjModel.from_xml_string(
         wild.ROBOT.replace('name="arm_pitch" type="hinge"', 'name="arm" type="slide"')
     )
@@ -92,7 +79,7 @@ def test_mimickit_takes_three_hinges_on_a_body_for_a_ball_joint_whose_angles_are
 def test_a_loop_wraps_and_its_last_frame_is_the_first_moved_on(kind, tmp_path):
     walk = shipped.unsolved("walk_loop")  # of a period that is not a whole number of samples
     period = walk.timeline.times[-1] - walk.timeline.times[0]
-    target, _ = exported(walk, kind, tmp_path)
+    target, _ = wild.exported(walk, kind, tmp_path)
     if kind == "mimickit":
         held = pickle.loads(target.read_bytes())
         frames = np.array(held["frames"])
@@ -116,10 +103,10 @@ def test_a_loop_wraps_and_its_last_frame_is_the_first_moved_on(kind, tmp_path):
 
 @pytest.mark.slow
 def test_a_file_that_only_says_that_it_loops_is_read_as_it_is(hinged_knees, tmp_path):
-    target, _ = exported(hinged_knees, "deepmimic", tmp_path)
+    target, _ = wild.exported(hinged_knees, "deepmimic", tmp_path)
     target.write_text(target.read_text().replace('"none"', '"wrap"'))
     assert import_recording(target, figure="human").timeline.ends == "free"
-    came_back(hinged_knees, target)
+    wild.came_back(hinged_knees, target)
 
 
 def deepmimic_bodies(frame):
@@ -144,7 +131,7 @@ def deepmimic_bodies(frame):
 
 @pytest.mark.slow
 def test_deepmimic_has_y_up_and_angles_about_z_at_knees_and_elbows(hinged_knees, tmp_path):
-    target, notes = exported(hinged_knees, "deepmimic", tmp_path)
+    target, notes = wild.exported(hinged_knees, "deepmimic", tmp_path)
     held, before = json.loads(target.read_text()), wild.samples(hinged_knees)
     model = hinged_knees.figure.model
     truth = wild.poses(model, before.qpos)
@@ -162,7 +149,7 @@ def test_deepmimic_has_y_up_and_angles_about_z_at_knees_and_elbows(hinged_knees,
             body = int(model.jnt_bodyid[model.joint(joint).id]) if body is None else body
             np.testing.assert_allclose(rotation, truth["xmat"][t, body].reshape(3, 3), atol=1e-9, err_msg=name)
     assert notes == []
-    came_back(hinged_knees, target)
+    wild.came_back(hinged_knees, target)
 
 
 def _read(content, folder):
@@ -171,7 +158,7 @@ def _read(content, folder):
 
 
 def test_what_a_deepmimic_hinge_cannot_hold_is_reported(human, tmp_path):
-    _, notes = exported(human, "deepmimic", tmp_path)
+    _, notes = wild.exported(human, "deepmimic", tmp_path)
     assert len(notes) == 1 and "of twist and swing are left out" in notes[0]
 
 

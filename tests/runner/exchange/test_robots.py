@@ -28,27 +28,12 @@ def robot(robot_file):
     return wild.motion_of(str(robot_file))
 
 
-def exported(saved, kind, folder, **more):
-    notes = []
-    target = formats.export(saved, kind, folder / f"out{formats.writer(kind).ending}", report=notes.append, **more)
-    return target, notes
-
-
 def hinge_model(target):
     return mujoco.MjModel.from_xml_path(str(target.with_suffix(".hinges.xml")))
 
 
-def came_back(saved, target, figure: str | None = "human", tolerance=1e-9, **more):
-    """A file read again brings every body to where it was, at the same times from 0 on."""
-    back = import_recording(target, figure=figure, **more)
-    assert back.fps == pytest.approx(saved.fps, abs=1e-6)
-    before, after = wild.samples(saved), wild.samples(back)
-    np.testing.assert_allclose(after.time - after.time[0], before.time - before.time[0], atol=1e-12)
-    wild.same_poses(saved.figure.model, before.qpos, after.qpos, tolerance)
-
-
 def test_mjlab_holds_what_mujoco_makes_of_the_motion(human, tmp_path):
-    target, notes = exported(human, "mjlab", tmp_path)
+    target, notes = wild.exported(human, "mjlab", tmp_path)
     file, model, before = np.load(target), hinge_model(target), wild.samples(human)
     truth = wild.poses(human.figure.model, before.qpos, before.qvel)
     names = [human.figure.model.body(i).name for i in range(human.figure.model.nbody)]
@@ -70,7 +55,7 @@ def test_mjlab_holds_what_mujoco_makes_of_the_motion(human, tmp_path):
 
 @pytest.mark.slow
 def test_the_csv_of_mjlab_has_root_quaternion_xyzw_and_hinges(human, tmp_path):
-    target, notes = exported(human, "mjlab-csv", tmp_path)
+    target, notes = wild.exported(human, "mjlab-csv", tmp_path)
     table, model, before = np.loadtxt(target, delimiter=","), hinge_model(target), wild.samples(human)
     assert any("50 samples a second" in note for note in notes)
     np.testing.assert_array_equal(table[:, :3], before.qpos[:, :3])
@@ -78,14 +63,14 @@ def test_the_csv_of_mjlab_has_root_quaternion_xyzw_and_hinges(human, tmp_path):
     qpos = table[:, [0, 1, 2, 6, 3, 4, 5, *range(7, table.shape[1])]]
     truth = wild.poses(human.figure.model, before.qpos)
     np.testing.assert_allclose(wild.poses(model, qpos)["xpos"], truth["xpos"], atol=1e-9)
-    came_back(human, target, fps=wild.FPS)
+    wild.came_back(human, target, fps=wild.FPS)
     with pytest.raises(UserError, match="the format contains no rate; give the rate: --fps, or fps= in Python"):
         import_recording(target, figure="human")
 
 
 @pytest.mark.slow
 def test_gmr_holds_root_xyzw_hinges_and_bodies_about_an_unturned_root(human, tmp_path):
-    target, _ = exported(human, "gmr", tmp_path)
+    target, _ = wild.exported(human, "gmr", tmp_path)
     with target.open("rb") as stream:
         held = pickle.load(stream)
     model, before = hinge_model(target), wild.samples(human)
@@ -99,13 +84,13 @@ def test_gmr_holds_root_xyzw_hinges_and_bodies_about_an_unturned_root(human, tmp
     qpos[:, :7] = [0, 0, 0, 1, 0, 0, 0]
     rows = [model.body(name).id for name in held["link_body_list"]]
     np.testing.assert_allclose(wild.poses(model, qpos)["xpos"][:, rows], held["local_body_pos"], atol=1e-9)
-    came_back(human, target)
+    wild.came_back(human, target)
     assert b"numpy._core" not in target.read_bytes()  # numpy before 2 has no such module
 
 
 @pytest.mark.slow
 def test_locomujoco_holds_every_array_that_its_trajectory_has(human, tmp_path):
-    target, _ = exported(human, "locomujoco", tmp_path)
+    target, _ = wild.exported(human, "locomujoco", tmp_path)
     file, model, before = dict(np.load(target)), hinge_model(target), wild.samples(human)
     count = len(before.time)
     assert file["frequency"] == wild.FPS and file["split_points"].tolist() == [0, count]
@@ -127,7 +112,7 @@ def test_locomujoco_holds_every_array_that_its_trajectory_has(human, tmp_path):
     # its `load` refuses names that are not fields of TrajectoryInfo, TrajectoryModel and TrajectoryData
     known = {"qpos", "qvel", "xpos", "xquat", "cvel", "subtree_com", "site_xpos", "site_xmat", "split_points"}
     assert set(file) == known | {"joint_names", "body_names", "site_names", "frequency"}
-    came_back(human, target)
+    wild.came_back(human, target)
 
 
 def test_locomujoco_reads_files_of_its_own_tool_and_refuses_several_motions(robot, robot_file, tmp_path):
@@ -143,7 +128,7 @@ def test_locomujoco_reads_files_of_its_own_tool_and_refuses_several_motions(robo
         "metadata": np.array(None, dtype=object),  # None is a pickle, which nobody loads
     }
     np.savez(tmp_path / "theirs.npz", **entries)
-    came_back(robot, tmp_path / "theirs.npz", str(robot_file), tolerance=1e-5)
+    wild.came_back(robot, tmp_path / "theirs.npz", str(robot_file), tolerance=1e-5)
     entries["split_points"] = np.array([0, 10, len(before.time)])
     np.savez(tmp_path / "two.npz", **entries)
     with pytest.raises(UserError, match="holds 2 motions"):
@@ -152,15 +137,15 @@ def test_locomujoco_reads_files_of_its_own_tool_and_refuses_several_motions(robo
 
 @pytest.mark.slow
 def test_plain_arrays_bring_motion_and_figure(human, tmp_path):
-    target, _ = exported(human, "npz", tmp_path)
+    target, _ = wild.exported(human, "npz", tmp_path)
     file, before = np.load(target), wild.samples(human)
     for name in ("time", "qpos", "qvel", "qacc"):
         np.testing.assert_array_equal(file[name], getattr(before, name))
     model = mujoco.MjModel.from_xml_string(str(file["mjcf"]))
     assert [model.joint(i).name for i in range(model.njnt)] == list(file["joint_names"])
-    came_back(human, target, None)
+    wild.came_back(human, target, None)
     np.savez(tmp_path / "bare.npz", qpos=before.qpos)
-    came_back(human, tmp_path / "bare.npz", fps=50.0)
+    wild.came_back(human, tmp_path / "bare.npz", fps=50.0)
     with pytest.raises(UserError, match="neither 'time' nor 'fps'"):
         import_recording(tmp_path / "bare.npz", figure="human")
     with pytest.raises(UserError, match="no 'mjcf', the figure; name the figure: --figure"):
@@ -196,7 +181,7 @@ BAD = {
 
 @pytest.mark.parametrize(("kind", "change", "says"), [(kind, *case) for kind, cases in BAD.items() for case in cases])
 def test_bad_files_are_reported_in_one_line_that_names_file_and_fault(kind, change, says, robot, robot_file, tmp_path):
-    target, _ = exported(robot, kind, tmp_path)
+    target, _ = wild.exported(robot, kind, tmp_path)
     if kind == "gmr":
         with target.open("rb") as stream:
             entries = pickle.load(stream)
@@ -236,7 +221,7 @@ def _written(folder, content, name):
 def test_what_is_in_a_file_tells_its_format_where_the_ending_does_not(human, robot, tmp_path):
     for kind in ("mjlab", "locomujoco", "npz", "gmr", "mimickit", "deepmimic", "mjcf"):
         saved = human if kind == "deepmimic" else robot
-        target, _ = exported(saved, kind, tmp_path)
+        target, _ = wild.exported(saved, kind, tmp_path)
         plain = target.rename(tmp_path / f"plain_{kind}{target.suffix}")
         assert formats.recording(plain, model=saved.figure.model).qpos.shape == wild.samples(saved).qpos.shape
     motion.save(human, tmp_path / "ours.npz")
