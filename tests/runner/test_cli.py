@@ -22,8 +22,9 @@ from PIL import Image
 from tiny import CLIP, FIGURE, HINGE, changed, written
 from typer.main import get_command
 
-from dynsplines import cli, models, solving
+from dynsplines import cli, models, motion, solving
 from dynsplines.clip.kinds import KINDS
+from dynsplines.exchange import formats
 from dynsplines.picture import graphics, show
 
 KNEE = "joints.left_knee = {rotvec = [0, 0, 0]}"
@@ -360,16 +361,14 @@ def assert_refused_whatever_mujoco_says(done: Done, *words: str) -> None:
 
 
 @pytest.mark.slow
-def test_a_new_clip_of_a_model_is_solved_as_it_is_and_never_written_over_another(run, tmp_path):
+def test_a_new_clip_of_a_model_is_solved_as_it_is(run, tmp_path):
     assert run("new", "hinge.xml", "-o", "mine.toml").code in (None, 0)
     assert run("solve", "mine.toml").code in (None, 0)
     with np.load(tmp_path / "mine.npz") as data:
         assert data["key_qpos"].shape == (3, 2)
     with nothing_written(tmp_path):
-        assert_refused(run("new", "hinge.xml", "-o", "mine.toml"), "'mine.toml' already exists", "--overwrite")
         assert_refused(run("new", "hinge.xml", "-o", "mine.npz"), "ends in .toml")
         assert_refused(run("new", "none.xml"), "no file 'none.xml'")
-    assert run("new", "hinge.xml", "-o", "mine.toml", "--overwrite").code in (None, 0)
 
 
 @pytest.mark.parametrize("figure", ["<mujoco", FIGURE.replace("freejoint", "freejiont")])
@@ -438,6 +437,34 @@ def test_a_mistake_on_the_command_line_is_one_line_and_writes_nothing(
     monkeypatch.setattr(solving, "solve", lambda *_: pytest.fail("solved before it looked"))
     with nothing_written(tmp_path):
         assert_refused(run(*(motion_file if word == MOTION else word for word in words)), *told)
+
+
+WRITING = [
+    ("new", "hinge.xml", "-o", "there.toml"),
+    ("trim", MOTION, "--to", "0.3", "-o", "there.npz"),
+    ("thin", MOTION, "--max-error", "20mm"),
+    ("thin", MOTION, "-o", "there.npz"),
+    ("export", MOTION, "--to", "csv", "-o", "there.csv"),
+    ("export", MOTION, "--to", "csv"),
+    ("import", "poses.csv", "--figure", "tiny.xml"),
+]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("words", WRITING, ids=" ".join)
+def test_a_file_that_is_there_stays_by_default(run, tmp_path, motion_file, words):
+    formats.export(motion.load(motion_file), "csv", tmp_path / "poses.csv")
+    words = [motion_file if word == MOTION else word for word in words]
+    target = Path(
+        words[-1]
+        if "-o" in words
+        else {"thin": "tiny_thin.toml", "export": "tiny.csv", "import": "poses.npz"}[words[0]]
+    )
+    target.write_text("mine", encoding="utf-8")
+    with nothing_written(tmp_path):
+        assert_refused(run(*words), f"'{target}' already exists; give another -o, or --overwrite")
+    assert run(*words, "--overwrite").code == 0
+    assert target.read_bytes() != b"mine"
 
 
 UNITS = ("HZ", "N", "SECONDS", "FACTOR", "MB", "DEGREES", "METRES", "PORT")
@@ -578,7 +605,6 @@ def test_edits_that_cannot_be_are_reported_in_one_line(run, motion_file, tmp_pat
         assert_refused(run("retime", motion_file, "--speed", 2, "--duration", 2), "one of them")
         assert_refused(run("retime", motion_file, "--speed", 0), "--speed 0: give a number above 0")
         assert_refused(run("trim", motion_file), "--from, --to, or both")
-        assert_refused(run("trim", "tiny.toml", "--to", 0.3, "-o", "tiny.toml"), "already exists", "--overwrite")
         assert_refused(run("retime", "none.npz", "--speed", 2), "no file 'none.npz'")
 
 

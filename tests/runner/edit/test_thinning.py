@@ -8,10 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 import shipped
-from tiny import names, written
+from tiny import names
 
 from dynsplines import inbetween, motion, solving
-from dynsplines.cli import app
 from dynsplines.clip import load as clip
 from dynsplines.clip.parse import table_of
 from dynsplines.edit import edits, thin_files
@@ -179,19 +178,6 @@ def test_another_scene_is_written_next_to_the_clip(motion_file, tmp_path):
     run(motion_file, target, overwrite=True)
 
 
-@pytest.mark.parametrize("ending", [".npz", ".toml"])
-def test_a_file_that_is_there_stays_by_default(motion_file, tmp_path, ending):
-    target = tmp_path / f"kept{ending}"
-    target.write_text("mine")
-    with pytest.raises(UserError, match="already exists; give another -o, or --overwrite"):
-        run(motion_file, target)
-    assert target.read_text() == "mine" and names(tmp_path) == [target.name]
-    run(motion_file, target, overwrite=True)
-    assert target.read_bytes() != b"mine"
-    target = run(written(tmp_path), tmp_path / "out.npz")  # a clip is solved first
-    assert len(motion.load(target).keys) >= 2
-
-
 @pytest.mark.parametrize("ending", [".csv", ".bvh", ""])
 def test_other_endings_are_refused_before_anything_is_read(ending, tmp_path):
     with pytest.raises(UserError, match=r"as a clip, \.toml, or as a motion, \.npz"):
@@ -205,12 +191,3 @@ def test_bounds_that_make_no_sense_are_refused(saved):
     for distance in (0.0, np.nan, np.inf):
         with pytest.raises(UserError, match="more than 0"):
             thinned(saved, distance, 0.1)
-
-
-def test_the_command_line_has_it(motion_file, tmp_path, monkeypatch):
-    from typer.testing import CliRunner
-
-    monkeypatch.chdir(tmp_path)
-    done = CliRunner().invoke(app, ["thin", str(motion_file), "--max-error", "20mm"], catch_exceptions=False)
-    assert done.exit_code == 0
-    assert names(tmp_path) == ["tiny_thin.toml", "tiny_thin.xml"]

@@ -47,17 +47,6 @@ def test_an_export_is_called_after_what_it_came_from(run, tmp_path):
     assert {path.name for path in tmp_path.iterdir()} == {"robot.xml", "v1.npz", "v1.csv", "v1.simulate.xml"}
 
 
-@pytest.mark.parametrize("output", [[], ["-o", "wild.csv"]])
-def test_an_exported_file_that_is_there_stays_by_default(run, tmp_path, output):
-    (tmp_path / "wild.csv").write_text("mine")
-    assert "'wild.csv' already exists; give another -o, or --overwrite" in refusal(
-        run("export", "wild.npz", "--to", "csv", *output)
-    )
-    assert (tmp_path / "wild.csv").read_text() == "mine"
-    assert run("export", "wild.npz", "--to", "csv", *output, "--overwrite").code == 0
-    assert (tmp_path / "wild.csv").read_text().startswith("time,floating.x")
-
-
 @pytest.mark.slow
 def test_what_lies_next_to_an_export_stays_too_unless_it_is_the_same(run, tmp_path):
     motion.save(wild.motion_of("human"), tmp_path / "human.npz")
@@ -82,18 +71,6 @@ def test_more_columns_are_for_tables_and_a_scene_to_simulate_is_for_mjcf(run, tm
     )
     assert "did you mean 'torques'" in refusal(run("export", "wild.npz", "-o", "a.csv", "--with", "torqes"))
     assert not list(tmp_path.glob("a.*"))
-
-
-@pytest.mark.slow
-def test_a_motion_that_is_there_stays_by_default(run, tmp_path):
-    assert run("export", "wild.npz", "--to", "csv", "-o", "walk.csv").code == 0
-    (tmp_path / "walk.npz").write_text("mine")
-    assert "'walk.npz' already exists; give another -o, or --overwrite" in refusal(
-        run("import", "walk.csv", "--figure", "robot.xml")
-    )
-    assert (tmp_path / "walk.npz").read_text() == "mine"
-    assert run("import", "walk.csv", "--figure", "robot.xml", "--overwrite").code == 0
-    assert motion.load(tmp_path / "walk.npz").name == "walk"
 
 
 def test_the_longest_ending_selects_the_format_and_is_dropped_and_one_that_fits_goes_with_a_formats_name():
