@@ -1,4 +1,4 @@
-"""Images become files that play, show the colours that were drawn, and appear only when they are complete."""
+"""Images, beside each other and with words on them, become files that play and appear only when they are complete."""
 
 import ctypes
 import os
@@ -12,6 +12,7 @@ import pytest
 
 from dynsplines.errors import UserError
 from dynsplines.picture.film import MOST_WAITING, SHEET_PICTURES, _in_a_thread, check_target, write
+from dynsplines.picture.layout import caption, side_by_side
 from dynsplines.scene.framing import spread
 
 RED = (200, 60, 40)
@@ -218,3 +219,46 @@ def test_an_error_of_the_last_image_is_not_lost():
 
     with pytest.raises(OSError, match="No space left"):
         _in_a_thread(fails_at_the_last, range(3))
+
+
+def plain(height: int, width: int, value: int = 120) -> np.ndarray:
+    return np.full((height, width, 3), value, np.uint8)
+
+
+def test_two_halves_of_one_height_make_exactly_the_whole():
+    both = side_by_side(plain(720, 640, 10), plain(720, 640, 200))
+    assert both.shape == (720, 1280, 3)
+    assert both.dtype == np.uint8
+    assert (both[:, :630] == 10).all()
+    assert (both[:, 650:] == 200).all()
+
+
+@pytest.mark.parametrize("place", ["top", "bottom right"])
+def test_a_caption_is_written_where_it_was_requested_and_nowhere_else(place):
+    before = plain(360, 640)
+    after = caption(before, "0.80 s", place=place)
+    assert (before == 120).all()
+    changed = np.argwhere((after != before).any(axis=-1))
+    y, x = changed.mean(axis=0) / after.shape[:2]
+    assert after.shape == before.shape
+    assert (y < 0.5) == place.startswith("top")
+    assert {"left": x < 0.4, "right": x > 0.6}.get(place.partition(" ")[2], abs(x - 0.5) < 0.02)
+
+
+def test_a_caption_is_readable_on_black_and_on_white():
+    for value in (0, 255):
+        pill = caption(plain(360, 640, value), "before")[5:60, 260:380]
+        assert pill.max() > 230
+        assert pill.min() < 110
+
+
+def test_a_caption_too_long_for_the_picture_is_set_smaller():
+    image = plain(120, 160)
+    after = caption(image, "a caption that is rather long for a picture")
+    assert (after[:, :2] == 120).all()
+    assert (after[:, -2:] == 120).all()
+
+
+@pytest.mark.parametrize(("size", "text"), [(100, ""), (100, "  "), (8, "before")])
+def test_no_words_and_too_small_a_picture_for_words_leave_no_mark(size: int, text: str):
+    assert (caption(plain(size, size), text) == 120).all()
