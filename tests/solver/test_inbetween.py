@@ -211,15 +211,6 @@ def test_an_unknown_criterion_or_method_is_refused_and_the_known_ones_named(figu
         inbetween(Problem(figure, keys, PENALTIES, Settings(optimiser="magic")))
 
 
-def test_an_error_inside_a_penalty_is_raised(figure, rng):
-    class Broken(CovariantAcceleration):
-        def residuals(self, samples):
-            raise ZeroDivisionError("mine")
-
-    with pytest.raises(ZeroDivisionError, match="mine"):
-        inbetween(Problem(figure, random_keys(figure, rng), [(Broken(), 1.0)]))
-
-
 def test_nothing_to_choose_gives_the_keyframes_spline(figure, rng):
     keys, slope = random_keys(figure, rng), rng.normal(size=(2, figure.width))
     settings = Settings(variable=0, frames=0)
