@@ -368,14 +368,3 @@ def test_a_fast_point_does_not_pass_through_a_thin_wall_between_two_samples(seed
     assert np.linalg.norm(np.maximum(away, 0), axis=1).min() > radius - 0.001
     samples = motion.objective.nodes(motion.timeline.times)[0].size
     assert samples < 10 * Quadrature(points=3, longest=0.05).nodes(motion.timeline.times)[0].size
-
-
-def test_the_trace_counts_evaluations_over_all_rounds(figure, rng):
-    settings = Settings(variable=1, frames=6, threshold=0.0)
-    motion = inbetween(Problem(figure, random_keys(figure, rng), PENALTIES, settings))
-    counts = [count for count, _, _, _ in motion.trace]
-    rounds = [number for _, number, _, _ in motion.trace]
-    assert max(rounds) > 0
-    assert counts[0] == 1
-    assert counts == sorted(set(counts))
-    assert counts[-1] <= motion.evaluations
