@@ -14,8 +14,8 @@ from dynsplines.clip import starter
 from dynsplines.clip.obstacles import obstacles
 from dynsplines.clip.table import SceneTable
 from dynsplines.scene.compose import compose, figure_spec
-from dynsplines.scene.urdf import fixed_base
 from dynsplines.scene.model_notes import vertical_notes
+from dynsplines.scene.urdf import fixed_base
 from dynsplines.solver.surface.touch import grounds
 
 ARM = """<mujoco model="arm"><option gravity="0 0 -3.7"/><worldbody>

@@ -15,7 +15,7 @@ from dynsplines.solver.objective import Discretised, Evaluation
 from dynsplines.solver.search.matrix_free import matrix_free
 from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
 from dynsplines.solver.search.newton import GaussNewton
-from dynsplines.solver.search.refinement import METHODS, NONE, refine
+from dynsplines.solver.search.refinement import METHODS, NONE
 
 METHODS_OF_NLOPT = [method for method in METHODS if method != NONE]
 REPORTING = ("Gauss-Newton", "Gauss-Newton and refinement", "matrix-free")
@@ -29,7 +29,7 @@ def searched(name: str, problem: Discretised, *, max_evaluations: int = 100, **m
         case "Gauss-Newton":
             optimiser: Callable[..., Minimum] = GaussNewton()
         case "Gauss-Newton and refinement":
-            optimiser = GaussNewton(partial(refine, method="lbfgs"), tolerance)
+            optimiser = GaussNewton("lbfgs", tolerance)
         case "matrix-free":
             optimiser = matrix_free
         case _:
