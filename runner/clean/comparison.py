@@ -253,6 +253,7 @@ class PathMeasurement:
 
     @property
     def slip(self) -> float:
+        """The largest distance of a resting point from its mean position in a stance."""
         centred = [at - at.mean(axis=1, keepdims=True) for *_, at, _ in self._resting(self.cleaned.rests)]
         return 1000 * float(max((np.linalg.norm(each, axis=0).max() for each in centred), default=0.0))
 
