@@ -93,7 +93,7 @@ const HANDLERS: Record<string, (message: Message) => void> = {
     model.tell("document");
   },
   loaded: (message) => { model.loaded = message as never; model.tell("loaded"); },
-  settled: (message) => { model.violations = message.violations; model.astray = message.astray ?? null; model.tell("settled"); },
+  settled: (message) => { model.violations = message.violations; model.tell("settled"); },
   status: (message) => { model.status = message as never; model.tell("status"); },
   kinds: (message) => { model.kinds = message.kinds; model.tell("kinds"); },
   curves: (message) => { curves = message.curves; model.tell("curves"); },

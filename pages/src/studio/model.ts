@@ -48,7 +48,6 @@ class Model {
   snapshot: Path | null = null;
   course: Course | null = null;
   violations: Violation[] = [];
-  astray: string | null = null; // why the search should be restarted
   kinds: Kind[] = [];
   status: { state: string; go: boolean; stop?: string; words?: string } = { state: "loading", go: true };
   time = 0;

@@ -138,17 +138,15 @@ const pose = (): void => {
 };
 
 const problems = (): void => {
-  const { violations, astray } = model, count = violations.length;
+  const { violations } = model, count = violations.length;
   $("count").textContent = count ? String(count) : "";
   $("count").hidden = !count;
   const box = $("panel-problems");
-  if (!count && astray === null) {
+  if (!count) {
     box.replaceChildren(el("p", { class: "hint good", id: "nothing-wrong", text: model.status.state === "settled" ? "No problems." : "No problems so far." }));
     return;
   }
-  const lost = astray === null ? [] : [el("div", { class: "astray", role: "status" }, el("p", { text: astray }),
-    el("button", { type: "button", id: "astray-anew", class: "main", text: "Restart search", onclick: () => void act("go", { anew: true }) }))];
-  box.replaceChildren(...lost, el("p", { class: "hint", text: count ? "Worst first. Click one to go there." : "" }), el("ol", { class: "violations" }, ...violations.map((violation) =>
+  box.replaceChildren(el("p", { class: "hint", text: "Worst first. Click one to go there." }), el("ol", { class: "violations" }, ...violations.map((violation) =>
     el("li", {}, el("button", {
       type: "button", class: violation.keyframe === null ? "" : "own", text: violation.text,
       onclick: () => {

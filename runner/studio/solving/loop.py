@@ -15,7 +15,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from multiprocessing.connection import Connection
 from pathlib import Path
-from queue import Empty, SimpleQueue
+from queue import SimpleQueue
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -26,7 +26,6 @@ from dynsplines.solver.inbetween import continue_from, inbetween
 from dynsplines.solver.one_thread import one_thread
 from dynsplines.solver.refine.warm_start import warm_start
 from dynsplines.solver.search.minimum import Stop, StopSearch
-from dynsplines.solver.search.restart_criteria import is_poor_minimum
 from dynsplines.solver.search.selection import select_best
 from dynsplines.solver.solution import Improvement, Solution
 
@@ -45,8 +44,6 @@ if TYPE_CHECKING:
     Line = Connection[Any, Any]
 
 MAX_CACHED_PATHS = 40  # number of texts whose paths are cached
-IDLE = 1.0  # [s] idle time after which a suspect result is searched again from the raw spline
-SUSPECT_RATIO = 3.0  # [1] ratio of E to that of the previous result above which a result is suspect
 SEND_INTERVAL = 0.04  # [s] minimum interval between paths sent
 
 
@@ -59,18 +56,9 @@ def serve(line: Line, outside: bool) -> None:
     threading.Thread(target=_read, args=(line, inbox, loop), daemon=True).start()
     line.send({"is": "kinds", "kinds": kinds()})
     with suppress(BrokenPipeError, EOFError, OSError), allowed(outside), one_thread():
-        while (message := _next(inbox, loop)) is not None:
+        while (message := inbox.get()) is not None:
             loop.do(message)
     os._exit(0)
-
-
-def _next(inbox: SimpleQueue[Message | None], loop: SolverLoop) -> Message | None:
-    """Return the next message. During idle time a suspect result is searched again."""
-    while loop.may_retry:
-        with suppress(Empty):
-            return inbox.get(timeout=IDLE)
-        loop.do({"do": "retry"})
-    return inbox.get()
 
 
 def _read(line: Line, inbox: SimpleQueue[Message | None], loop: SolverLoop) -> None:
@@ -98,11 +86,9 @@ class SolverLoop:
         self.has_curves = False
         self.path_cache: dict[str, Timeline] = {}
         self.has_message: Callable[[], bool] = lambda: False  # whether a message is waiting
-        self._is_going, self._is_near = True, False
+        self._is_going = True
         self._is_cut = False  # whether a message has interrupted the last search
         self._is_restart = False  # whether the last search was a restart
-        self._suspicion: str | None = None
-        self._before: tuple[float, int] | None = None  # E and the number of violations of the last good result
 
     def do(self, message: Message) -> None:
         """Handle one message; errors are reported to the page."""
@@ -136,7 +122,7 @@ class SolverLoop:
             first: Whether the text was just opened.
             initial_path: The initial path after a restart of this process, pickled.
         """
-        self._is_going, self._suspicion = go, None
+        self._is_going = go
         before, solution = self.clip, self.solution
         like = None if first else before
         clip = recordings.from_text(text, name=name, where=place, folder=Path(folder), like=like)
@@ -208,7 +194,7 @@ class SolverLoop:
 
     def do_go(self, restart: bool = False) -> None:
         """Continue the search from the present path, or restart it from the raw spline."""
-        self._is_going, self._suspicion = True, None
+        self._is_going = True
         self._continue(restart=restart)
 
     def _continue(self, *, restart: bool = False) -> None:
@@ -282,7 +268,7 @@ class SolverLoop:
         clip, present = self.clip, self.solution
         assert clip is not None
         self._report("searching", revision=self.revision)
-        self._is_near, self._is_restart, self._is_cut = begin is not None, is_restart, False
+        self._is_restart, self._is_cut = is_restart, False
         bound = np.inf
         if is_restart and present is not None:
             bound = clip.problem.objective.value(path_of(present.timeline))
@@ -323,7 +309,7 @@ class SolverLoop:
 
         Args:
             begin: The initial guess; None: the raw spline.
-            between: The edited interval [s]; None: the whole clip.
+            between: The edited interval [s], which is searched before the whole clip.
             improved: Receives every better path.
         """
         best: list[Improvement] = []
@@ -338,7 +324,12 @@ class SolverLoop:
             self._check_inbox()
             if begin is None:
                 return inbetween(clip.problem, improved=record)
-            return continue_from(clip.problem, begin, between=() if between is None else (between,), improved=record)
+            if between is not None:
+                first = continue_from(clip.problem, begin, between=(between,), improved=record)
+                if first.stop is Stop.INTERRUPTED:
+                    return first
+                begin = first.timeline
+            return continue_from(clip.problem, begin, improved=record)
         if not best:
             return None
         return Solution(clip.figure, clip.problem.objective, best[0].build(), clip.problem.raw, stop=Stop.INTERRUPTED)
@@ -378,64 +369,14 @@ class SolverLoop:
         self._send_raw()
         from ...measure.violation import plain, violations
 
-        found_violations = violations(clip, solution.timeline, solution.raw)
-        self._suspicion = (
-            self._reason_to_suspect(len(found_violations))
-            if stop in (Stop.CONVERGED.name, Stop.NO_PROGRESS.name)
-            else None
-        )
+        listed = plain(violations(clip, solution.timeline, solution.raw))
         if not self._has_sent_formats:
             self._has_sent_formats = True
             self._report("formats", **formats())
-        self._report(
-            "settled",
-            revision=self.revision,
-            stop=stop,
-            violations=plain(found_violations),
-            frames=solution.timeline.times.tolist(),
-            astray=self._suspicion,
-        )
+        frames = solution.timeline.times.tolist()
+        self._report("settled", revision=self.revision, stop=stop, violations=listed, frames=frames)
         if self.has_curves:
             self._send_curves()
-
-    def _reason_to_suspect(self, violation_count: int) -> str | None:
-        """Return why the minimum near the previous path may be a poor one; None if there is no sign of it."""
-        clip, solution = self.clip, self.solution
-        assert clip is not None and solution is not None
-        if not solution.trace:
-            return None
-        value, parts = solution.trace[-1][2:]
-        before, reason = self._before, None
-        if self._is_near and before is not None:
-            if value > SUSPECT_RATIO * before[0]:
-                reason = f"E rose to {value:.3g} from {before[0]:.3g}"
-            elif violation_count > before[1]:
-                reason = f"more is wrong than before, {violation_count} instead of {before[1]}"
-            elif is_poor_minimum(clip.problem.objective, solution.timeline, parts):
-                reason = "what constraints cost exceeds what the motion does"
-        if reason is None:
-            self._before = value, violation_count
-            return None
-        return f"{reason}: the search may have ended in a bad place. It looks elsewhere when nothing else is done."
-
-    @property
-    def may_retry(self) -> bool:
-        """Whether the present result is suspect, and the search was not stopped."""
-        return self._is_going and self._suspicion is not None
-
-    def do_retry(self) -> None:
-        """Search again from the raw spline in the background, once. The result is used if it is better."""
-        clip = self.clip
-        assert clip is not None
-        solution: Solution | None = None
-        with self._searching():
-            self._check_inbox()
-            solution = inbetween(clip.problem)
-        if solution is None or solution.stop is Stop.INTERRUPTED:
-            return
-        self._is_near = False
-        self._accept_better(solution)
-        self._judge(stop=solution.stop.name)
 
     def _send_curves(self) -> None:
         if self.clip is not None and self.solution is not None:

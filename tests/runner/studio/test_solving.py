@@ -17,6 +17,7 @@ from spoken import Line, load
 
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.refine.euler_lagrange import residual
 from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.studio import paths
@@ -149,28 +150,25 @@ def test_the_present_motion_is_kept_for_what_is_made_of_it(work, tmp_path):
     assert motion.load(tmp_path / "now.npz").timeline.times.size == work.solution.timeline.times.size
 
 
-def test_a_search_that_may_have_gone_astray_says_so_and_is_begun_elsewhere_when_nothing_else_is_done(work, tmp_path):
-    load(work, tmp_path, tiny.CLIP, first=True)
-    good, goal = work.solution, work.clip.problem.objective
-    assert not work.may_retry
-    # a bad place: a path that leads far away, in which the search finds no step down
-    rows = good.timeline.rows.copy()
-    rows[1:-1][~good.timeline.fixed.any(axis=1)] += 0.8
-    bad = good.timeline.with_rows(rows)
-    value = goal.value(path_of(bad))
-    assert value > 3 * good.trace[-1][2]
-    work.solution, work._is_near = replace(good, timeline=bad, trace=((1, 0, value, good.trace[-1][3]),)), True
-    work._judge(stop="CONVERGED")
-    (told,) = [each for each in work.line.taken() if each["is"] == "settled"]
-    assert "may have ended in a bad place" in told["astray"]
-    assert work.may_retry
-    work.do({"do": "retry"})
-    told = work.line.taken()
-    assert goal.value(path_of(work.solution.timeline)) == pytest.approx(good.trace[-1][2], rel=0.05)
-    assert {"best", "note"} <= {each.get("kind", each["is"]) for each in told}
-    assert told[-1]["is"] == "settled"
-    assert told[-1]["astray"] is None
-    assert not work.may_retry
+def test_an_edit_of_a_half_solved_clip_is_followed_by_a_search_of_the_whole_clip(work, tmp_path):
+    """The first search is interrupted; then the first of many keyframes is edited, far from most of the clip."""
+    row = """
+[[keyframe]]
+time = {:.1f}
+root.position = [{}, 0, 1]
+root.rotation = {{rotvec = [0, 0, 0]}}
+joints.left_knee = {{rotvec = [0, {}, 0]}}
+"""
+    partial = row.replace("root.rotation = {{rotvec = [0, 0, 0]}}\n", "").replace(", 0, 1]", ', 0, "free"]')
+    rows = [(partial if i % 2 else row).format(0.3 * i, 0.1 * i, 20 * (i % 3)) for i in range(15)]
+    text = 'figure = "tiny.xml"\n' + "".join(rows)
+    work.has_message = lambda: True
+    assert load(work, tmp_path, text, first=True)[-1]["stop"] == "INTERRUPTED"
+    work.has_message = lambda: False
+    told = load(work, tmp_path, text.replace("[0.0, 0, 1]", "[-0.01, 0, 1]", 1), 1)
+    assert told[-1]["stop"] == "CONVERGED"
+    whole = inbetween(work.clip.problem)
+    assert work.solution.trace[-1][2] <= 1.05 * whole.trace[-1][2]
 
 
 @pytest.fixture
