@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import re
 from collections.abc import Iterable
+from pathlib import Path
 
 LONGEST_WORD = 300  # maximum number of letters in a word of an error; paths are rarely longer
 LONGEST = 4000  # maximum number of letters of an error; the names of a humanoid's joints have 700
@@ -46,6 +47,15 @@ def import_first(source: object) -> str:
 def words_of(error: Exception) -> str:
     """Return the message of an error of several lines in one line."""
     return " ".join(str(error).split())
+
+
+def located(error: BaseException) -> str:
+    """Return an internal error with its type, and the line of the program that raised it."""
+    import traceback  # imported here because internal errors are rare
+
+    calls = traceback.extract_tb(error.__traceback__)
+    place = f" ({Path(calls[-1].filename).name}:{calls[-1].lineno})" if calls else ""
+    return f"{type(error).__name__}: {one_line(error)}{place}"
 
 
 def one_line(text: object) -> str:

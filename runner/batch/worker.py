@@ -7,7 +7,6 @@ import gc
 import os
 import tempfile
 import time
-import traceback
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager, suppress
@@ -18,7 +17,8 @@ from typing import Any, NamedTuple
 
 import psutil
 
-from ..errors import UserError, one_line
+from ..errors import UserError, located, one_line
+from ..picture.graphics import do_without
 from ..system import workers
 from ..system.scratch import scratch
 from ..system.threads import use_one_thread, without_tools
@@ -66,7 +66,7 @@ def _prepared(folder: Path) -> Iterator[None]:
     gc.disable()
     os.chdir(folder)
     use_one_thread()
-    os.environ["MUJOCO_GL"] = "disable"
+    do_without()
     without_tools()
     from .. import motion, recordings, solving  # noqa: F401
 
@@ -86,9 +86,7 @@ def _outcome(_: None, clip: tuple[SolveTask, Any, Path]) -> Outcome:
     except UserError as error:
         outcome = Outcome("error", one_line(error))
     except Exception as error:
-        at = traceback.extract_tb(error.__traceback__)[-1]
-        place = f"{Path(at.filename).name}:{at.lineno}"
-        outcome = Outcome("error", f"{type(error).__name__}: {one_line(error)} ({place})")
+        outcome = Outcome("error", located(error))
     gc.collect()
     if hasattr(libc := ctypes.CDLL(None), "malloc_trim"):
         libc.malloc_trim(0)  # otherwise glibc retains twice the used memory

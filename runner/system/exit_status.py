@@ -15,7 +15,7 @@ from typing import NoReturn, cast
 
 import typer
 
-from ..errors import UserError, one_line
+from ..errors import UserError, located, one_line
 from . import signals
 
 INTERNAL = 4  # exit code of an internal error
@@ -79,7 +79,7 @@ def _ending(error: BaseException) -> tuple[int, str]:
         return 2, "not enough memory for this, or to load what it needs"
     if isinstance(error, RuntimeError) and "can't start new thread" in str(error):
         return 2, "the system allows no more threads, or no more memory"
-    return INTERNAL, one_line(f"internal error: {_place(error)}; please report it, with {HOW}")
+    return INTERNAL, f"internal error: {located(error)}; please report it, with {HOW}"
 
 
 def _usage(error: typer.BadParameter) -> str:
@@ -88,15 +88,6 @@ def _usage(error: typer.BadParameter) -> str:
         return f"{parameter.opts[0]} {error.message.removeprefix('Value error, ')}"
     path = error.ctx.command_path if error.ctx else "dynsplines"
     return f"{error.format_message()} (see `{path} --help`)"
-
-
-def _place(error: BaseException) -> str:
-    """Return an error with the line of the program that raised it."""
-    import traceback
-
-    calls = traceback.extract_tb(error.__traceback__)
-    place = f" ({Path(calls[-1].filename).name}:{calls[-1].lineno})" if calls else ""
-    return f"{type(error).__name__}: {error}{place}"
 
 
 def _is_nowhere() -> bool:

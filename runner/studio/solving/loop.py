@@ -32,7 +32,7 @@ from dynsplines.solver.solution import Improvement, Solution
 from ... import recordings
 from ...clip.build import Clip
 from ...clip.parse import table_of
-from ...errors import UserError, one_line
+from ...errors import UserError, located, one_line
 from ...scene.file_access import allowed
 from ...system.cache_folder import place as cache
 from .. import paths
@@ -97,8 +97,7 @@ class SolverLoop:
         except UserError as error:
             self._report("refused", revision=message.get("revision"), words=one_line(error))
         except Exception as error:  # an internal error, which the page shows before it continues
-            words = f"internal error: {type(error).__name__}: {one_line(error)}"
-            self._report("refused", revision=message.get("revision"), words=words)
+            self._report("refused", revision=message.get("revision"), words=f"internal error: {located(error)}")
         except KeyboardInterrupt:  # it arrived at the end of a search, after the handler
             self._is_searching, self._is_cut = False, True
         if self._is_cut and self._is_going and not self.has_message():
