@@ -169,13 +169,16 @@ class Soak:
         finished = {entry["clip"]: entry for entry in entries if entry["state"] == "done"}
         damaged = 0
         for name, entry in finished.items():
-            path = self.out / entry["output"]
+            ((output, digest),) = entry["files"].items()
+            path = self.out / output
             try:
-                same = hashlib.sha256(path.read_bytes()).hexdigest() == entry["sha256"]
+                same = hashlib.sha256(path.read_bytes()).hexdigest() == digest
                 damaged += not same or motion.load(path).name != name
             except Exception:
                 damaged += 1
-        others = {path.name for path in self.out.iterdir()} - {entry["output"] for entry in finished.values()}
+        others = {path.name for path in self.out.iterdir()} - {
+            file for entry in finished.values() for file in entry["files"]
+        }
         return {
             "missing": self.count - len(finished),
             "twice": len(entries) - len({entry["clip"] for entry in entries}) + self.twice,

@@ -70,7 +70,6 @@ class Batch:
         self.figures: dict[Path, Contents] = {}
         self.waiting: deque[tuple[str, Source]] = deque()
         self.running: dict[Future[Outcome], tuple[str, Source]] = {}
-        self.tries: Counter[str] = Counter()
         self.ended: Counter[str] = Counter()  # the number of clips of this run by their state
         self.written: dict[str, str] = {}  # hashes of files by name
         self.total, self.begin = 0, time.monotonic()
@@ -96,14 +95,13 @@ class Batch:
             if before is not None and before.input != digest:
                 before = None
             if before is None or not self._is_final(before):
-                attempts = 0 if before is None else before.attempts
-                queued.append(Entry(clip=name, source=place, input=digest, attempts=attempts))
+                queued.append(Entry(clip=name, source=place, input=digest))
                 self.waiting.append((name, source))
         if queued:
             self.manifest.record(queued)
         self.total = len(self.waiting)
         done = (entry for entry in entries.values() if entry.state == "done")
-        self.written = {name: value for entry in done for name, value in entry.hashes.items()}
+        self.written = {name: value for entry in done for name, value in entry.files.items()}
         return names
 
     def _is_final(self, before: Entry) -> bool:
@@ -134,7 +132,7 @@ class Batch:
                     workers.count()
                     outcome = Outcome("lost", f"{type(error).__name__}: {one_line(error)}")
                 name, source = self.running.pop(future)
-                if outcome.cause == "lost" and self.tries[name] < TRIES:
+                if outcome.cause == "lost" and self.manifest.entries[name].attempts < TRIES:
                     self.waiting.append((name, source))
                 else:
                     self._finish(name, outcome)
@@ -152,7 +150,6 @@ class Batch:
             self._finish(name, Outcome("error", one_line(f"{where}{text}")))
             return
         task = replace(task, output=PurePosixPath(output).name, allow_outside=is_allowed())
-        self.tries[name] += 1
         limits = options.limit_time, options.limit_memory
         self.running[workers.submit(self.solve_task, task, *limits)] = name, source
         begun = replace(entry, input=task.digest, state="running", attempts=entry.attempts + 1)  # it may have changed
@@ -168,18 +165,14 @@ class Batch:
         except UserError as error:
             files, hashes, outcome = {}, {}, replace(outcome, cause="error", error=one_line(error))
         for path, content in reversed(files.items()):
-            _write(self.folder / path, content)
+            if self.written.get(path) != hashes[path]:  # clips may share the files of a figure
+                (self.folder / path).parent.mkdir(parents=True, exist_ok=True)
+                with Replacement(self.folder / path) as temporary:
+                    temporary.write_bytes(content)
         self.written |= hashes
-        output = next(iter(files), "")
-        done = replace(
-            self.manifest.entries[name],
-            state="failed" if outcome.cause else "done",
-            output=output,
-            size=len(files.get(output, b"")),
-            sha256=hashes.pop(output, ""),
-            companions=hashes,
-            **{member.name: getattr(outcome, member.name) for member in fields(Result)},
-        )
+        result = {member.name: getattr(outcome, member.name) for member in fields(Result)}
+        state = "failed" if outcome.cause else "done"
+        done = replace(self.manifest.entries[name], state=state, files=hashes, **result)
         self.manifest.record([done])
         self.ended[done.state] += 1
 
@@ -198,12 +191,3 @@ class Batch:
             pace = f"{over / spent:.1f} clips/s" if over >= spent else f"{spent / over:.1f} s a clip"
             note = f", {pace}, {remaining // 3600}:{remaining // 60 % 60:02}:{remaining % 60:02} left"
         self.progress.step("batch", over / self.total, f"{counts} of {self.total}{note}", force=force)
-
-
-def _write(target: Path, content: bytes) -> None:
-    """Write a file, unless it exists with this content: clips may share the files of a figure."""
-    if target.is_file() and target.stat().st_size == len(content) and target.read_bytes() == content:
-        return
-    target.parent.mkdir(parents=True, exist_ok=True)
-    with Replacement(target) as temporary:
-        temporary.write_bytes(content)

@@ -47,9 +47,9 @@ class Entry(Result):
         clip: Its unique name, also that of its output without extension.
         source: Its path relative to the manifest's folder; "shipped:NAME" for a shipped clip.
         input: A hash of everything on which the output depends; "" before it has been read.
-        attempts: The number of attempts.
-        output: The file in the manifest's folder, of `size` bytes.
-        companions: Further files of the output, with their hashes; several clips may share one.
+        attempts: The number of attempts of the last run.
+        files: The files of the result in the manifest's folder, with their hashes: the output first, then files that
+            belong to it, such as meshes. Several clips may share such a file.
     """
 
     clip: Below
@@ -57,27 +57,20 @@ class Entry(Result):
     state: Literal["queued", "running", "done", "failed"] = "queued"
     input: str = ""
     attempts: int = 0
-    output: Below = ""
-    size: int = 0
-    sha256: str = ""
-    companions: Mapping[Below, str] = field(default_factory=dict)
+    files: Mapping[Below, str] = field(default_factory=dict)
 
     def line(self) -> str:
         """Return the entry as JSON, without empty fields."""
         values = {"clip": self.clip, "source": self.source, "state": self.state, **asdict(self)}
         return json.dumps({key: value for key, value in values.items() if value not in EMPTY}) + "\n"
 
-    @property
-    def hashes(self) -> dict[str, str]:
-        return {self.output: self.sha256, **self.companions} if self.output else {}
-
     def is_intact(self, folder: Path) -> bool:
+        """Return whether all files of the result exist and have not changed."""
         try:
-            if not self.output or (folder / self.output).stat().st_size != self.size:
-                return False
-            return all(digest_of((folder / name).read_bytes()) == value for name, value in self.hashes.items())
+            intact = [digest_of((folder / name).read_bytes()) == value for name, value in self.files.items()]
         except OSError:
             return False
+        return bool(intact) and all(intact)
 
 
 ENTRY = TypeAdapter(Entry)

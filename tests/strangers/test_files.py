@@ -289,10 +289,10 @@ def test_models_that_are_attached_bring_their_meshes_from_below(tmp_path: Path):
 
 
 @pytest.mark.parametrize("name", ["../prey", "/prey", "sub/../../prey", "a\\..\\..\\prey"])
-@pytest.mark.parametrize("key", ["clip", "output", "companions"])
+@pytest.mark.parametrize("key", ["clip", "files"])
 def test_a_manifest_leads_nowhere_but_into_its_folder(tmp_path: Path, key: str, name: str):
-    entry = Entry(clip="walk", source="../walk.toml", state="done", output="walk.npz", size=1)
-    line = json.dumps({**json.loads(entry.line()), key: {name: "0"} if key == "companions" else name})
+    entry = Entry(clip="walk", source="../walk.toml", state="done", files={"walk.npz": "0"})
+    line = json.dumps({**json.loads(entry.line()), key: {name: "0"} if key == "files" else name})
     (tmp_path / "manifest.jsonl").write_text(f'{{"dynsplines batch": 1}}\n{line}\n', encoding="utf-8")
     with pytest.raises(UserError, match=r"line 2 is not an entry of a clip \('.*prey' is not a path in this folder\)"):
         Manifest.of(tmp_path)

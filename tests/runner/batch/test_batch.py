@@ -136,12 +136,13 @@ def assert_complete(folder: Path, count: int) -> None:
     written_down = journal(folder)
     assert len(written_down) == len({entry.clip for entry in written_down}) == count
     assert {entry.state for entry in written_down} == {"done"}
-    assert sorted(entry.output for entry in written_down) == sorted(
+    assert sorted(name for entry in written_down for name in entry.files) == sorted(
         path.relative_to(folder).as_posix() for path in folder.rglob("*.npz")
     )
     for entry in written_down:
         assert entry.is_intact(folder)
-        assert motion.load(folder / entry.output).name == Path(entry.clip).name
+        (name,) = entry.files
+        assert motion.load(folder / name).name == Path(entry.clip).name
     assert [path.name for path in folder.iterdir() if path.is_file()] == ["manifest.jsonl"]
 
 

@@ -48,8 +48,7 @@ def test_a_mesh_comes_with_the_model_and_another_figures_is_not_written_over_it(
     assert "'part.obj' already exists, where a file of this motion's figure would be written" in failed.error
     good = "1" if failed.clip == "0" else "0"
     assert mujoco.MjModel.from_xml_path(str(out / f"{good}.keys.xml")).nkey > 0
-    ((name, _),) = Manifest.of(out).entries[good].companions.items()
-    assert name == "part.obj"
+    assert list(Manifest.of(out).entries[good].files) == [f"{good}.keys.xml", "part.obj"]
 
     same = (clips / ("one" if good == "0" else "two") / "part.obj").read_bytes()
     for place in ("one", "two"):

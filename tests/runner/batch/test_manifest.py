@@ -21,7 +21,7 @@ from dynsplines.system.lock import locked
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX locks")
 
 WALK = Entry(clip="walk", source="../clips/walk.toml", state="running", input="abc", attempts=1)
-DONE = replace(WALK, state="done", seconds=0.5, output="walk.npz", size=12)
+DONE = replace(WALK, state="done", seconds=0.5, files={"walk.npz": "0"})
 RUN = Entry(
     clip="sub/run",
     source="../clips/sub/run.toml",
@@ -75,18 +75,18 @@ def test_a_manifest_of_another_version_is_refused(tmp_path: Path):
         Manifest.of(tmp_path)
 
 
-def test_a_manifest_with_former_names_is_read(tmp_path: Path):
-    line = replace(DONE, companions={"mesh.stl": "0"}).line().replace('"companions"', '"beside"')
-    assert '"beside"' in line
+def test_a_manifest_with_former_names_is_read_without_its_files(tmp_path: Path):
+    line = DONE.line().replace('"files"', '"companions"')
+    assert '"companions"' in line
     (tmp_path / "manifest.jsonl").write_text(f'{{"dynsplines batch": 1}}\n{line}', encoding="utf-8")
-    assert Manifest.of(tmp_path).entries["walk"] == DONE
+    assert Manifest.of(tmp_path).entries["walk"] == replace(DONE, files={})
 
 
 def test_an_output_counts_only_if_it_is_whole(tmp_path: Path):
     path = tmp_path / "walk.npz"
     with zipfile.ZipFile(path, "w") as archive:
         archive.writestr("time.npy", bytes(1000))
-    entry = replace(DONE, size=path.stat().st_size, sha256=digest_of(path.read_bytes()))
+    entry = replace(DONE, files={"walk.npz": digest_of(path.read_bytes())})
     assert entry.is_intact(tmp_path)
     data = path.read_bytes()
     path.write_bytes(data[:-5])
@@ -95,7 +95,7 @@ def test_an_output_counts_only_if_it_is_whole(tmp_path: Path):
     assert not entry.is_intact(tmp_path)
     path.unlink()
     assert not entry.is_intact(tmp_path)
-    assert not replace(entry, output="").is_intact(tmp_path)
+    assert not replace(entry, files={}).is_intact(tmp_path)
 
 
 def test_a_second_program_is_refused_and_the_other_process_is_named(tmp_path: Path):

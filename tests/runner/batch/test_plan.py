@@ -48,8 +48,7 @@ def end(manifest: Manifest, name: str, **changes: Any) -> Entry:
 
 def finish(manifest: Manifest, name: str) -> None:
     (manifest.path.parent / f"{name}.csv").write_bytes(b"data")
-    output = {"output": f"{name}.csv", "size": 4, "sha256": digest_of(b"data")}
-    end(manifest, name, state="done", attempts=1, **output)
+    end(manifest, name, state="done", attempts=1, files={f"{name}.csv": digest_of(b"data")})
 
 
 def test_all_is_queued_at_first_and_what_is_done_and_there_is_left_alone(manifest: Manifest):
@@ -63,12 +62,12 @@ def test_all_is_queued_at_first_and_what_is_done_and_there_is_left_alone(manifes
     assert left(manifest) == ["tiny", "other"]
 
 
-def test_what_was_running_when_the_program_was_killed_is_queued_with_its_attempts(manifest: Manifest):
+def test_what_was_running_when_the_program_was_killed_is_queued(manifest: Manifest):
     left(manifest)
     end(manifest, "tiny", state="running", attempts=2, worker="tcp://a")
     assert left(manifest) == ["tiny", "other"]
     again = Manifest.of(manifest.path.parent).entries["tiny"]
-    assert (again.state, again.attempts) == ("queued", 2)
+    assert (again.state, again.attempts) == ("queued", 0)
 
 
 def test_a_clip_a_figure_or_an_option_that_changes_is_done_again(manifest: Manifest):
