@@ -169,10 +169,9 @@ def long_run(browser: Any, folder: Path, minutes: float, report: Any) -> tuple[l
             for request in (
                 {"name": "move_keys", "moves": [[KEY, round(time_of + 0.01, 4)]]},
                 {
-                    "name": "set_joint",
-                    "key": KEY,
-                    "joint": "left_elbow",
-                    "value": {"rotvec": [0, -70.5 - count % 7, 0]},
+                    "name": "change",
+                    "at": ["keyframe", KEY],
+                    "entries": {"joints": {"left_elbow": {"rotvec": [0, -70.5 - count % 7, 0]}}},
                 },
                 {"name": "set_weight", "kind": "torque", "weight": 1.4},
             ):

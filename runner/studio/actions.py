@@ -106,10 +106,10 @@ class Actions:
             return "add_key", {"entries": {**moved, "time": time}}, None
         if "root" in entries:  # the whole pose, because everything attached to the root moves along
             entries = self._without_free_joints(index, poser.keyframe_entries(last), home, last, poser)
-            arguments = {"places": self._targets(index), **entries}
+            entries = {**entries, **_without(self._targets(index))}
         else:
-            arguments = self._released_entries(index, _named(entries, poser), last, poser, entries)
-        return "set_pose", {"key": index, **arguments}, self.session.document.revision
+            entries = self._released_entries(index, _named(entries, poser), last, poser, entries)
+        return "change", _posed(index, entries, "pose the figure"), self.session.document.revision
 
     def _targets(self, index: int) -> list[str]:
         """Return the sites and bodies with a target position in a keyframe."""
@@ -126,7 +126,7 @@ class Actions:
             decided |= {poser.root}
         free = {link.name for link in poser.figure.links[1:] if not fixed[link.qpos]}
         instead = poser.select_joints(poser.keyframe_entries(qpos), decided - names - free)
-        out: TomlTable = {"places": places, "joints": {**instead["joints"], **entries["joints"]}}
+        out: TomlTable = {"joints": {**instead["joints"], **entries["joints"]}, **_without(places)}
         root: TomlTable = {**instead.get("root", {}), **entries.get("root", {})}
         if root:
             out["root"] = root
@@ -169,9 +169,9 @@ class Actions:
         poser = await self.poser()
         key, revision = self._present_indices(revision, key=key)["key"], self.session.document.revision
         joints = poser.keyframe_entries(poser.figure.model.qpos0)["joints"]
-        arguments = self._released_entries(key, set(joints), self._state(key), poser, {"joints": joints})
-        arguments["places"] = self._targets(key)
-        return await self.session.edit("set_pose", {"key": key, **arguments, "words": "pose as at rest"}, revision)
+        entries = self._released_entries(key, set(joints), self._state(key), poser, {"joints": joints})
+        entries |= _without(self._targets(key))
+        return await self.session.edit("change", _posed(key, entries, "pose as at rest"), revision)
 
     async def pin(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
         """Fix joints of a keyframe at their values on the present path."""
@@ -183,7 +183,7 @@ class Actions:
         # targets whose joints are all fixed now
         places = [name for name in self._targets(key) if poser.deciding_joints(name)[0] <= determined]
         words = f"pin {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
-        return await self.session.edit("set_pose", {"key": key, **entries, "places": places, "words": words}, revision)
+        return await self.session.edit("change", _posed(key, {**entries, **_without(places)}, words), revision)
 
     async def free(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
         """Free joints of a keyframe, and remove the targets that determine them."""
@@ -198,9 +198,9 @@ class Actions:
                 entries.setdefault("roots", {})[link.name] = whole
             elif link.name in joints:
                 entries["joints"][link.name] = "free"
-        arguments = self._released_entries(key, set(joints), self._state(key), poser, entries)
+        entries = self._released_entries(key, set(joints), self._state(key), poser, entries)
         words = f"free {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
-        return await self.session.edit("set_pose", {"key": key, **arguments, "words": words}, revision)
+        return await self.session.edit("change", _posed(key, entries, words), revision)
 
     async def mirror(self, *, keys: Sequence[int], revision: int | None = None) -> str:
         """Swap left and right in keyframes."""
@@ -231,7 +231,7 @@ class Actions:
 
     async def paste(self, *, time: float) -> str:
         """Paste the copied keyframes, the first of them at a time [s]."""
-        return await self.session.edit("paste_keys", {"copied": self.session.clipboard, "at": time})
+        return await self.session.edit("paste_keys", {"copied": self.session.clipboard, "time": time})
 
     def at(self, time: float) -> Any:
         """Return the present path at a time of the clip, (nq,)."""
@@ -298,6 +298,16 @@ def _bodies(poser: Poser, qpos: Any) -> Message:
 
     position, rotation, _ = poses(poser.figure, qpos[None])
     return {"position": position[0].round(5).ravel().tolist(), "rotation": rotation[0].round(6).ravel().tolist()}
+
+
+def _without(places: Sequence[str]) -> TomlTable:
+    """Return the entries that remove targets of sites or bodies."""
+    return {group: dict.fromkeys(places) for group in ("sites", "bodies")}
+
+
+def _posed(index: int, entries: TomlTable, words: str) -> Message:
+    """Return the arguments of an edit of a keyframe."""
+    return {"at": ["keyframe", index], "entries": entries, "words": words}
 
 
 def _named(entries: TomlTable, poser: Poser) -> set[str]:

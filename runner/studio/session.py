@@ -155,7 +155,7 @@ class Session:
 
         if name not in EDITS:
             raise UserError(f"no edit '{name}'; there are: {', '.join(EDITS)}")
-        arguments = renumbered(self.document, revision, arguments, name)
+        arguments = renumbered(self.document, revision, arguments)
         tree = self.document.tree()
         try:
             words = EDITS[name](tree, **arguments)

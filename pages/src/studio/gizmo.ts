@@ -2,7 +2,7 @@
 import * as THREE from "three";
 import { TransformControls } from "three/examples/jsm/controls/TransformControls.js";
 import { axesOf } from "./axes";
-import { act, ask, edit } from "./link";
+import { act, addressOf, ask, change } from "./link";
 import { model, type Obstacle } from "./model";
 import type { Stage } from "./stage";
 
@@ -135,8 +135,7 @@ export class Gizmo {
     this.stage.orbit.enabled = true;
     if (model.joint !== null) await act("drop", { time: this.time, partial: model.partial });
     else if (model.obstacle && this.held) {
-      const { kind, index } = model.obstacle;
-      await edit("set_obstacle", { kind, index, entries: movedTo(this.held, axesOf(this.stage, this.held).into(this.handle.position)), revision: this.revision });
+      await change(addressOf(model.obstacle), movedTo(this.held, axesOf(this.stage, this.held).into(this.handle.position)), this.revision);
     }
     this.stage.override = null;
     this.stage.draw();

@@ -2,7 +2,7 @@
 import * as THREE from "three";
 import { axesOf } from "./axes";
 import { short, toast } from "./dom";
-import { edit } from "./link";
+import { addressOf, change } from "./link";
 import { model, type Obstacle } from "./model";
 import type { Stage } from "./stage";
 
@@ -207,6 +207,6 @@ export class Handles {
     if (!held || event.button !== 0) return;
     const { thing, entries, revision } = held;
     this.cancel();
-    if (Object.keys(entries).length) await edit("set_obstacle", { kind: thing.kind, index: thing.index, entries, revision });
+    if (Object.keys(entries).length) await change(addressOf(thing), entries, revision);
   }
 }

@@ -14,7 +14,7 @@ let pause = 250;
 const NUMBERED = new Set(["edit", "pin", "free", "rest", "mirror", "copy"]); // what is asked by numbers of a revision
 
 const POSES = new Set(["grip", "drag", "turn"]); // what is asked to be drawn at once
-let change = 0; // number of what was asked last that may change the clip
+let latest = 0; // number of what was asked last that may change the clip
 
 /** When [ms] that was asked; the path that comes of it is worth more than images before it. */
 export let changed = 0;
@@ -23,7 +23,7 @@ export let changed = 0;
 export const isAwaiting = (): boolean => waiting.size > 0;
 
 /** Whether that is a change of the clip. */
-export const isChanging = (): boolean => waiting.has(change);
+export const isChanging = (): boolean => waiting.has(latest);
 
 /** Sends a request; the answer describes the result or the reason for a rejection, and never throws. */
 export const ask = (what: string, args: Message = {}): Promise<Answer> => new Promise((resolve) => {
@@ -34,7 +34,7 @@ export const ask = (what: string, args: Message = {}): Promise<Answer> => new Pr
   number += 1;
   waiting.set(number, resolve);
   if (!POSES.has(what)) {
-    change = number;
+    latest = number;
     changed = performance.now();
   }
   const seen = NUMBERED.has(what) ? { revision: model.document?.revision } : {};
@@ -50,6 +50,14 @@ export const act = async (what: string, args: Message = {}): Promise<Answer> => 
 };
 
 export const edit = (name: string, args: Message): Promise<Answer> => act("edit", { name, ...args });
+
+/** The address of a table in the clip, such as ["keyframe", 2]. */
+export type Address = (string | number)[];
+
+/** Sets entries of a table; null removes one. */
+export const change = (at: Address, entries: Message, revision = model.document?.revision): Promise<Answer> => edit("change", { at, entries, revision });
+
+export const addressOf = ({ kind, index }: { kind: string; index: number }): Address => (kind === "step" ? ["scene", kind] : ["scene", kind, index]);
 
 const packed = (data: ArrayBuffer): void => {
   const size = new DataView(data).getUint32(0, true);

@@ -1,7 +1,7 @@
 // The side panel: joints of a keyframe, problems, weights, obstacles.
 import { $, el, short, toast } from "./dom";
-import { act, edit } from "./link";
-import { model, type Joint, type Rotation } from "./model";
+import { act, addressOf, change, edit } from "./link";
+import { model, type Joint } from "./model";
 
 const tabs = ["pose", "problems", "weights", "scene"] as const;
 
@@ -54,7 +54,8 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
   const start = joint.kind === "free" ? joint.qpos + 3 : joint.qpos;
   const fixed = state.fixed[start];
   const numbers = values(joint, state.qpos);
-  const further = joint === model.stage!.joints.find((each) => each.kind === "free") ? "" : joint.name; // a free body beside the root
+  const at = ["keyframe", key], isRoot = joint === model.stage!.joints.find((each) => each.kind === "free"); // or a free body beside it
+  const rooted = (part: object) => (isRoot ? { root: part } : { roots: { [joint.name]: part } });
   const explicit = joint.kind === "free" || authored.joints?.[joint.name] !== undefined;
   const mode = fixed ? "pin" : "free";
   const choice = el("select", { class: "mode", "aria-label": `${joint.name}: pinned, free, or by the keyframe's rule for other joints`, title: "pinned: fixed at this value; free: chosen by the optimiser; others: by the keyframe's rule for other joints" });
@@ -62,7 +63,7 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
     choice.append(el("option", { value, text, selected: value === (explicit ? mode : "none") }));
   }
   choice.addEventListener("change", () => {
-    if (choice.value === "none") void edit("set_joint", { key, revision, joint: joint.name, value: null });
+    if (choice.value === "none") void change(at, { joints: { [joint.name]: null } }, revision);
     else void act(choice.value, { key, revision, joints: [joint.name] });
   });
   const row = el("div", { class: `joint${model.joint === joint.name ? " selected" : ""}${fixed ? "" : " free"}` },
@@ -74,9 +75,8 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
     now[i] = value;
     if (joint.kind === "free") {
       const axes = now.slice(0, 3).map((each, k) => (k !== i && !state.fixed[joint.qpos + k] ? "free" : each));
-      void edit("set_root", { key, revision, joint: further, ...(i < 3 ? { position: axes } : { rotation: { rotvec: now.slice(3) } }) }).then(panels.pose);
-    } else if (joint.kind === "ball") void edit("set_joint", { key, revision, joint: joint.name, value: { rotvec: now } as Rotation }).then(panels.pose);
-    else void edit("set_joint", { key, revision, joint: joint.name, value }).then(panels.pose);
+      void change(at, rooted(i < 3 ? { position: axes } : { rotation: { rotvec: now.slice(3) } }), revision).then(panels.pose);
+    } else void change(at, { joints: { [joint.name]: joint.kind === "ball" ? { rotvec: now } : value } }, revision).then(panels.pose);
   };
   const names = joint.kind === "free" ? ["x", "y", "z", "turn x", "turn y", "turn z"] : joint.kind === "ball" ? ["x", "y", "z"] : [""];
   numbers.forEach((value, i) => {
@@ -91,7 +91,7 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
         "aria-label": `${joint.name} ${names[i]}: ${axisFixed ? "pinned; press to free it" : "free; press to pin it"}`, title: axisFixed ? "free this axis" : "pin this axis",
         onclick: () => {
           const axes = numbers.slice(0, 3).map((each, k) => ((k === i ? axisFixed : !state.fixed[joint.qpos + k]) ? "free" : each));
-          void edit("set_root", { key, revision, joint: further, position: axes });
+          void change(at, rooted({ position: axes }), revision);
         },
       }));
     }
@@ -115,7 +115,7 @@ const pose = (): void => {
   const authored = document.keys[key], { revision } = document;
   const others = el("select", { "aria-label": "joints that this keyframe does not name" });
   for (const value of new Set(["free", "rest", "previous", authored.others])) others.append(el("option", { value, text: value, selected: value === authored.others }));
-  others.addEventListener("change", () => void edit("set_others", { key, revision, value: others.value }));
+  others.addEventListener("change", () => void change(["keyframe", key], { others: others.value === "free" ? null : others.value }, revision));
   const time = field("time", authored.time, "s", (value) => void edit("move_keys", { moves: [[key, value]], revision }).then((answer) => { if (answer.ok) model.seek(value); else pose(); }), 1 / model.fps);
   const focused = (window.document.activeElement as HTMLElement | null)?.getAttribute("aria-label");
   box.replaceChildren(
@@ -128,7 +128,7 @@ const pose = (): void => {
     el("label", { class: "line" }, "other joints: ", others),
     ...["sites", "bodies"].flatMap((group) => Object.entries((authored as any)[group] ?? {}).map(([name, place]) =>
       el("div", { class: "line place" }, el("span", { text: `${name} → ${JSON.stringify(place)}` }),
-        ...(group === "sites" ? [el("button", { type: "button", text: "remove target", onclick: () => void edit("set_place", { key, revision, site: name, position: null }) })] : [])))),
+        ...(group === "sites" ? [el("button", { type: "button", text: "remove target", onclick: () => void change(["keyframe", key], { sites: { [name]: null } }, revision) })] : [])))),
     ...stage.joints.map((joint) => poseRow(key, joint))); // it stays scrolled: to ask how far would lay out all of it twice
   if (model.joint !== chosen) {
     chosen = model.joint;
@@ -185,34 +185,45 @@ const weights = (): void => {
       el("button", { type: "button", class: "axis", text: "↺", disabled: !given, title: "its default", "aria-label": `default weight of ${term}`, onclick: () => void edit("set_weight", { kind, part, weight: null }) }),
       el("span", { class: "part", title: "its share of E" }, bar, el("small", { text: parts[term] === undefined ? "" : parts[term].toPrecision(2) })));
   });
-  const tolerance = field("tolerance of the search", Number(document.solve.tolerance ?? 0.001), "", (value) => void edit("set_solve", { option: "tolerance", value }), 0.001);
+  const tolerance = field("tolerance of the search", Number(document.solve.tolerance ?? 0.001), "", (value) => void change(["solve"], { tolerance: value }), 0.001);
   tolerance.value = String(document.solve.tolerance ?? 0.001);
   box.replaceChildren(el("label", { class: "line" }, "tolerance of the search ", tolerance), ...rows);
   box.scrollTop = scroll;
 };
 
+const NEW: Record<string, { position?: number[]; [entry: string]: unknown }> = { // entries of a new obstacle [m]
+  box: { position: [0, 0, 0.2], size: [0.4, 0.4, 0.4] },
+  step: { x: 0, height: 0.2 },
+  sphere: { position: [0, 0, 0.2], radius: 0.2 },
+  capsule: { position: [0, 0, 0.9], length: 1, radius: 0.03 },
+  cylinder: { position: [0, 0, 0.25], length: 0.5, radius: 0.15 },
+};
 const scene = (): void => {
   const { document } = model;
   if (!document || $("panel-scene").hidden) return;
   const box = $("panel-scene");
-  const adding = ["box", "step", "sphere", "capsule", "cylinder"].map((kind) => el("button", {
-    type: "button", text: `+ ${kind}`, onclick: () => void edit("add_obstacle", { kind, at: model.now ? [model.now.centreAt(model.time)[0] + 0.8, 0] : undefined }),
+  const { revision, obstacles } = document;
+  const adding = Object.entries(NEW).map(([kind, entries]) => el("button", {
+    type: "button", text: `+ ${kind}`, disabled: kind === "step" && obstacles.some((thing) => thing.kind === kind), onclick: () => {
+      const x = Math.round(100 * (model.now ? model.now.centreAt(model.time)[0] + 0.8 : 0.6)) / 100;
+      if (kind === "step") void change(["scene"], { step: { ...entries, x } });
+      else void edit("add", { at: ["scene", kind], entries: { ...entries, position: [x, 0, entries.position![2]] } });
+    },
   }));
-  const { revision } = document;
-  const rows = document.obstacles.map((thing) => {
+  const rows = obstacles.map((thing) => {
     const selected = model.obstacle?.kind === thing.kind && model.obstacle.index === thing.index;
     const title = `${thing.kind}${thing.name ? ` ‘${thing.name}’` : ""}`;
     const row = el("div", { class: `joint${selected ? " selected" : ""}` },
       el("button", { type: "button", class: "name", text: title, title: "select it on the stage", onclick: () => { model.obstacle = selected ? null : { kind: thing.kind, index: thing.index }; model.joint = null; model.tell("joint"); scene(); } }),
-      el("button", { type: "button", class: "axis", text: "✕", "aria-label": `delete the ${title}`, onclick: () => { model.obstacle = null; model.tell("joint"); void edit("delete_obstacle", { kind: thing.kind, index: thing.index, revision }); } }));
+      el("button", { type: "button", class: "axis", text: "✕", "aria-label": `delete the ${title}`, onclick: () => { model.obstacle = null; model.tell("joint"); void edit("remove", { at: addressOf(thing), revision }); } }));
     const line = el("div", { class: "numbers" });
     for (const [name, value] of Object.entries(thing)) {
       if (["kind", "index", "color", "mass"].includes(name)) continue;
-      if (typeof value === "number") line.append(field(`${title} ${name}`, value, "m", (now) => void edit("set_obstacle", { kind: thing.kind, index: thing.index, revision, entries: { [name]: now } }), 0.01));
+      if (typeof value === "number") line.append(field(`${title} ${name}`, value, "m", (now) => void change(addressOf(thing), { [name]: now }, revision), 0.01));
       else if (Array.isArray(value)) value.forEach((each, i) => line.append(field(`${title} ${name} ${"xyz"[i]}`, each as number, "m", (now) => {
         const all = [...(value as number[])];
         all[i] = now;
-        void edit("set_obstacle", { kind: thing.kind, index: thing.index, revision, entries: { [name]: all } });
+        void change(addressOf(thing), { [name]: all }, revision);
       }, 0.01)));
     }
     row.append(line);

@@ -1,7 +1,7 @@
 // The timeline: a ruler, keyframes as diamonds, limbs when unfolded, contacts, grasps and flights as bars.
 import { Quaternion, Vector3 } from "three";
 import { $, el, toast } from "./dom";
-import { act, edit } from "./link";
+import { act, change, edit } from "./link";
 import { model, type Bar } from "./model";
 
 export const LABEL = 188; // [px] of the column of names
@@ -361,8 +361,7 @@ export class Timeline {
       up: (time, e) => {
         if (!moved) return;
         const [from, to] = span(time, e);
-        const who = kind === "contact" ? { point: bar.point } : { hand: bar.hand, body: bar.body };
-        void edit(`set_${kind}`, { ...who, begin: from, end: to, index, revision }).then(() => this.draw());
+        void change([kind, index], { from, to }, revision).then(() => this.draw());
       },
     };
   }
@@ -382,10 +381,10 @@ export class Timeline {
         this.placed(shown, Math.min(from, to), Math.max(from, to));
       },
       up: (time, e) => {
-        const to = this.snapped(time, e, true), span = { begin: Math.min(from, to), end: Math.max(from, to) };
+        const to = this.snapped(time, e, true), span = { from: Math.min(from, to), to: Math.max(from, to) };
         if (!moved || to === from) { shown.remove(); model.select([]); model.seek(this.snapped(begin, e, true)); return; }
-        if (point) { shown.remove(); void edit("set_contact", { point, ...span }); return; }
-        this.graspable(hand!, span.begin, e, (body) => { shown.remove(); if (body !== null) void edit("set_grasp", { hand, body, ...span }); });
+        if (point) { shown.remove(); void edit("add", { at: ["contact"], entries: { point, ...span } }); return; }
+        this.graspable(hand!, span.from, e, (body) => { shown.remove(); if (body !== null) void edit("add", { at: ["grasp"], entries: { hand, body, ...span } }); });
       },
     };
   }

@@ -1,6 +1,6 @@
 // Play, scrub, loop, speed; undo, redo, save; the state of the search.
 import { $, button, el, say, short } from "./dom";
-import { act, connected, offer, task } from "./link";
+import { act, connected, edit, offer, task } from "./link";
 import { model, type Which } from "./model";
 import type { Stage } from "./stage";
 import type { Timeline } from "./timeline";
@@ -37,7 +37,7 @@ export const addKey = async (): Promise<void> => {
   if (answer.ok) model.select([...(model.document?.keys.keys() ?? [])].filter((i) => Math.abs(model.document!.keys[i].time - model.time) < 1e-4));
 };
 export const remove = async (): Promise<void> => {
-  if (model.bar) { const { kind, index } = model.bar; model.bar = null; await act("edit", { name: "delete_bar", kind, index }); return; }
+  if (model.bar) { const { kind, index } = model.bar; model.bar = null; await edit("remove", { at: [kind, index] }); return; }
   const keys = model.keys.size ? [...model.keys] : model.here === null ? [] : [model.here];
   if (!keys.length) return;
   const answer = await act("edit", { name: "delete_keys", keys });

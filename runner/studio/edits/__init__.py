@@ -1,23 +1,21 @@
 """Edits of a clip's text. Each is a function of its blocks and of the page's arguments, and returns a description.
 
-tables       the text as blocks, of which an edit parses one; numbers in the notation of files
-keys         keyframes: move, add, delete, copy, mirror
-poses        a keyframe's joints, root and target positions
-constraints  contacts, holds, weights of soft constraints, settings
-obstacles    obstacles of the scene
+tables   the text as blocks, of which an edit parses one; numbers in the notation of files
+entries  change, add and remove tables and their entries: poses, contacts, grasps, obstacles, settings
+keys     keyframes: move, add, delete, copy, mirror
+weights  weights and options of soft constraints
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from . import constraints, keys, obstacles, poses
+from . import entries, keys, weights
 
 Edit = Callable[..., str]  # (blocks, **arguments of the page) -> description of the edit
 
 EDITS: dict[str, Edit] = {
+    **{name: getattr(entries, name) for name in entries.EDITS},
     **{name: getattr(keys, name) for name in keys.EDITS},
-    **{name: getattr(poses, name) for name in poses.EDITS},
-    **{name: getattr(constraints, name) for name in constraints.EDITS},
-    **{name: getattr(obstacles, name) for name in obstacles.EDITS},
+    **{name: getattr(weights, name) for name in weights.EDITS},
 }

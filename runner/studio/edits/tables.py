@@ -126,6 +126,14 @@ class Blocks:
         self.insert(at, block)
         return block.table
 
+    def remove_table(self, *path: str) -> None:
+        """Remove the table of a path, under its header or in its parent."""
+        block = next((block for block in self.blocks if not block.is_row and block.path == path), None)
+        if block is None:
+            del self.table(*path[:-1])[path[-1]]
+        else:
+            self.remove(block)
+
     def insert(self, at: int, block: Block) -> None:
         """Insert a block before another one, with an empty line on either side."""
         before = self.blocks[at - 1] if at else None
@@ -148,12 +156,17 @@ def _block(path: tuple[str, ...], is_row: bool, text: str) -> Block:
     return Block(path, is_row, text[:cut], text[cut:])
 
 
-def row(blocks: Blocks, name: str, index: Any) -> Any:
-    """Return one of the [[name]] tables. Raises UserError for an invalid index."""
-    rows = blocks.rows(name)
+def row(blocks: Blocks, *at: Any) -> Any:
+    """Return one of several tables, by its path and index. Raises UserError for an invalid index."""
+    return _row_block(blocks, at).table
+
+
+def _row_block(blocks: Blocks, at: tuple[Any, ...]) -> Block:
+    *path, index = at
+    rows = blocks.rows(*path)
     if not isinstance(index, int) or isinstance(index, bool) or not 0 <= index < len(rows):
-        raise UserError(f"there is no {name} {index if not isinstance(index, int) else index + 1} any more")
-    return rows[index].table
+        raise UserError(f"there is no {path[-1]} {index if not isinstance(index, int) else index + 1} any more")
+    return rows[index]
 
 
 def number(value: Any, what: str) -> float:
@@ -167,13 +180,6 @@ def number(value: Any, what: str) -> float:
 
 def _shown(value: Any) -> str:
     return "nothing" if value is None or value == "" else repr(value)[:40]
-
-
-def numbers(values: Any, what: str, count: int = 3) -> list[float]:
-    """Return a list of `count` finite numbers."""
-    if not isinstance(values, list | tuple) or len(values) != count:
-        raise UserError(f"{what}: give {count} numbers")
-    return [number(value, what) for value in values]
 
 
 def item(value: Any) -> Any:
@@ -250,7 +256,6 @@ def item_key(key: str) -> str:
     return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else tomlkit.key(key).as_string()
 
 
-def remove(blocks: Blocks, name: str, index: int) -> None:
-    """Remove a [[name]] table."""
-    row(blocks, name, index)
-    blocks.remove(blocks.rows(name)[index])
+def remove(blocks: Blocks, *at: Any) -> None:
+    """Remove one of several tables, by its path and index."""
+    blocks.remove(_row_block(blocks, at))

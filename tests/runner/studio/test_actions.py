@@ -210,7 +210,8 @@ def test_a_new_keyframe_of_one_limb_says_the_limb_that_was_turned(session):
 
 
 def test_further_free_bodies_are_placed_by_the_name_of_their_joint(session):
-    live(session, lambda _: session.edit("set_root", {"key": 1, "joint": "crate", "position": [1, 0, "free"]}))
+    entries = {"roots": {"crate": {"position": [1, 0, "free"]}}}
+    live(session, lambda _: session.edit("change", {"at": ["keyframe", 1], "entries": entries}))
     row = tomllib.loads(session.document.text)["keyframe"][1]
     assert row["roots"]["crate"] == {"position": [1, 0, "free"], "rotation": {"rotvec": [0, 0, 0]}}
     assert row["root"]["position"] == [0.1, 0, 0.85]
@@ -227,7 +228,7 @@ def test_an_edit_of_another_page_during_a_drag_is_kept(session):
     async def deed(actions):
         await actions.grip(time=0.5, body=4, offset=[0, 0, 0])
         await actions.drag(position=[0.2, 0, 0.2])
-        await session.edit("set_joint", {"key": 0, "joint": "knee", "value": 33})
+        await session.edit("change", {"at": ["keyframe", 0], "entries": {"joints": {"knee": 33}}})
         await actions.drop(time=0.5)
 
     live(session, deed)
@@ -261,7 +262,7 @@ def test_a_figure_that_has_other_joints_by_now_is_not_posed_as_the_one_that_was_
 
 def test_what_follows_an_edit_at_once_is_of_the_path_after_it(session):
     async def deed(actions):
-        await session.edit("set_root", {"key": 1, "position": [0.13, 0, 0.85]})
+        await session.edit("change", {"at": ["keyframe", 1], "entries": {"root": {"position": [0.13, 0, 0.85]}}})
         await actions.pin(key=1, joints=["root"])
 
     live(session, deed)

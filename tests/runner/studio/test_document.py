@@ -45,45 +45,57 @@ others = "rest"
 times = st.one_of(st.floats(-1, 3).map(lambda x: round(x, 3)), st.just(float("nan")))
 angles = st.one_of(st.floats(-180, 180), st.just(float("nan")), st.none(), st.just("free"), st.just("much"))
 keys = st.integers(-1, 5)
+keyframe = st.tuples(st.just("keyframe"), keys)
+
+
+def changes(at, **entries):
+    return st.tuples(st.just("change"), st.fixed_dictionaries({"at": at, "entries": st.fixed_dictionaries(entries)}))
+
+
+def removes(at):
+    return st.tuples(st.just("remove"), st.fixed_dictionaries({"at": at}))
+
+
 deeds = st.one_of(
     st.tuples(
         st.just("move_keys"), st.fixed_dictionaries({"moves": st.lists(st.tuples(keys, times), min_size=1, max_size=3)})
     ),
     st.tuples(st.just("add_key"), st.fixed_dictionaries({"entries": st.fixed_dictionaries({"time": times})})),
     st.tuples(st.just("delete_keys"), st.fixed_dictionaries({"keys": st.lists(keys, min_size=1, max_size=3)})),
-    st.tuples(
-        st.just("set_joint"),
-        st.fixed_dictionaries({"key": keys, "joint": st.sampled_from(["left_hip", "spine"]), "value": angles}),
-    ),
-    st.tuples(
-        st.just("set_joint"),
-        st.fixed_dictionaries(
-            {"key": keys, "joint": st.just("left_hip"), "value": st.just({"rotvec": [1.0, -20.5, 0.25]})}
+    changes(
+        keyframe,
+        joints=st.one_of(
+            st.dictionaries(st.sampled_from(["left_hip", "spine"]), angles, min_size=1),
+            st.just({"left_hip": {"rotvec": [1.0, -20.5, 0.25]}}),
         ),
     ),
+    changes(keyframe, root=st.fixed_dictionaries({"position": st.sampled_from([[0.1, 0, "free"], "free", [1, 2]])})),
+    changes(keyframe, others=st.sampled_from([None, "previous"])),
     st.tuples(
-        st.just("set_root"),
-        st.fixed_dictionaries({"key": keys, "position": st.sampled_from([[0.1, 0, "free"], "free", [1, 2]])}),
+        st.just("add"),
+        st.fixed_dictionaries(
+            {
+                "at": st.just(["contact"]),
+                "entries": st.fixed_dictionaries({"point": st.just("left_heel"), "from": times, "to": times}),
+            }
+        ),
     ),
-    st.tuples(
-        st.just("set_others"), st.fixed_dictionaries({"key": keys, "value": st.sampled_from(["free", "previous"])})
-    ),
-    st.tuples(
-        st.just("set_contact"), st.fixed_dictionaries({"point": st.just("left_heel"), "begin": times, "end": times})
-    ),
-    st.tuples(st.just("delete_bar"), st.fixed_dictionaries({"kind": st.just("contact"), "index": st.integers(0, 2)})),
+    removes(st.tuples(st.just("contact"), st.integers(0, 2))),
     st.tuples(
         st.just("set_weight"),
         st.fixed_dictionaries(
             {"kind": st.sampled_from(["limits", "torque"]), "weight": st.sampled_from([None, 2.5, 0])}
         ),
     ),
-    st.tuples(st.just("add_obstacle"), st.fixed_dictionaries({"kind": st.sampled_from(["box", "step", "sphere"])})),
     st.tuples(
-        st.just("delete_obstacle"),
-        st.fixed_dictionaries({"kind": st.sampled_from(["box", "step"]), "index": st.just(0)}),
+        st.just("add"),
+        st.fixed_dictionaries(
+            {"at": st.sampled_from([["scene", "box"], ["scene", "sphere"]]), "entries": st.just({"radius": 0.2})}
+        ),
     ),
-    st.tuples(st.just("set_solve"), st.fixed_dictionaries({"option": st.just("frames"), "value": st.just(12)})),
+    changes(st.just(("scene",)), step=st.just({"x": 1.5, "height": 0.2})),
+    removes(st.sampled_from([("scene", "step"), ("scene", "box", 0)])),
+    changes(st.just(("solve",)), frames=st.just(12)),
 )
 
 
@@ -99,6 +111,14 @@ def edited(found, name, entries):
     words = EDITS[name](tree, **entries)
     text = tree.as_string()
     found.commit(text, words)
+
+
+def change(found, *at, **entries):
+    edited(found, "change", {"at": at, "entries": entries})
+
+
+def add(found, *at, **entries):
+    edited(found, "add", {"at": at, "entries": entries})
 
 
 @settings(max_examples=50, deadline=None, suppress_health_check=[HealthCheck.too_slow])
@@ -127,8 +147,8 @@ def test_undo_after_any_edits_gives_the_first_text_byte_for_byte(some):
 def test_comments_and_order_stay():
     found = document()
     edited(found, "move_keys", {"moves": [[1, 0.6]]})
-    edited(found, "set_joint", {"key": 0, "joint": "left_hip", "value": {"rotvec": [0, -60, 0]}})
-    edited(found, "set_root", {"key": 0, "position": [0.0, 0, 0.9]})
+    change(found, "keyframe", 0, joints={"left_hip": {"rotvec": [0, -60, 0]}})
+    change(found, "keyframe", 0, root={"position": [0.0, 0, 0.9]})
     edited(found, "set_weight", {"kind": "limits", "weight": 3})
     edited(found, "add_key", {"entries": {"time": 0.8, "joints": {"spine": {"rotvec": [0, 5, 0]}}}})
     wanted = [line.partition("#")[2] for line in TEXT.splitlines() if "#" in line]
@@ -186,18 +206,17 @@ def test_a_keyframe_that_says_something_else_keeps_its_remarks_and_the_lines_tha
 @pytest.mark.parametrize(
     ("name", "entries", "words"),
     [
-        ("move_keys", {"moves": [[1, 1.5]]}, "keyframes keep their order"),
         ("move_keys", {"moves": [[0, float("nan")]]}, "finite number"),
         ("move_keys", {"moves": [[7, 0.1]]}, "there is no keyframe 8 any more"),
         ("add_key", {"entries": {"time": 0.5}}, "already: keyframe 2"),
-        ("delete_keys", {"keys": [0, 1]}, "a clip needs two keyframes"),
-        ("set_joint", {"key": 0, "joint": "spine", "value": "NaN"}, "finite number"),
-        ("set_contact", {"point": "left_heel", "begin": 0.5, "end": 0.2}, "before it begins"),
-        ("delete_bar", {"kind": "contact", "index": 0}, "no contact 1"),
-        ("add_obstacle", {"kind": "cone"}, "no obstacle 'cone'; there are: step, box"),
-        ("add_obstacle", {"kind": "step"}, "the clip already has a step"),
-        ("paste_keys", {"copied": [], "at": 0.3}, "nothing has been copied"),
-        ("set_others", {"key": 0, "value": "all"}, "'free', 'rest', 'previous' or 'key:NAME'"),
+        ("delete_keys", {"keys": [3]}, "there is no keyframe 4 any more"),
+        ("change", {"at": ["keyframe", 0], "entries": {"joints": {"spine": float("nan")}}}, "finite number"),
+        ("change", {"at": ["keyframe", 3], "entries": {}}, "there is no keyframe 4 any more"),
+        ("change", {"at": ["recording"], "entries": {"file": "/x"}}, "not a table that can be edited here"),
+        ("change", {"at": [], "entries": {"figure": "/x"}}, "not a table that can be edited here"),
+        ("remove", {"at": ["contact", 0]}, "there is no contact 1 any more"),
+        ("remove", {"at": ["scene", "cone"]}, "there is no cone any more"),
+        ("paste_keys", {"copied": [], "time": 0.3}, "nothing has been copied"),
     ],
 )
 def test_nonsense_is_refused_in_words_and_changes_nothing(name, entries, words):
@@ -220,7 +239,7 @@ def test_keyframes_can_be_1_ms_apart_in_spite_of_rounding():
 
 def test_contacts_go_along_with_the_keyframes_that_they_end_at():
     found = document()
-    edited(found, "set_contact", {"point": "left_heel", "begin": 0.5, "end": 1.0})
+    add(found, "contact", **{"point": "left_heel", "from": 0.5, "to": 1.0})
     edited(found, "move_keys", {"moves": [[1, 0.4]]})
     (contact,) = tomllib.loads(found.text)["contact"]
     assert (contact["from"], contact["to"]) == (0.4, 1.0)
@@ -294,9 +313,9 @@ def test_tables_under_headers_of_their_own_belong_to_their_keyframe():
 
 def test_a_keyframe_with_such_tables_is_posed_and_others_come_after_it():
     found = document(WITH_HEADERS)
-    edited(found, "set_joint", {"key": 1, "joint": "spine", "value": {"rotvec": [1.0, 2.0, 3.0]}})
-    edited(found, "set_joint", {"key": 1, "joint": "left_hip", "value": "free"})
-    edited(found, "set_others", {"key": 0, "value": "free"})
+    change(found, "keyframe", 1, joints={"spine": {"rotvec": [1.0, 2.0, 3.0]}})
+    change(found, "keyframe", 1, joints={"left_hip": "free"})
+    change(found, "keyframe", 0, others=None)
     edited(found, "add_key", {"entries": {"time": 0.75, "root": {"position": [0.2, 0, 0.93]}}})
     rows = entries(found)
     assert [row["time"] for row in rows] == [0.0, 0.5, 0.75, 1.0]
@@ -324,7 +343,7 @@ def test_lines_that_end_as_on_windows_are_edited_and_end_so_again(tmp_path):
 
 def test_edits_keep_a_key_of_the_model():
     found = document()
-    edited(found, "set_others", {"key": 0, "value": "key:home"})
-    edited(found, "set_joint", {"key": 0, "joint": "spine", "value": {"rotvec": [0.0, 10.0, 0.0]}})
+    change(found, "keyframe", 0, others="key:home")
+    change(found, "keyframe", 0, joints={"spine": {"rotvec": [0.0, 10.0, 0.0]}})
     edited(found, "move_keys", {"moves": [[0, 0.1]]})
     assert tomllib.loads(found.text)["keyframe"][0]["others"] == "key:home"

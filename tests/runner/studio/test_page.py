@@ -248,8 +248,8 @@ def tab(browser, cache, tmp_path_factory):
 
 REACH = """new Promise(done => {
   const line = new WebSocket(location.href.replace('http', 'ws').replace('/?', '/line?'));
-  line.onopen = () => line.send(JSON.stringify({do: 'edit', id: 1, name: 'set_place', key: 2, site: 'left_hand',
-    position: [0, 0, 9]}));
+  line.onopen = () => line.send(JSON.stringify({do: 'edit', id: 1, name: 'change', at: ['keyframe', 2],
+    entries: {sites: {left_hand: [0, 0, 9]}}}));
   line.onmessage = ({ data }) => {
     if (typeof data !== 'string' || JSON.parse(data).is !== 'answer') return;
     line.close();
@@ -260,7 +260,7 @@ def test_what_makes_no_sense_is_refused_in_words_and_loses_nothing(tab):
     before, page = tab.evaluate("JSON.stringify(studio.model.document.keys)"), tab.page
     tab.seek(0.26)
     time_field = page.get_by_label("time [s]")
-    for typed, words in (("0.5", "keep their order"), ("NaN", "finite"), ("", "finite"), ("-1", "order")):
+    for typed, words in (("0.5", "times must rise"), ("NaN", "finite"), ("", "finite"), ("-1", "times must rise")):
         time_field.fill(typed)
         time_field.press("Enter")
         tab.until(f"document.getElementById('toast').textContent.includes({words!r})")
@@ -269,7 +269,7 @@ def test_what_makes_no_sense_is_refused_in_words_and_loses_nothing(tab):
     field = page.get_by_label("left_knee x [degrees]")
     field.fill("a lot")
     field.press("Enter")
-    tab.until("document.getElementById('toast').textContent.includes('finite')")
+    tab.until("document.getElementById('toast').textContent.includes('must be three angles')")
     answer = tab.evaluate(REACH)
     assert not answer["ok"]
     assert "site 'left_hand' cannot move: every joint on the way to it is given" in answer["words"]

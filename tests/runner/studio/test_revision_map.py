@@ -43,9 +43,9 @@ def test_edits_that_come_at_once_are_each_of_what_their_page_saw(session):
     async def both():
         await asyncio.gather(
             session.edit("add_key", {"entries": {"time": 0.05}}, 0),
-            session.edit("set_joint", {"key": 3, "joint": "knee", "value": 10}, 0),
-            session.edit("set_contact", {"point": "toe", "begin": 0.1, "end": 0.4, "index": 1}, 0),
-            session.edit("delete_bar", {"kind": "contact", "index": 0}, 0),
+            session.edit("change", {"at": ["keyframe", 3], "entries": {"joints": {"knee": 10}}}, 0),
+            session.edit("change", {"at": ["contact", 1], "entries": {"to": 0.4}}, 0),
+            session.edit("remove", {"at": ["contact", 0]}, 0),
         )
 
     asyncio.run(both())
