@@ -39,7 +39,7 @@ class _Lazy:
 
 if TYPE_CHECKING:
     from . import batch as batches
-    from . import inputs, motion
+    from . import inputs, motion, solving
     from .clean import command as clean_command
     from .clean import rest_pose_trim
     from .clip import kinds, starter
@@ -56,7 +56,7 @@ else:
     def _lazy(package: str, names: str) -> list[_Lazy]:
         return [_Lazy(f"{package}.{name}") for name in names.split()]
 
-    inputs, motion, terminal = _lazy("", "inputs motion system.progress")
+    inputs, motion, solving, terminal = _lazy("", "inputs motion solving system.progress")
     batches, kinds, starter = _lazy("", "batch clip.kinds clip.starter")
     files, thin_files = _lazy(".edit", "files thin_files")
     clean_command, rest_pose_trim = _lazy(".clean", "command rest_pose_trim")
@@ -437,7 +437,7 @@ def import_motion(
         recording = motion_import.import_recording(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
         saved = rest_pose_trim.trim(recording, progress, skip=skip_rest)
         motion.save(saved, target)
-        violations = violation.of_motion(saved)
+        violations = solving.Solved.of(saved).violations
         _conclude(progress, target, violation.by_name(violations), target)
     _judge(violations, strict)
 

@@ -75,24 +75,22 @@ def solved(
         reason = f"one period was solved and is played {repeat} times"
         out = replace(edits.repeated(out, repeat), search=out.search | {"stopped because": reason})
     if violations is None:
-        violations = () if violation.is_recording(out) else violation.of_motion(out)
+        violations = () if violation.is_recording(out) else solving.Solved.of(out).violations
     return out, violations
 
 
 def measured(source: Clip | Saved, progress: Progress, *, no_cache: bool = False) -> Saved:
     """Return the motion of a source with its report, measured unless stored in its file; `no_cache` as for `solved`."""
-    from . import solve_cache  # imported here, as above
+    from . import solve_cache, solving  # imported here, as above
     from .measure import violation
 
     if not isinstance(source, Saved):
         return solve_cache.solved(source, progress, no_cache=no_cache).saved(progress)
     if not source.report:
-        from .edit import edits  # imported here, as above
-
-        return edits.measured(source, progress, "not searched: imported")
+        return solving.measured(source, progress, "not searched: imported")
     if "violations" in source.report:
         return source
-    return replace(source, report={"violations": violation.plain(violation.of_motion(source))} | source.report)
+    return replace(source, report={"violations": violation.plain(solving.Solved.of(source).violations)} | source.report)
 
 
 @contextmanager

@@ -31,8 +31,7 @@ from .clip.build import Clip
 from .clip.parse import table_of
 from .clip.text import tables
 from .measure.exactness import keyframe_error
-from .motion import Saved, read_arrays
-from .scene.configuration import SHORTEST
+from .motion import Saved, check_timeline, read_arrays
 from .solving import Solved
 from .system.cache_folder import hash_of, place, store, version_of
 from .system.progress import Progress
@@ -113,7 +112,6 @@ def write(result: Solved, file: Path) -> None:
     np.savez(
         stream,
         allow_pickle=False,
-        key=file.stem,
         time=timeline.times,
         state=timeline.states,
         end_slope=timeline.end_slope,
@@ -130,7 +128,7 @@ def read(file: Path, clip: Clip) -> Solved | None:
     if not file.is_file():
         return None
     try:
-        solution = _restored(clip, read_arrays(file), file.stem)
+        solution = _restored(clip, read_arrays(file))
     except Exception:  # a damaged file may raise any exception
         return None
     with suppress(OSError):
@@ -138,7 +136,7 @@ def read(file: Path, clip: Clip) -> Solved | None:
     return solution
 
 
-def _restored(clip: Clip, data: Mapping[str, Any], key: str) -> Solved:
+def _restored(clip: Clip, data: Mapping[str, Any]) -> Solved:
     """Return a solution. Raises an exception for data that is not a solution of the clip."""
     raw = clip.problem.raw
     timeline = _timeline(raw, data)
@@ -146,15 +144,9 @@ def _restored(clip: Clip, data: Mapping[str, Any], key: str) -> Solved:
     trace = tuple(
         (int(n), int(turn), float(value), dict(parts)) for n, turn, value, parts in json.loads(str(data["trace"]))
     )
-    quaternions = [timeline.states[:, columns] for columns in clip.figure.tables.quaternion_columns.T]
-    lengths = [np.linalg.norm(block, axis=1).min() for block in quaternions]
-    if (
-        str(data["key"]) != key
-        or not np.isfinite(timeline.rows).all()
-        or min(lengths, default=1.0) < SHORTEST
-        or not np.isfinite(seconds)
-    ):
-        raise ValueError("not what it is called")
+    check_timeline(clip.figure, timeline)
+    if not np.isfinite(timeline.rows).all() or not np.isfinite(seconds):
+        raise ValueError("not finite")
     if not keyframe_error(clip, timeline) <= UNMET:
         raise ValueError("not through the keyframes")
     motion = Solution(clip.figure, clip.problem.objective, timeline, raw, trace, evaluations, Stop[str(data["stop"])])

@@ -7,16 +7,19 @@ import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.problem import renormalised
 from dynsplines.solver.search.descent import WIDEST
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
 
 from .clip.build import Clip
-from .measure.violation import Violation, violations
+from .clip.load import clip_from_motion, of_motion
+from .errors import UserError
+from .measure.violation import Violation, is_recording, violations
 from .motion import Saved, Search
 from .system import size_limit
 from .system.progress import Progress
@@ -46,6 +49,22 @@ class Solved:
     clip: Clip
     motion: Solution
     seconds: float | None
+
+    @classmethod
+    def of(cls, saved: Saved) -> Solved:
+        """Return the content of a motion file, without the trace of its search and custom penalties."""
+        try:
+            clip = clip_from_motion(saved)
+        except UserError:  # a text of another version that this program cannot read
+            clip = of_motion(replace(saved, text=""))
+        objective = clip.problem.plain_objective
+        if clip.settings.renormalise:
+            objective = renormalised(objective, saved.raw)
+        search = saved.search
+        evaluations = search.get("evaluations", 0)
+        stop = Stop.__members__.get(str(search.get("stop")), Stop.CONVERGED)
+        motion = Solution(saved.figure, objective, saved.timeline, saved.raw, (), evaluations, stop)
+        return cls(clip, motion, search.get("seconds"))
 
     @cached_property
     def violations(self) -> tuple[Violation, ...]:
@@ -88,6 +107,16 @@ class Solved:
         return Saved(
             clip.name, clip.text, clip.scene, clip.figure, clip.fps, clip.keys, *timelines, trace, data, self.search
         )
+
+
+def measured(saved: Saved, progress: Progress, reason: str) -> Saved:
+    """Return a motion with its report; `reason` is the stop reason of motions that were neither searched nor
+    cleaned."""
+    solved = Solved.of(saved)
+    if is_recording(saved) and not solved.motion.is_raw:
+        reason = "cleaned recording"
+    report = solved.saved(progress).report
+    return replace(saved, report=report | {"stopped because": saved.search.get("stopped because", reason)})
 
 
 def _check_size(clip: Clip) -> None:

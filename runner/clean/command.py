@@ -28,6 +28,7 @@ from ..exchange.skeleton import maps
 from ..measure import violation
 from ..motion import Saved
 from ..scene import file_access
+from ..solving import Solved
 from ..system.output import Replacement, check_target
 from ..system.progress import Progress, silent
 from .cleaning import Cleaned, cleaned
@@ -98,7 +99,7 @@ def run(
     progress.console.print(table)
     for line in notes:
         progress.report(line)
-    violations = violation.by_name(violation.of_motion(saved))
+    violations = violation.by_name(Solved.of(saved).violations)
     for line in (f"wrote {target}", *violation.lines(violations, None if form else target)):
         progress.report(line)
     return target

@@ -20,20 +20,17 @@ from dynsplines.solver.edit import join, retime
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.problem import renormalised
 from dynsplines.solver.search.descent import optimised
-from dynsplines.solver.solution import Solution
 
 from ..clip.build import AROUND, Clip, around
 from ..clip.contacts import grasps_of
 from ..clip.file import standalone
-from ..clip.load import clip_from_motion, of_motion
+from ..clip.load import of_motion
 from ..clip.mirror import mirrored_tables
 from ..clip.parse import LONGEST, SHORTEST, check_times, is_too_near, table_of
 from ..clip.table import ClipTable, ContactTable, GraspTable, KeyframeTable, PenaltyTable, SolveTable
 from ..clip.text import keyframe_tables, written
 from ..errors import UserError
-from ..measure.violation import is_recording, stop_of
 from ..motion import Saved
-from ..solving import Solved
 from ..system.progress import Progress
 from .targets import at_cut, moved_contacts, moved_targets, searched_targets, with_targets
 
@@ -285,20 +282,6 @@ def check_alike(before: Clip | Saved, after: Clip | Saved) -> None:
             not np.allclose(getattr(a, k), getattr(b, k), atol=1e-6) for k in ("turn", "offset", "axis")
         ):
             raise UserError(f"'{before.name}' and '{after.name}' are of different figures; they differ at '{a.name}'")
-
-
-def measured(saved: Saved, progress: Progress, edit: str) -> Saved:
-    """Return a motion with its report; `edit` is the stop reason of motions that were neither searched nor
-    cleaned."""
-    clip = clip_from_motion(saved)
-    objective = clip.problem.plain_objective
-    if clip.settings.renormalise:
-        objective = renormalised(objective, saved.raw)
-    evaluations = saved.search.get("evaluations", 0)
-    solution = Solution(saved.figure, objective, saved.timeline, saved.raw, (), evaluations, stop_of(saved))
-    again = Solved(clip, solution, saved.search.get("seconds")).saved(progress)
-    reason = "cleaned recording" if is_recording(saved) and not solution.is_raw else edit
-    return replace(saved, report=again.report | {"stopped because": saved.search.get("stopped because", reason)})
 
 
 def _key_on(figure: Figure, timeline: Timeline, number: int) -> Frame:

@@ -22,6 +22,7 @@ from ..errors import UserError
 from ..measure import violation
 from ..measure.violation import Violation
 from ..motion import Saved
+from ..solving import Solved
 from ..system.output import Replacement, check_target
 from ..system.progress import Progress
 from . import edits
@@ -77,7 +78,7 @@ def run(
     search = {"stopped because": f"not searched: {edit.word}"}
     saved = replace(saved, name=target.stem, trace=[], report={}, search=search)
     motion.save(saved, target)
-    violations = violation.of_motion(saved)
+    violations = Solved.of(saved).violations
     return target, tuple(f for f in violations if f.keyframe is None) if any(map(_is_sampled, inputs)) else violations
 
 

@@ -20,9 +20,7 @@ from dynsplines.solver.inbetween import hard_ranges
 from dynsplines.solver.refine.limits import farthest
 from dynsplines.solver.search.minimum import Stop
 
-from ..clip import load as clips
 from ..clip.build import Clip
-from ..errors import UserError
 from ..motion import Saved
 from .bounds import BOUNDS
 from .checks import SAME_DEPTH, Check, Hits, Row, row_of
@@ -84,20 +82,6 @@ def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Vio
         row = row_of("search", stop.name.lower(), f"the search ended early: {stop.value}")
         violations.append(_as_violation(row, row.bound, None))
     return tuple(sorted(violations, key=lambda violation: -violation.severity))
-
-
-def of_motion(saved: Saved) -> tuple[Violation, ...]:
-    """Return the violations of a motion, from the content of its file."""
-    try:
-        clip = clips.clip_from_motion(saved)
-    except UserError:  # a text of another version that this program cannot read
-        clip = clips.of_motion(replace(saved, text=""))
-    return violations(clip, saved.timeline, saved.raw, stop_of(saved))
-
-
-def stop_of(saved: Saved) -> Stop:
-    """Return why the search of a motion ended, if there was one."""
-    return Stop.__members__.get(str(saved.search.get("stop")), Stop.CONVERGED)
 
 
 def is_recording(saved: Saved) -> bool:

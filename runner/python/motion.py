@@ -23,11 +23,9 @@ from dynsplines.solver.curve.spline import path_of
 from .. import motion as files
 from .. import solving
 from ..clip import file as clip_file
-from ..clip import load as clips
 from ..clip.build import Clip
 from ..edit import edits, thinning
 from ..errors import UserError
-from ..measure import violation
 from ..measure.report import tables
 from ..measure.violation import Violation
 from ..motion import Sampled, Saved
@@ -172,15 +170,18 @@ class Motion:
         return self.saved.mjcf
 
     @cached_property
+    def _result(self) -> Solved:
+        return Solved.of(self.saved) if self._solved is None else self._solved
+
+    @cached_property
     def clip(self) -> Clip:
         """The clip that was solved. A file does not store custom penalties: a warning lists them."""
-        if self._solved is not None:
-            return self._solved.clip
-        if names := self.saved.search.get("custom penalties"):
+        names = self.saved.search.get("custom penalties")
+        if names and self._solved is None:
             called = " and ".join(f"'{name}'" for name in names)
             line = f"its search also had the custom penalty {called}, which files do not contain; pass it again"
             warnings.warn(f"{self.name}: {line}", stacklevel=2)
-        return clips.clip_from_motion(self.saved)
+        return self._result.clip
 
     @cached_property
     def before(self) -> Motion:
@@ -234,12 +235,11 @@ class Motion:
     @cached_property
     @as_python_warnings()
     def _report(self) -> Report:
-        data = self.saved.report
-        if not data and self._solved is not None:
-            data = self._solved.saved(silent()).report
-        elif not data:
-            data = edits.measured(self.saved, silent(), "not searched").report
-        return Report(data)
+        if self.saved.report:
+            return Report(self.saved.report)
+        if self._solved is not None:
+            return Report(self._solved.saved(silent()).report)
+        return Report(solving.measured(self.saved, silent(), "not searched").report)
 
     @property
     def _saved_with_report(self) -> Saved:
@@ -254,7 +254,7 @@ class Motion:
     @cached_property
     @as_python_warnings()
     def _violations(self) -> tuple[Violation, ...]:
-        return violation.of_motion(self.saved) if self._solved is None else self._solved.violations
+        return self._result.violations
 
     def difference(self, other: Motion) -> MotionDifference:
         """Compare the positions and rotations of all bodies with those in another motion of the same figure.

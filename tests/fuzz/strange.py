@@ -33,7 +33,6 @@ from dynsplines.clip.starter import starter
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.motion_import import import_recording
-from dynsplines.measure import violation
 from dynsplines.measure.exactness import keyframe_error
 from dynsplines.motion import Saved
 from dynsplines.scene.compose import figure_spec
@@ -194,7 +193,7 @@ def _read_keys(path: Path) -> Clip:
 
 def _read_motion(path: Path) -> None:
     saved = motion.load(path)
-    violation.of_motion(saved)
+    assert isinstance(solving.Solved.of(saved).violations, tuple)
     if saved.timeline.times[-1] - saved.timeline.times[0] <= MOST_SECONDS:
         formats.export(saved, "csv", path.with_name("out.csv"), fps=10.0)
 

@@ -17,7 +17,6 @@ import dynsplines
 from dynsplines import Keyframe, build, motion, recordings, solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.tracking.penalties import NEXT_TO, Ground, ground_of, problem
-from dynsplines.edit.edits import measured
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.motion import Saved
@@ -305,7 +304,7 @@ def test_a_walk_steps_on_to_a_kerb_and_only_the_given_keyframes_are_reported():
     found = penetration(model, times, clip.figure.to_qpos(path.at(times)))
     assert found.deepest < 0.004, found.worst()
     saved = solved.saved(Progress(), with_report=False)
-    report = measured(saved, Progress(), "").report
+    report = solving.measured(saved, Progress(), "").report
     assert report["violations"] == []
     assert (report["keyframes"], report["partial keyframes"]) == (3, 3)
     assert all(joint["backward"] < 1 for joint in report["after"]["bends, degrees"].values())

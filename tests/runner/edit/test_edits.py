@@ -123,7 +123,7 @@ def test_seams_of_a_repeated_loop_have_the_entries_that_either_end_fixes():
 def test_an_edited_loop_is_still_measured_as_one(tmp_path):
     found = clip.load(str(tiny.written(tmp_path, LOOP)))
     edited = edits.repeated(edits.retimed(solving.solve(found, quiet()).saved(quiet(), with_report=False), 2.0), 2)
-    report = edits.measured(edited, quiet(), "edited").report
+    report = solving.measured(edited, quiet(), "edited").report
     for side in ("before", "after"):
         seam = report[side]["seam"]
         np.testing.assert_allclose(seam["travel, m"], [0.6, 0, 0.2], atol=1e-12)

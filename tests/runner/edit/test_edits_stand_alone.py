@@ -18,7 +18,6 @@ from dynsplines.clip.text import tables
 from dynsplines.edit import edits, thinning
 from dynsplines.edit import files as edit_files
 from dynsplines.errors import UserError
-from dynsplines.measure import violation
 from dynsplines.motion import Saved, sampled
 from dynsplines.solver.curve.spline import path_of
 
@@ -82,9 +81,9 @@ def test_what_is_edited_of_a_motion_that_follows_a_recording_is_a_motion_of_keyf
     assert all(key.fixed.all() for key in edited.keys)
     times = np.linspace(0.11, 0.29, 7)
     np.testing.assert_allclose(at(edited, when(times)), at(followed, times), rtol=0, atol=1e-9)
-    measured = edits.measured(edited, quiet(), "edited")
+    measured = solving.measured(edited, quiet(), "edited")
     assert measured.report
-    violation.of_motion(edited)
+    assert isinstance(solving.Solved.of(edited).violations, tuple)
     for exact in (False, True):
         clip_file.write(edited, tmp_path / "part.toml", exact=exact, overwrite=True)
         again = recordings.load(str(tmp_path / "part.toml"))
@@ -139,8 +138,8 @@ def test_flights_are_cut_and_shifted_as_contacts_are(flying):
     assert flights(edits.trimmed(flying, 0.1, 0.3)) == [[0.1, 0.15]]
     cut = edits.trimmed(flying, 0.2, 0.4)
     assert flights(cut) == []
-    violation.of_motion(cut)
-    assert edits.measured(cut, quiet(), "cut").report
+    assert isinstance(solving.Solved.of(cut).violations, tuple)
+    assert solving.measured(cut, quiet(), "cut").report
     both = flights(edits.joined(flying, flying, 0.2, quiet()))
     assert both is not None
     np.testing.assert_allclose(both, [[0.05, 0.15], [0.66, 0.76]], rtol=0, atol=1e-12)
@@ -234,7 +233,7 @@ def unsolved_of(folder: Path, text: str) -> Saved:
 
 
 def amounts(saved: Saved, kind: str) -> list[float]:
-    return sorted(v.amount for v in violation.of_motion(saved) if v.kind == kind)
+    return sorted(v.amount for v in solving.Solved.of(saved).violations if v.kind == kind)
 
 
 def reloaded(saved: Saved, folder: Path) -> Clip:

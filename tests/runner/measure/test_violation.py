@@ -491,22 +491,22 @@ def walked() -> motion.Saved:
 
 
 def said(saved: motion.Saved) -> set[tuple[str, str]]:
-    return {(each.kind, each.name) for each in violation.of_motion(saved)}
+    return {(each.kind, each.name) for each in solving.Solved.of(saved).violations}
 
 
 @pytest.mark.slow
 def test_edited_motions_are_looked_at_as_what_they_are(walked):
     assert said(edits.mirrored(walked)) >= {("contact", "left_toe"), ("placement", "right_hand")}
-    fast = violation.of_motion(edits.retimed(walked, 2.0))
+    fast = solving.Solved.of(edits.retimed(walked, 2.0)).violations
     assert {each.time for each in fast if each.kind == "placement"} == {1.0}
     assert ("contact", "right_toe") in said(edits.trimmed(walked, 1.1, 2.0))
     assert ("contact", "right_toe") not in said(edits.trimmed(walked, 0.0, 1.1))
-    later = violation.of_motion(edits.joined(walked, walked, 0.4, quiet()))
+    later = solving.Solved.of(edits.joined(walked, walked, 0.4, quiet())).violations
     assert {each.kind for each in later} >= {"contact"}
 
 
 def test_a_text_that_is_unreadable_is_no_reason_not_to_look(walked):
-    assert isinstance(violation.of_motion(replace(walked, text="figure = ")), tuple)
+    assert isinstance(solving.Solved.of(replace(walked, text="figure = ")).violations, tuple)
 
 
 @pytest.mark.slow
