@@ -6,7 +6,6 @@ stage         pictures of a figure in its scene, the same by OpenGL and by the C
 graphics      selection of the renderer: EGL, OSMesa, a display, or the CPU alone
 raster        software rendering: depth buffer, four samples per pixel, shadow maps
 depth_buffer  the nearest triangle in every pixel, seen from a camera or a light
-lights        lights of a scene, and their shadows
 camera        a camera that follows the figure smoothly
 layout        pictures side by side, and captions
 """

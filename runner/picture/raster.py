@@ -1,7 +1,8 @@
-"""Software rendering of a MuJoCo scene: triangles in a depth buffer, four samples per pixel, and shadow maps.
+"""Software rendering of a MuJoCo scene: triangles in a depth buffer, and four samples per pixel at edges.
 
-The lighting is that of MuJoCo's renderer without reflections and highlights: ambient, diffuse (Lambert), and haze in
-the distance. Colours are red, green and blue in [0, 1], float32.
+The lighting is ambient and diffuse (Lambert), without shadows of lights. Instead, the scene is shaded directly below
+figures: the nearer a foot, the darker, so that its height is visible. Colours are red, green and blue in [0, 1],
+float32.
 """
 
 from __future__ import annotations
@@ -16,7 +17,6 @@ from numpy.typing import NDArray
 from ..scene.mujoco_versions import lamp
 from ..scene.triangles import MESHES, half_extent, picture_repeat, piece_of, texels, triangles
 from .depth_buffer import Eye, Faces
-from .lights import Light
 
 Picture = NDArray[np.uint8]
 Array = NDArray[np.float64]
@@ -30,11 +30,12 @@ DRAWN = {int(kind) for kind in (_KINDS.mjGEOM_PLANE, _KINDS.mjGEOM_HFIELD, _KIND
 FAR = 1000.0  # [m] extent of an infinite plane
 SAMPLES = np.array([[1, 5], [3, 1], [5, 7], [7, 3]]) / 8  # positions in a pixel, in different rows and columns
 AT_ONCE = 30_000  # samples shaded at once, few enough for the processor's cache
-SHADOW_DETAIL = 1.6  # texels of a shadow map for each pixel of the picture's longer side
-SHADOW_MARGIN = 1.3  # radius of the region with shadows, relative to that of the region in view
+SKY = np.array([0.84, 0.88, 0.93], np.float32)  # colour of the background
 HAZE_START, HAZE_LENGTH = 9.0, 28.0  # [m] distance at which haze begins, and length scale of its increase
-HAZE_RISE = 0.05  # sine of the angle above the horizon within which the haze thins
-DAYLIGHT = np.array([[0.62, 0.72, 0.86], [0.9, 0.93, 0.97]], np.float32)  # zenith and horizon of the default sky
+SHADE, SHADE_HEIGHT = 0.6, 0.25  # share of light that a foot on the ground takes, and length scale of its decrease [m]
+SHADE_TEXELS = 1024  # width and height of the map of heights above the ground
+FADING = 4.0  # [1] reciprocal of the share of a repetition of a texture at whose extent per pixel it has faded
+SUNK = 0.02  # [m] depth of a foot in the ground up to which it is shaded
 OFF_EDGES = 1e-6  # [1] of a texture, so that rounding does not decide about pixels on the edge of a texel
 
 
@@ -52,7 +53,7 @@ class View(NamedTuple):
     eye: Eye
     surface: Surface
     faces: Faces
-    lights: list[Light]
+    lowest: HeightMap
     geoms: list[Any]
     colour: Floats
     emission: Floats
@@ -65,7 +66,6 @@ class Raster:
     def __init__(self, model: mujoco.MjModel, height: int, width: int, max_geom: int) -> None:
         self.scene = mujoco.MjvScene(model, max_geom)
         self._model, self._width, self._height = model, width, height
-        self._sky = Sky(model)
         self._shape = cache(self._shape_of)
         self._pattern = cache(lambda geom: Pattern(model, geom))
         self._tint = cache(lambda material: _texture_tint(model, material))
@@ -99,8 +99,8 @@ class Raster:
         colour = np.array([g.rgba[:3] * self._tint(g.matid) for g in geoms], np.float32).reshape(-1, 3)
         emission = np.array([g.emission for g in geoms], np.float32)
         is_still = np.array([g.category == mujoco.mjtCatBit.mjCAT_STATIC for g in geoms], bool)
-        lights = self._lights(eye, surface, geoms, is_still)
-        return View(eye, surface, Faces(eye, surface.points), lights, geoms, colour, emission, is_still)
+        lowest = HeightMap(surface.points[~is_still[surface.geom]])
+        return View(eye, surface, Faces(eye, surface.points), lowest, geoms, colour, emission, is_still)
 
     def _eye(self) -> Eye:
         """Return the camera of the scene, midway between its two stereo cameras."""
@@ -124,22 +124,20 @@ class Raster:
             parts.append(Surface(points @ turn + geom.pos, normals @ turn, np.full(len(points), index)))
         return Surface(*(np.concatenate(part) for part in zip(*parts, strict=True)))
 
-    def _lights(self, eye: Eye, surface: Surface, geoms: list[Any], is_still: NDArray[np.bool_]) -> list[Light]:
-        """Return the active lights, with shadows of objects near the figures."""
-        solid = np.array([geom.type != PLANE for geom in geoms], bool)[surface.geom]
-        figures = surface.points[~is_still[surface.geom]].reshape(-1, 3)
-        if not len(figures):
-            figures = (eye.position + eye.axes[2] * self._model.stat.extent)[None]
-        low, high = figures.min(axis=0), figures.max(axis=0)
-        centre = (low + high) / 2
-        in_view = np.linalg.norm(centre - eye.position) * np.hypot(eye.width, eye.height) / 2 / eye.focus
-        radius = SHADOW_MARGIN * max(float(np.linalg.norm(high - low)) / 2, float(in_view))
-        size = round(SHADOW_DETAIL * max(eye.width, eye.height))
-        return [
-            Light.of(light, surface.points[solid], centre, radius, size)
-            for light in self.scene.lights[: self.scene.nlight]
-            if lamp(light) != "image"
-        ]
+    def _light(self, points: Array, normals: Floats) -> Floats:
+        """Return the light at points (n, 3) with unit normals (n, 3), without shadows, (n, 3)."""
+        out = np.zeros((len(points), 3), np.float32)
+        for light in self.scene.lights[: self.scene.nlight]:
+            kind, direction = lamp(light), np.array(light.dir, np.float32)
+            if kind == "image":
+                continue
+            towards = -direction[None] if kind == "directional" else (light.pos - points).astype(np.float32)
+            towards /= np.linalg.norm(towards, axis=1, keepdims=True) + np.float32(1e-9)
+            reached = (normals * towards).sum(axis=1).clip(0)
+            if kind == "spot":
+                reached *= towards @ -direction > np.cos(np.radians(light.cutoff))
+            out += light.ambient + light.diffuse * reached[:, None]
+        return out
 
     def _colour(self, view: View, x: Array, y: Array, face: Ints, closeness: Array) -> Floats:
         """Return colours at pixels (n, 3), of the visible face, or of the sky where its index is negative."""
@@ -148,7 +146,7 @@ class Raster:
         rays /= length[:, None]
         met, empty = np.flatnonzero(face >= 0), np.flatnonzero(face < 0)
         out = np.empty((len(face), 3), np.float32)
-        out[empty] = self._sky.colour(rays[empty])
+        out[empty] = SKY
         face, rays, distance = face[met], rays[met], length[met] / closeness[met]
         number = view.faces.number[face]
         points, geom = view.eye.position + rays * distance[:, None], view.surface.geom[number]
@@ -159,15 +157,16 @@ class Raster:
             plane = view.geoms[index]
             if plane.type == PLANE and piece_of(self._model, plane.objid).picture >= 0:
                 on = np.flatnonzero(geom == index)
-                local, ahead = (points[on] - plane.pos) @ plane.mat, rays[on] @ plane.mat
-                spacing = distance[on] / view.eye.focus
-                base[on] = plane.rgba[:3] * self._pattern(plane.objid).colour(local, ahead, spacing)
-        energy = np.repeat(view.emission[geom, None], 3, axis=1)
-        for light in view.lights:
-            energy += light.ambient + light.diffuse * light.shine(points, normals)[:, None]
+                slope = np.abs(rays[on] @ plane.mat[:, 2]).clip(1e-3)
+                patch = distance[on] / view.eye.focus / slope
+                local = (points[on] - plane.pos) @ plane.mat
+                base[on] = plane.rgba[:3] * self._pattern(plane.objid).colour(local, patch)
+        energy = view.emission[geom, None] + self._light(points, normals)
+        still = np.flatnonzero(view.is_still[geom])
+        base[still] *= 1 - SHADE * view.lowest.closeness(points[still])[:, None]
         depth = np.where(view.is_still[geom], np.maximum(distance - HAZE_START, 0), 0)
         clear = np.exp(-depth.astype(np.float32) / np.float32(HAZE_LENGTH))[:, None]
-        out[met] = self._sky.haze + clear * (np.minimum(base * energy, 1) - self._sky.haze)
+        out[met] = SKY + clear * (np.minimum(base * energy, 1) - SKY)
         return out
 
 
@@ -178,52 +177,42 @@ def _texture_tint(model: mujoco.MjModel, material: int) -> Array:
 
 
 class Pattern:
-    """The repeated texture of a plane, averaged over about the area of a pixel (mipmaps)."""
+    """The repeated texture of a plane, which fades into its mean colour in the distance."""
 
     def __init__(self, model: mujoco.MjModel, geom: int) -> None:
         plane = piece_of(model, geom)
         self._repeat = picture_repeat(model, plane, half_extent(plane, 1.0))
-        self._levels = [(texels(model, plane.picture) / 255).astype(np.float32)]
-        while min(height := self._levels[-1].shape[0] // 2, width := self._levels[-1].shape[1] // 2):
-            finer = self._levels[-1][: 2 * height, : 2 * width]
-            self._levels.append(finer.reshape(height, 2, width, 2, 3).mean(axis=(1, 3)))
+        self._texels = (texels(model, plane.picture) / 255).astype(np.float32)
+        self._mean = self._texels.mean(axis=(0, 1))
 
-    def colour(self, local: Array, rays: Array, spacing: Array) -> Floats:
-        """Return the colours of the texels as large as the patches that the pixels cover, (n, 3).
+    def colour(self, points: Array, patch: Array) -> Floats:
+        """Return the colours (n, 3) of points (n, 3) in the plane's frame.
 
-        local (n, 3) [m] are points where unit rays (n, 3) meet the plane, in its frame. spacing (n,) [m] is the
-        distance of neighbouring rays there, perpendicular to them.
+        patch (n,) [m] is the largest extent of a pixel on the plane.
         """
-        side = spacing / np.sqrt(np.maximum(np.abs(rays[:, 2]), 1e-4))  # geometric mean of the patch's sides
-        covered = side * self._repeat.max() * max(self._levels[0].shape[:2])  # [texels]
-        level = np.clip(np.rint(np.log2(np.maximum(covered, 1.0))), 0, len(self._levels) - 1).astype(int)
-        place = (local[:, :2] * self._repeat + OFF_EDGES) % 1
-        colour = np.empty((len(local), 3), np.float32)
-        for number in np.unique(level):
-            texture, of_level = self._levels[number], level == number
-            height, width = texture.shape[:2]
-            column, row = (place[of_level] * [width, height]).astype(int).T
-            colour[of_level] = texture[row % height, column % width]
-        return colour
+        height, width = self._texels.shape[:2]
+        column, row = (((points[:, :2] * self._repeat + OFF_EDGES) % 1) * [width, height]).astype(int).T
+        strength = (1 - FADING * patch * self._repeat.max()).clip(0, 1).astype(np.float32)[:, None]
+        return self._mean + strength * (self._texels[row % height, column % width] - self._mean)
 
 
-class Sky:
-    """The colour above the horizon, from the model's skybox or of daylight; haze (3,): that of the distance."""
+class HeightMap:
+    """The lowest surface of the figures above every point of the ground, seen from far below."""
 
-    def __init__(self, model: mujoco.MjModel) -> None:
-        self._zenith, self.haze = DAYLIGHT
-        boxes = np.flatnonzero(model.tex_type == mujoco.mjtTexture.mjTEXTURE_SKYBOX)
-        self._horizon = self.haze
-        if len(boxes):
-            self.haze = model.vis.rgba.haze[:3].astype(np.float32)
-            picture = (texels(model, int(boxes[0])) / 255).astype(np.float32)
-            faces = picture.reshape(-1, picture.shape[1], picture.shape[1], 3)
-            side = faces[4 if len(faces) == 6 else 0].mean(axis=1)  # of the box, from top to bottom
-            self._zenith, self._horizon = side[0], side[len(side) // 2]
+    def __init__(self, points: Array) -> None:
+        """Draw triangles (m, 3, 3) of figures."""
+        low, high = (points.min(axis=(0, 1)), points.max(axis=(0, 1))) if len(points) else np.zeros((2, 3))
+        self._depth = 1000 * (float((high - low).max()) + 1e-3)  # so far that rays are almost vertical
+        position, size = (low + high) / 2 - [0, 0, self._depth], SHADE_TEXELS
+        self._eye = Eye(position, np.eye(3), 990.0 * size, size, size, near=1e-3)
+        self._closest = Faces(self._eye, points).cover(np.array([0.5, 0.5]))[0]
 
-    def colour(self, directions: Array) -> Floats:
-        """Return the colours of unit directions, by their elevation, with haze at the horizon, (n, 3)."""
-        rise = np.maximum(directions[:, 2].astype(np.float32), 0)[:, None]
-        steep = np.minimum(rise / np.sqrt(np.maximum(1 - rise**2, 1e-6)), 1)
-        sky = self._horizon + steep * (self._zenith - self._horizon)
-        return sky + np.exp(-rise / HAZE_RISE) * (self.haze - sky)
+    def closeness(self, points: Array) -> Floats:
+        """Return how near the lowest surface above points (n, 3) is: 1 at contact, towards 0 in height, (n,)."""
+        x, y, depth = self._eye.project(points).T
+        column, row = (x / depth).astype(int), (y / depth).astype(int)
+        inside = (column > 0) & (row > 0) & (column < SHADE_TEXELS) & (row < SHADE_TEXELS)
+        closest = np.where(inside, self._closest[np.where(inside, row * SHADE_TEXELS + column, 0)], 0.0)
+        with np.errstate(divide="ignore"):
+            height = 1 / closest - depth
+        return np.where(height > -SUNK, np.exp(-np.abs(height) / SHADE_HEIGHT), 0).astype(np.float32)

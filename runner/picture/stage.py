@@ -1,4 +1,4 @@
-"""Pictures of a figure in its scene, the same by OpenGL and by the CPU alone."""
+"""Pictures of a figure in its scene, by OpenGL or by the CPU alone."""
 
 from __future__ import annotations
 
