@@ -30,13 +30,13 @@ class Elimination:
     """
 
     def __init__(self, spline: Spline, held: Mask) -> None:
-        self.held, held = held, held[spline.order]
-        free = np.flatnonzero(~held)
+        self.held, is_eliminated = held, held[spline.order]
+        free = np.flatnonzero(~is_eliminated)
         self.count, self.size = free.size, max(free.size, LOCAL)
         # indices of the free coefficients before and after each held one, and the weights of both
-        before = np.cumsum(~held) - 1
+        before = np.cumsum(~is_eliminated) - 1
         columns = np.clip(np.column_stack([before, before + 1]), 0, self.count - 1)
-        weights = -_influence(spline, held)
+        weights = -_influence(spline, is_eliminated)
         weights[free] = 1.0, 0.0
         largest = np.zeros(self.size)
         np.maximum.at(largest, columns, np.abs(weights))

@@ -75,9 +75,9 @@ class Layout:
         if unknowns.ties is not None:
             self.tied = np.diff(unknowns.ties.indptr).reshape(self.free.shape).any(axis=1)
         self.is_loop = spline.ends == "periodic"
-        held = np.asarray(~self.tied & ~self.free.any(axis=1))
-        held[-2:] &= not self.is_loop  # rows of jumps
-        self.basis = Elimination(spline, held)
+        is_fixed = np.asarray(~self.tied & ~self.free.any(axis=1))
+        is_fixed[-2:] &= not self.is_loop  # rows of jumps
+        self.basis = Elimination(spline, is_fixed)
         self.sampling = self.basis.sampled(problem.sampling)
         self.count = self.basis.size
         order = np.arange(self.count)
@@ -234,8 +234,8 @@ class Layout:
     def _held(self) -> Index:
         """The frames of which some degrees of freedom are fixed, except whole keyframes and a loop's last frame."""
         is_free = np.asarray(self.free.all(axis=1))
-        held = np.flatnonzero(~(is_free | self.basis.held)[:-2])
-        return held[held < len(self.free) - 3] if self.is_loop else held
+        frames = np.flatnonzero(~(is_free | self.basis.held)[:-2])
+        return frames[frames < len(self.free) - 3] if self.is_loop else frames
 
     def _springs(self) -> Array:
         timeline, unknowns = self.problem.timeline, self.problem.unknowns

@@ -54,7 +54,7 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
   const start = joint.kind === "free" ? joint.qpos + 3 : joint.qpos;
   const fixed = state.fixed[start];
   const numbers = values(joint, state.qpos);
-  const at = ["keyframe", key], isRoot = joint === model.stage!.joints.find((each) => each.kind === "free"); // or a free body beside it
+  const at = ["keyframe", key], isRoot = joint === model.stage!.joints.find((each) => each.kind === "free"); // or another free body
   const rooted = (part: object) => (isRoot ? { root: part } : { roots: { [joint.name]: part } });
   const explicit = joint.kind === "free" || authored.joints?.[joint.name] !== undefined;
   const mode = fixed ? "pin" : "free";
