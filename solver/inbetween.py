@@ -29,7 +29,7 @@ from .refine.parts import Part, Window, edited, is_long, windows
 from .refine.subdivision import CRITERIA, midpoints, split
 from .search.descent import Descent, optimiser_of
 from .search.minimum import Optimiser, Stop
-from .search.refinement import NONE
+from .search.nlopt_methods import NONE
 from .search.restart_criteria import cost_increased, is_poor_minimum, is_pose_outlier, violation_dominates
 from .search.selection import select_best
 from .solution import Improvement, Solution

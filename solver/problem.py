@@ -23,7 +23,7 @@ from .objective import Objective
 from .penalty import Guide, Penalty, Posture, Role
 from .refine.subdivision import CRITERIA
 from .search.minimum import Optimiser
-from .search.refinement import LBFGS
+from .search.nlopt_methods import LBFGS
 
 # default initial number of variable frames per segment: FEW if the clip is solved as a whole, MORE if in windows
 FEW, MORE = 2, 3

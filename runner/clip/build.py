@@ -14,7 +14,7 @@ from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import Penalty, Placed
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.search.refinement import DENSE, is_practical
+from dynsplines.solver.search.nlopt_methods import DENSE, is_practical
 from dynsplines.solver.surface import static_surfaces
 
 from ..errors import UserError

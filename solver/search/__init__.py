@@ -4,7 +4,7 @@ descent           minimisation on one timeline (steps 3 and 4 of the paper's fig
 minimum           the interface of optimisers: arguments, result, stop reasons
 newton            Gauss-Newton steps with Levenberg's damping, each a banded solve
 quadratic         the quadratic model of E that a step minimises, with one-sided residuals
-refinement        the algorithms of NLopt, for the final stage of a search
+nlopt_methods     the algorithms of NLopt, for the final stage of a search
 matrix_free       the alternative for figures with so many joints that Newton's matrices would not fit in memory
 restart_criteria  detection of poor local minima
 selection         the timeline of least E among several of one clip

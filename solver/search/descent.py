@@ -7,7 +7,7 @@ from ..objective import Discretised, Objective
 from .matrix_free import matrix_free
 from .minimum import MOST_EVALUATIONS, TOLERANCE, Improved, Minimum, Optimiser, Stop
 from .newton import GaussNewton
-from .refinement import LBFGS, METHODS, NONE, algorithm
+from .nlopt_methods import LBFGS, METHODS, NONE, algorithm
 
 WIDEST = 150  # columns of the state up to which Newton steps are used; the size of their blocks is quadratic in it
 FINE = 1e-7  # [1] default tolerance of `optimised`, relative to E

@@ -16,8 +16,8 @@ from ..curve import banded
 from ..objective import Discretised
 from .minimum import Improved, Minimum, Stop, StopSearch
 from .newton import FIRST_DAMPING, Search
+from .nlopt_methods import minimise
 from .quadratic import STIFF, Layout
-from .refinement import minimise
 
 METHOD = "lbfgs"
 SMALL = 1e-4  # [1] length of the step that probes E's curvature, relative to one that lowers E to zero at this slope

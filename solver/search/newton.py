@@ -21,8 +21,8 @@ import numpy as np
 from ..array import Array
 from ..objective import Discretised, Evaluation
 from .minimum import TOLERANCE, Improved, Minimum, Stop, StopSearch
+from .nlopt_methods import NONE, is_practical, minimise
 from .quadratic import Layout, Model, Proposal
-from .refinement import NONE, is_practical, minimise
 
 MAX_STEPS = 100  # default evaluation budget
 FIRST_DAMPING = 1.0  # in units of E's curvature in y''
@@ -40,7 +40,7 @@ class GaussNewton:
     """The default optimiser: Gauss-Newton steps, then a final stage near the minimum.
 
     Attributes:
-        method: The algorithm of NLopt for the final stage, see `refinement.algorithm`; "none": no final stage.
+        method: The algorithm of NLopt for the final stage, see `nlopt_methods.algorithm`; "none": no final stage.
         final: The tolerance of the last rounds; a round is one search and one subdivision. The final stage runs only if
             the tolerance of a search is no larger than this.
         damping: The damping of the next step, carried over from one search to the next.

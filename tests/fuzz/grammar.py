@@ -14,7 +14,7 @@ from fuzz.mangle import Rng, mangled_text
 
 from dynsplines.clip.kinds import KINDS as PENALTIES
 from dynsplines.clip.text import written
-from dynsplines.solver.search.refinement import METHODS
+from dynsplines.solver.search.nlopt_methods import METHODS
 
 MODEL = """
 <mujoco model="rich">

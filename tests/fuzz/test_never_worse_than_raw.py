@@ -26,7 +26,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure, JointKind
-from dynsplines.solver.search.refinement import METHODS
+from dynsplines.solver.search.nlopt_methods import METHODS
 from dynsplines.solver.search.selection import common_grid
 
 CLIPS = ("sit_down", "tumble", "walk_loop", "run_loop", "cartwheel", "run_and_step", "stairs")

@@ -17,7 +17,7 @@ SOLVER = [path for path in FILES if path.parts[0] == "solver"]
 PACKAGES = {"runner": "dynsplines", "solver": "dynsplines.solver", "models": "dynsplines.models"}  # that they are
 MAY_IMPORT = {"runner": set(HOUSE), "solver": {"solver"}, "models": {"models"}}
 ONLY_IN = {
-    "nlopt": {"solver/search/refinement.py"},
+    "nlopt": {"solver/search/nlopt_methods.py"},
     "imageio": {"runner/picture/film.py"},
     "threadpoolctl": {"solver/one_thread.py"},
     "tomllib": {"runner/clip/parse.py", "runner/studio/document.py"},

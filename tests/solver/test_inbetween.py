@@ -21,7 +21,7 @@ from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.parts import Part
 from dynsplines.solver.refine.subdivision import CRITERIA, split
 from dynsplines.solver.search.minimum import Stop, StopSearch
-from dynsplines.solver.search.refinement import METHODS
+from dynsplines.solver.search.nlopt_methods import METHODS
 from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point

@@ -25,7 +25,7 @@ from dynsplines.solver.penalty import (
     UnitMagnitude,
 )
 from dynsplines.solver.search.minimum import Minimum
-from dynsplines.solver.search.refinement import minimise
+from dynsplines.solver.search.nlopt_methods import minimise
 
 
 def turning(turns: list[float], variable: int) -> tuple[Objective, Timeline]:

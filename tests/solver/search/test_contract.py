@@ -15,7 +15,7 @@ from dynsplines.solver.objective import Discretised, Evaluation
 from dynsplines.solver.search.matrix_free import matrix_free
 from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
 from dynsplines.solver.search.newton import GaussNewton
-from dynsplines.solver.search.refinement import METHODS, NONE
+from dynsplines.solver.search.nlopt_methods import METHODS, NONE
 
 METHODS_OF_NLOPT = [method for method in METHODS if method != NONE]
 REPORTING = ("Gauss-Newton", "Gauss-Newton and refinement", "matrix-free")

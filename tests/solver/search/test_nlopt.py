@@ -10,8 +10,8 @@ from dynsplines import load
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.search.minimum import Minimum, Stop
-from dynsplines.solver.search.refinement import METHODS as NAMES
-from dynsplines.solver.search.refinement import NONE, minimise
+from dynsplines.solver.search.nlopt_methods import METHODS as NAMES
+from dynsplines.solver.search.nlopt_methods import NONE, minimise
 
 
 def rosenbrock(x: np.ndarray) -> tuple[float, np.ndarray]:

@@ -11,12 +11,12 @@ from small_problems import discretised, problem_of, slider
 from dynsplines.clip.load import load
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Discretised
-from dynsplines.solver.search import newton, refinement
+from dynsplines.solver.search import newton, nlopt_methods
 from dynsplines.solver.search.descent import Descent
 from dynsplines.solver.search.minimum import Minimum, Stop
 from dynsplines.solver.search.newton import GaussNewton
+from dynsplines.solver.search.nlopt_methods import METHODS, NONE
 from dynsplines.solver.search.quadratic import Layout, Model
-from dynsplines.solver.search.refinement import METHODS, NONE
 
 NAMES = [name for name in METHODS if name != NONE]
 
@@ -74,7 +74,7 @@ def test_nlopts_own_names_will_do_in_a_descent(problem):
 
 def test_a_dense_method_is_left_out_of_large_problems(problem, monkeypatch):
     monkeypatch.setattr(newton, "minimise", lambda *_, **__: pytest.fail("NLopt was asked"))
-    monkeypatch.setitem(refinement.DENSE, "slsqp", problem.unknowns.size - 1)
+    monkeypatch.setitem(nlopt_methods.DENSE, "slsqp", problem.unknowns.size - 1)
     rough, refined = rough_and_refined(problem, "SLSQP")
     assert refined.evaluations == rough.evaluations
 
