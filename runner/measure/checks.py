@@ -1,4 +1,4 @@
-"""Checks of a motion, one for each kind of violation.
+"""Checks of a motion, each for one or a few kinds of violation.
 
 A check measures several quantities, its rows, such as the depths of many points. An amount is the value of a row at a
 sample. Most amounts are residuals of a penalty; the search's tolerance near keyframes is not subtracted.
