@@ -78,7 +78,8 @@ def read_recording(
         record = read_by(kind, source, model, fps)
     record = gaps.without_missing(record, source)
     if record.mjcf is not None:
-        spec = mujoco.MjSpec.from_string(record.mjcf, assets=dict(record.assets))
+        spec = mujoco.MjSpec.from_string(record.mjcf)
+        spec.assets = dict(record.assets)
         model = compiled(spec, source)
     assert spec is not None and model is not None, "a reader returns a figure or requires one"
     qpos, notes = _unwrapped(model, record.time, record.qpos)
