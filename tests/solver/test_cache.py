@@ -127,7 +127,7 @@ sites.left_hand = [0.2, 0.3, {}]
 
 @pytest.mark.slow
 def test_an_edit_of_a_clip_keyed_by_places_searches_few_of_its_poses_and_gives_what_the_text_alone_does(monkeypatch):
-    monkeypatch.setattr(load, "figure_of", shared_figures.BUILT)  # no other test has searched these poses
+    monkeypatch.setattr(load, "scene_and_figure", shared_figures.COMPOSED)  # no other test has searched these poses
     places = "".join(REACH.format(time, height) for time, height in enumerate((1.1, 1.2, 1.4)))
     clip = recordings.from_text(f'figure = "human"\n{places}', name="reach")
     text = clip.text.replace("0.3, 1.4]", "0.3, 1.39]", 1)
