@@ -36,7 +36,7 @@ others = "rest"
 @pytest.fixture
 def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> Command:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(load, "figure_of", shared_figures.BUILT)  # MuJoCo warns while a figure is built
+    monkeypatch.setattr(load, "scene_and_figure", shared_figures.COMPOSED)  # MuJoCo warns while a figure is built
     Path("arm.xml").write_text(SINGULAR)
     Path("clip.toml").write_text(CLIP)
     return commanded(monkeypatch, capsys)
