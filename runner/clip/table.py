@@ -6,15 +6,15 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Annotated, Any, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import numpy as np
 from pydantic import BaseModel, ConfigDict, Field, Strict, model_validator
 
-from dynsplines.solver import quaternion as quat
-from dynsplines.solver.array import Array
-
 from ..system.quantity import LARGEST
+
+if TYPE_CHECKING:
+    from dynsplines.solver.array import Array
 
 
 @dataclass(frozen=True)
@@ -93,6 +93,9 @@ class RotationTable(Table):
         A heading rotates the other notation about the vertical; without one, it rotates the orientation in the rest
         pose, `rest` (4,) wxyz.
         """
+        # imported here: it imports mujoco, which must wait until a renderer is chosen, see `graphics.choose`
+        from dynsplines.solver import quaternion as quat
+
         if self.is_heading:
             other = rest
         elif self.rotvec is not None:

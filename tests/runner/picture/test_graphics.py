@@ -101,3 +101,12 @@ def test_nothing_is_launched_when_the_libraries_are_absent(monkeypatch: pytest.M
     monkeypatch.setattr(graphics, "_opens", lambda *names: False)
     monkeypatch.setattr(graphics, "_draws", lambda backend: pytest.fail("a process was launched"))
     assert not graphics._works("egl")
+
+
+def test_modules_that_are_imported_while_a_renderer_is_chosen_leave_mujoco_to_it():
+    script = (
+        "import sys, importlib; from dynsplines import cli\n"
+        "for name in cli.BEFORE_MUJOCO: importlib.import_module(name)\n"
+        "assert 'mujoco' not in sys.modules"
+    )
+    subprocess.run([sys.executable, "-c", script], check=True)
