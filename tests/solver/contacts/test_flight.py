@@ -8,7 +8,7 @@ from figures import figure_of
 from oracles import kinematics
 
 from dynsplines import inbetween, load
-from dynsplines.solver.contacts import flights, stances
+from dynsplines.solver.contacts import Stance, flights, stances
 from dynsplines.solver.contacts.flight import STRETCHED
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.curve.frame import Frame
@@ -72,6 +72,16 @@ def test_there_is_none_where_the_ground_would_have_to_push_faster_than_a_leap():
 @pytest.mark.parametrize("z", [1.0, STRETCHED - 0.01, 2.1])
 def test_there_is_none_at_a_height_that_a_stretched_body_reaches_or_none_leaps(z):
     assert hop(crouch(0), (0.7, z, 0.3), crouch(1.4)) == ()
+
+
+@pytest.mark.parametrize(("first", "last"), [(0.1, 0.4), (0.5, 0.8)])
+def test_there_is_none_while_something_else_carries(first, last):
+    leap = crouch(0), (0.45, 1.45, 0.1), crouch(0.9)
+    keys = raw_timeline(FIGURE, [Frame.key(t, [0, 0, z, 1, 0, 0, 0, drawn]) for t, z, drawn in leap])
+    sole, hand = KeyframePoints.of(FIGURE, keys, SOLE, (FLOOR,)), Point("hand", 1, np.zeros(3))
+    assert len(flights(1, sole, ())) == 1
+    carried = flights(1, sole, [Stance(hand, first, last, np.zeros(3), np.zeros(3))])
+    assert all(end <= first or begin >= last for begin, end in carried)
 
 
 LEGS = ", ".join(f'{side}_{part} = "free"' for side in ("left", "right") for part in ("hip", "knee", "ankle"))

@@ -307,3 +307,18 @@ def test_a_figure_on_one_leg_that_moves_its_foot_hops(feet, moved, stays_low):
     timeline = raw_timeline(FIGURE, [key(0.0, 0.0, feet[0]), key(0.5, moved, feet[1])])
     schedule = ContactSchedule(FIGURE, timeline, SOLES, (FLOOR,))
     assert schedule.grounded == (((0.0, 0.5),) if stays_low else ())
+
+
+def test_points_that_touch_only_later_do_not_push_yet():
+    """A foot on its toe that comes down flat in the third keyframe."""
+    found = footings_of(on_toe(0, 0.295, LEFT), on_toe(0.1, 0.295, LEFT), key(0.2, 0, LEFT))
+    assert [(f.point.name, f.first) for f in found] == [("left_toe", 0.0), ("left_heel", 0.1), ("left_toe", 0.1)]
+
+
+def test_an_object_on_the_floor_does_not_ground_the_figure():
+    ball, place = '<body name="ball"><freejoint/><geom size=".1"/></body>', [2, 0, 0.1, 1, 0, 0, 0]
+    figure = figure_of(WALKER.replace("</worldbody>", f"{ball}</worldbody>"))
+    keys = [Frame.key(t, [*key(t, t, AIR, z=1.5).state, *place]) for t in (0.0, 0.3)]
+    schedule = ContactSchedule(figure, raw_timeline(figure, keys), SOLES, (FLOOR,))
+    assert {point.link for point in schedule.low_points} == {1, 2, 3}
+    assert schedule.grounded == ()

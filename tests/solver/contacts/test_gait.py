@@ -66,6 +66,12 @@ def test_feet_that_slip_are_believed_where_those_of_other_periods_slip_more_and_
     assert gait(sped_up(5.0), every).infer() is None
 
 
+def test_feet_that_slip_are_not_believed_at_an_unsteady_pace_however_slow():
+    poses, every = sped_up(1.5, stops=True), round(0.42 * FINE)
+    keys = [Frame.key(1.5 * TIME[k], poses[k]) for k in range(0, TIME.size, every)]
+    assert Gait(FIGURE, raw_timeline(FIGURE, keys), SOLES, GROUND).infer() is None
+
+
 def test_its_poses_are_those_of_the_walk():
     seen = gait(WALK, 0.42)
     gait_cycle = seen.infer()

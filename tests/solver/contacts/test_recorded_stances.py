@@ -323,6 +323,8 @@ def test_how_unsure_a_recording_is_of_its_points_is_the_noise_of_the_one_that_is
     recorded = RecordedMotion(SLED, times, qpos, np.ones((400, 2)))
     first = Point("first", 1, np.zeros(3))
     low, high = largest_noise(recorded, [first]), largest_noise(recorded, [first, RUNNER])
+    slower = RecordedMotion(SLED, 6 * times, qpos, np.ones((400, 2)))  # ten samples a second
+    assert largest_noise(slower, [RUNNER]) == pytest.approx(high)
     assert low <= high
     seen = position_noise(np.stack([qpos[:, 0], 0 * times, qpos[:, 1]])[:, None], np.ones(400))[0]
     assert high == pytest.approx(seen, rel=0.3)
