@@ -93,3 +93,9 @@ def test_at_samples_four_of_its_functions_are_nonzero(rng, held):
     sampling = Sampling.of(spline, np.sort(rng.uniform(*spline.times[[0, -1]], 50)))
     for ours, theirs in zip(basis.sampled(sampling).bases, sampling.bases, strict=True):
         np.testing.assert_allclose(ours.toarray(), theirs.toarray() @ basis.matrix.toarray(), atol=1e-9)
+
+
+def test_a_square_of_rows_is_the_upper_triangle_of_their_product(rng):
+    rows = rng.normal(size=(5, 3))
+    np.testing.assert_allclose(banded.squared(rows), np.triu(rows.T @ rows), rtol=1e-12)
+    np.testing.assert_allclose(banded.squared(rows, -2.0), np.triu(-2 * rows.T @ rows), rtol=1e-12)

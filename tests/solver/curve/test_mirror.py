@@ -226,3 +226,17 @@ def test_unnamed_joints_at_the_same_place_are_their_own_mirror_images():
     text = f'<mujoco><worldbody><body><freejoint/><geom size=".1"/>{joints}</body></worldbody></mujoco>'
     qpos = np.array([0, 0, 0, 1, 0, 0, 0, 0.3, 0.1])
     np.testing.assert_allclose(Mirror.of(figure_of(text)).configurations(qpos), qpos)
+
+
+def test_two_free_bodies_named_by_side_are_each_others_mirror_images(rng):
+    """Each with a hinge; together as one body they have no middle."""
+    bodies = "".join(
+        f'<body pos="0 {y} 1"><freejoint name="{side}_root"/><geom size=".1"/>'
+        f'<body pos="0 0 -.3"><joint name="{side}_hinge" axis="0 1 0"/><geom size=".1"/></body></body>'
+        for side, y in (("left", 0.4), ("right", -0.4))
+    )
+    figure = figure_of(f"<mujoco><worldbody>{bodies}</worldbody></mujoco>")
+    mirror, qpos = Mirror.of(figure), random_qpos(figure, rng)
+    np.testing.assert_array_equal(mirror.partner, [0, 3, 4, 1, 2])
+    places, images = (kinematics(figure.model, q).xpos for q in (qpos, mirror.configurations(qpos)))
+    np.testing.assert_allclose(images[[3, 4, 1, 2]], places[1:] @ REFLECTION, atol=1e-9)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from even_frames import evenly
-from figures import BALL_TREE, figure_of
+from figures import BALL, BALL_TREE, figure_of
 from random_keys import TIMES, distance_from_key, mask_without, masks_by_name, random_keys
 from scipy.interpolate import CubicSpline
 
@@ -143,6 +143,16 @@ def test_a_quaternion_laid_on_the_other_hemisphere_takes_its_clamped_slope_along
     assert (signs < 0).any()
     flipped = raw_timeline(figure, [*keys[:-1], Frame.key(keys[-1].time, mirrored)], "clamped", mirrored_slope)
     np.testing.assert_allclose(flipped.rows, same.rows, atol=1e-12)
+
+
+def test_a_clamped_turn_by_more_than_half_a_circle_ends_with_its_slope():
+    figure = figure_of(BALL)
+    turns = [quat.from_rotation_vector([0, 0, np.radians(angle)]) for angle in (0, 100, 200, 300)]
+    keys = [Frame.key(float(i), [0, 0, 1, *turn]) for i, turn in enumerate(turns)]
+    slope = np.zeros((2, 7))
+    slope[1, 3:] = quat.product(turns[-1], np.array([0, 0, 0, 0.5]))
+    path = path_of(raw_timeline(figure, keys, "clamped", slope))
+    np.testing.assert_allclose(path.at(np.array([0.0, 3.0]), 1), slope, atol=1e-12)
 
 
 def test_a_loop_closes_whatever_the_length_and_sign_of_its_quaternions(figure, rng):
