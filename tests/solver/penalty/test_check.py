@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -106,6 +106,18 @@ class Excess(Power):
         at = np.arange(samples.count)
         slope = Entries(at, 1, np.zeros_like(at), 1 + self.error)
         yield Block(at, samples.y_d[:, 0] - self.bound, (slope,), one_sided=True)
+
+
+class Early(Excess):
+    """The same during the first second alone."""
+
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        for block in super().residuals(samples):
+            yield replace(block, weight=((samples.t > 0) & (samples.t < 1)).astype(float))
+
+
+def test_samples_lie_at_several_times_of_the_first_second():
+    check(Early(1, bound=-1.0), FIGURE)
 
 
 def test_a_one_sided_penalty_is_checked_only_where_a_residual_is_positive():

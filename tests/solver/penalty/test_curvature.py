@@ -2,7 +2,7 @@
 one-sided residuals of contact and bend limits, and the weak form's promises."""
 
 from collections.abc import Callable, Iterator
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
@@ -35,12 +35,13 @@ from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import (
     BendLimits,
     Contact,
+    CovariantAcceleration,
     Normalization,
     Penalty,
     RootAcceleration,
     Torque,
 )
-from dynsplines.solver.penalty.block import Block, every
+from dynsplines.solver.penalty.block import Block, Dense, every
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.refine import euler_lagrange
 from dynsplines.solver.refine.euler_lagrange import WeakForm
@@ -73,6 +74,20 @@ def test_the_quadratic_form_and_the_diagonal_are_those_of_the_same_matrices(figu
         assert_near(curvature.quadratic(phi, first, last), each[first:last].sum(axis=0), 1e-12)
     by_acceleration = assembled(curvature, np.tile([[[0.0], [0], [1]]], (samples.count, 1, 1)))
     assert_near(curvature.acceleration(), np.einsum("snn->sn", by_acceleration), 1e-12)
+
+
+@dataclass(frozen=True)
+class BySweeps(CovariantAcceleration):
+    """The covariant acceleration without a curvature of its own."""
+
+    def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
+        for block in super().residuals(samples):
+            yield replace(block, curved=None) if isinstance(block, Dense) else block
+
+
+def test_the_curvature_of_a_residual_without_one_of_its_own_is_twice_the_square_of_its_jacobian(figure, rng):
+    _, residuals = RESIDUALS["covariant"]
+    assert_squares(BySweeps(), residuals, some_samples(figure, rng), rng)
 
 
 class Entry(Penalty):

@@ -111,6 +111,8 @@ def test_moments_of_which_nothing_is_known_cost_nothing(figure, rng):
     assert not support.rest(samples).any()
     nothing = Support.of(figure, 1, (), ())
     assert not nothing.has_intervals
+    assert Support.of(figure, 1, (), ((0.1, 0.2),)).has_intervals
+    assert standing(figure, rng).has_intervals
     assert not nothing.evaluate(samples).any()
 
 

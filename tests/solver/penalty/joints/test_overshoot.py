@@ -59,6 +59,7 @@ def test_values_that_neighbouring_keyframes_share_are_held_tightly_where_the_raw
     assert bounds([0, 1, 2, 3], [40, 40, 40, 40]) == {}
     assert bounds([0, 0.1, 0.2, 0.3], [0, 90, 90, 0]) == {}  # passed in a tenth of a second
     assert bounds([0, 0.1, 0.3, 0.4], [0, 90, 90, 0]) == {0.1: 1}
+    assert bounds([0, 0.125, 0.3125, 0.4375], [0, 90, 90, 0]) == {0.125: 1}  # exactly 1.5 times as long as the others
 
 
 def test_turning_points_of_what_repeats_itself_are_no_holds() -> None:
