@@ -132,3 +132,25 @@ def test_floor_clearance_is_the_depth_of_the_lowest_sphere_beyond_the_permitted_
 def test_a_line_gives_no_support_polygon():
     assert SupportPolygon.of(1, np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]])) is None
     assert SupportPolygon.of(1, np.zeros((0, 3))) is None
+
+
+def test_a_restart_that_gains_little_leaves_the_pose_where_it_is(arm, rng):
+    """Out of reach, restarts of the limb end in the same minimum, so the arm must not jump to another of its poses."""
+    home, free, everything = 0.5 * rng.normal(size=3), np.ones(3, bool), np.ones(3, bool)
+    begin, goal = 0.5 * rng.normal(size=3), hand(arm, 2.5 * tip(arm, home))
+    without, restarted = (
+        dragged(arm, home, free, goal, Constraints(), begin=begin, limb=limb).qpos for limb in (None, everything)
+    )
+    np.testing.assert_array_equal(restarted, without)
+
+
+@pytest.mark.parametrize(("begin", "there"), [([0, 1.8, 0.4], [1.3, -0.6, 1.1]), ([-1.7, 1.9, 1.4], [0.8, 0.1, 1.5])])
+def test_a_pull_out_of_a_corner_of_the_ranges_restarts_the_limb_from_home(begin, there):
+    ranges = {"a": "-2 2", "b": "-2 2", "c": "0 2.6"}
+    text = ARM
+    for name, limits in ranges.items():
+        text = text.replace(f'name="{name}" type="hinge"', f'name="{name}" type="hinge" range="{limits}"')
+    arm, home, free = figure_of(text), np.array([0, 0, 0.3]), np.ones(3, bool)
+    goal, start = hand(arm, tip(arm, there)), np.array(begin, float)
+    assert dragged(arm, home, free, goal, Constraints(), begin=start).missed[0] > 0.5
+    assert dragged(arm, home, free, goal, Constraints(), begin=start, limb=free).missed[0] < 0.01

@@ -116,7 +116,8 @@ def test_what_a_search_adds_up_changes_as_its_rows_say(rng):
     knee = next(i for i, link in enumerate(figure.links) if link.name == "knee")
     bends = BendLimits((Bend("knee", knee, np.array([0.0, 1, 0]), np.array([0.0, 0, -1])),), 0.1, 0.2, 0.3)
     goals = (SiteGoal("tip", np.ones(3)), PointGoal.of(figure, Point("foot", len(figure.links) - 1, np.ones(3))))
-    search = PoseSearch(figure, home, np.ones(figure.model.nq, bool), goals, bends)
+    preferred = ((0.3, SiteGoal("toe", np.zeros(3))),)
+    search = PoseSearch(figure, home, np.ones(figure.model.nq, bool), goals, bends, preferred=preferred)
     near = search.moved(home, 1e-3 * rng.normal(size=search.dofs.size))
     rows = np.concatenate([rows for _, rows in search.linearised(near)])
     expected = differences(
@@ -189,3 +190,12 @@ def test_as_many_poses_to_begin_with_as_asked_for_all_inside_the_ranges_and_the_
     assert len(different) == count
     again = list(searching(figure, home).starts_around(count))
     np.testing.assert_array_equal(again, starts)  # the same command finds the same pose
+
+
+def test_a_start_bends_hinges_that_bend_one_way_from_the_nearer_end_of_their_range():
+    figure = figure_of(RANGED)
+    goals = SiteGoal("tip", np.zeros(3)), SiteGoal("toe", np.zeros(3))
+    search = PoseSearch(figure, np.array(figure.model.qpos0), np.ones(figure.model.nq, bool), goals, None)
+    start = search.begun(figure.model.qpos0, 0.4)
+    for name, angle in (("elbow", -0.1 + 0.4), ("hip", 0.2 - 0.4), ("reach", 0.0), ("free", 0.0)):
+        assert start[figure.model.joint(name).qposadr[0]] == pytest.approx(angle, abs=1e-4)
