@@ -106,3 +106,15 @@ def test_any_ends(ends: str) -> None:
             assert path.at(np.zeros(1), order)[0] == pytest.approx(path.at(np.array([1.5]), order)[0], abs=1e-6)
     if ends == "clamped":
         assert path.at(np.array([0, 1.5]), 1) == pytest.approx(0, abs=1e-9)
+
+
+def test_slower_motions_are_changed_by_as_much_at_their_keyframes():
+    figure = figure_of(
+        '<mujoco><worldbody><body><joint name="first" range="0 90"/><geom size=".1"/></body></worldbody></mujoco>'
+    )
+    states = []
+    for pace in (20.0, 100.0):
+        keys = [Frame.key(pace * t, [np.radians(x)]) for t, x in ((0, 30), (0.3, 90), (0.5, 88), (0.9, 0), (1.5, 30))]
+        path = path_of(limited(figure, raw_timeline(figure, keys), joint_ranges(figure)))
+        states.append(path.at(pace * np.linspace(0, 1.5, 200)))
+    np.testing.assert_allclose(states[1], states[0], atol=2e-3)

@@ -147,10 +147,10 @@ def test_a_clip_in_windows_costs_no_more_than_the_whole_and_meets_its_keyframes(
         np.testing.assert_array_equal(each.path.rows, path.rows)
 
 
-@pytest.mark.slow
-def test_the_budget_of_variable_frames_is_kept_in_windows_too(short):
-    settings = Settings(variable=1, frames=2 * SEGMENTS, threshold=0.0, max_evaluations=10)
-    assert inbetween(Problem(FIGURE, long_keys(), penalties(), settings)).timeline.variable_count <= 2 * SEGMENTS
+def test_the_budget_of_variable_frames_is_spent_and_kept_in_windows_too(short):
+    settings = Settings(variable=1, frames=2 * SEGMENTS, threshold=0.0, max_evaluations=3)
+    count = inbetween(Problem(FIGURE, long_keys(), penalties(), settings)).timeline.variable_count
+    assert 1.5 * SEGMENTS < count <= 2 * SEGMENTS
 
 
 class Counted(CovariantAcceleration):
