@@ -9,8 +9,10 @@ import pytest
 from even_frames import evenly
 from figures import CHAIN, figure_of
 from hinged import hinge_keys, hinged
+from scaled import scaled
 from taylor import taylor_slope
 
+from dynsplines import models
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -36,6 +38,16 @@ def test_it_rises_with_the_fourth_power_of_the_time_between_keyframes(gap, tensi
     objective = objective_of(raw_timeline(hinged(), hinge_keys()), hinged(), np.array([0, gap, gap + 0.1]))
     found = objective.tension(np.array([-0.1, 0, 0.01, gap - 0.01, gap, gap + 0.1, gap + 1]))
     np.testing.assert_allclose(found, [tension] * 4 + [1.0] * 3)
+
+
+def test_figures_of_one_dynamic_similarity_have_the_same_tension():
+    """Lengths four times as large, so times between keyframes twice as long."""
+    tensions = []
+    for size, pace in ((1.0, 1.0), (4.0, 2.0)):
+        figure = Figure(scaled(models.figure_text("human"), size).compile())
+        key_times = pace * np.array([0.0, 0.3, 0.7])
+        tensions.append(replace(Objective.of(figure, []), key_times=key_times).tension(pace * np.array([0.1, 0.5])))
+    np.testing.assert_allclose(tensions[1], tensions[0], rtol=1e-5)
 
 
 @pytest.fixture

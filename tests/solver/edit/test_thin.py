@@ -222,6 +222,13 @@ def test_limbs_without_a_site_are_looked_at_to_their_tips():
     assert set(Recorded(marked, times, qpos, WIDE).points[0]) == {"upper", "lower", "hand"}
 
 
+def test_a_round_limb_about_its_joint_has_no_tip():
+    head = """<mujoco><worldbody><body name="neck"><joint type="ball"/><geom size=".05"/>
+    <body name="head" pos="0 0 .2"><joint type="ball"/><geom size=".1"/></body></body></worldbody></mujoco>"""
+    figure = figure_of(head)
+    assert Recorded(figure, *recording(figure, 0), WIDE).points[0] == ("neck", "head")
+
+
 @pytest.mark.parametrize("speed", [0.0, 0.05, 0.15])
 def test_a_miss_counts_as_a_share_of_the_bound_and_four_times_where_a_limbs_end_stands(speed):
     """A foot on a slide whose recording is a line, and an in-between that is 3 mm off it throughout."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import mujoco
 import numpy as np
 import pytest
 from oracles import kinematics
@@ -11,6 +12,7 @@ from taylor import taylor_slope
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.figure.adjoint import QUANTITIES, Cotangent
 from dynsplines.solver.figure.algebra import turned_back, vector_product
+from dynsplines.solver.figure.forward import boxes
 from dynsplines.solver.figure.kinematics import Samples
 
 
@@ -85,3 +87,15 @@ def test_the_product_of_a_vector_and_a_quaternion_is_hamiltons(rng, v, q):
     expected = quat.product(np.moveaxis(pure, 0, -1), np.moveaxis(quaternion, 0, -1))
     product = turned_back(vector_product(quaternion), vector)
     np.testing.assert_allclose(np.moveaxis(product, 0, -1), expected, atol=1e-14)
+
+
+def test_boxes_are_around_the_vertices_of_a_turned_mesh(rng):
+    vertices = " ".join(f"{x:.6f}" for x in rng.exponential(size=24))
+    model = mujoco.MjModel.from_xml_string(
+        f'<mujoco><asset><mesh name="stone" vertex="{vertices}"/></asset><worldbody><body pos="1 2 3">'
+        '<freejoint/><geom type="mesh" mesh="stone" quat=".9 .1 -.2 .3"/></body></worldbody></mujoco>'
+    )
+    data = kinematics(model, model.qpos0)
+    centre, half = boxes(model, data, np.array([0]))
+    corners = model.mesh_vert @ data.geom_xmat[0].reshape(3, 3).T + data.geom_xpos[0]
+    assert np.all(np.abs(corners - centre) <= half + 1e-6)

@@ -94,7 +94,8 @@ def test_its_metric_is_the_flat_energy_in_the_unknowns_held_where_keyframes_are(
     rng = np.random.default_rng(3)
     problem = problem_of(rng, "clamped", "joint")
     metric = FlatMetric(Search(problem, 9, 1.0, None).layout)
+    metric.unit = 4.0
     gradients = rng.normal(size=(4, problem.unknowns.size))
     found = np.array([metric.to_x(metric.gradient(g)) for g in gradients])
-    expected = np.linalg.solve(flat_energy(problem), gradients.T).T
+    expected = np.linalg.solve(metric.unit * flat_energy(problem), gradients.T).T
     np.testing.assert_allclose(found, expected, atol=0.02 * np.abs(expected).max())
