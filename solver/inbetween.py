@@ -31,14 +31,14 @@ from .search.descent import Descent, optimiser_of
 from .search.minimum import Optimiser, Stop
 from .search.nlopt_methods import NONE
 from .search.restart_criteria import cost_increased, is_poor_minimum, is_pose_outlier, violation_dominates
-from .search.selection import select_best
+from .search.selection import is_resolved, select_best
 from .solution import Improvement, Solution
 
 NEGLIGIBLE = 1e-3  # [1] share of the first E; thresholds relative to E use at least this much
 ROUGH = 2e-2  # [1] tolerance of all rounds except the last, relative to E
 SHARE_OF_PROMISE = 0.1  # [1] predicted reduction of a step relative to that of new frames, below which a round ends
 MOST_FRAMES = 12  # default limit of variable frames, on average per segment between keyframes
-CLEARLY = 0.5  # [1] share of the first E, below which a path is better than the raw one at any accuracy of quadrature
+CLEARLY = 0.5  # [1] share of the first E, below which a path without short quaternions is better than the raw one
 ROUNDING = 1e-9  # [1] relative error of E between two sums over the same samples
 MOST_REFINEMENTS = 3  # [1] how often a search continues after it ended, with more samples
 ALIKE = 1.1  # [1] ratio of the E of two searches, up to which their minima count as the same
@@ -156,7 +156,9 @@ class _Loop:
     def better_than(self, raw: Timeline, candidate: Timeline) -> Timeline:
         """Return the better of two timelines, or `candidate` without a comparison if E has clearly decreased."""
         is_clear = self.trace and self.trace[-1][2] < CLEARLY * self.trace[0][2]
-        return candidate if is_clear else select_best(self.objective, [candidate, raw])
+        if is_clear and is_resolved(self.objective.figure, candidate):
+            return candidate
+        return select_best(self.objective, [candidate, raw])
 
     def over(self, raw: Timeline) -> Timeline:
         """Return the best timeline through the keyframes of a raw one. Long clips are solved in windows."""

@@ -17,6 +17,7 @@ from ..array import Array, Index
 from ..curve.frame import Timeline
 from ..curve.quadrature import Quadrature
 from ..curve.spline import Path, path_of
+from ..figure.figure import Figure
 from ..objective import Objective
 
 EQUAL_WITHIN = 1e-6  # [1] relative difference of E below which two timelines are equally good
@@ -45,6 +46,11 @@ def select_best(objective: Objective, timelines: Sequence[Timeline]) -> Timeline
     values = [value if np.isfinite(value) else np.inf for value in values]
     bound = min(values) * (1 + EQUAL_WITHIN)
     return next(timeline for timeline, value in zip(timelines, values, strict=True) if value <= bound)
+
+
+def is_resolved(figure: Figure, timeline: Timeline) -> bool:
+    """Return whether E of a timeline needs no more samples: no quaternion of its path is short, see the module."""
+    return not any(True for _ in _flips(timeline, figure.tables.quaternion_columns.T))
 
 
 def _summable(objective: Objective, times: Array) -> Objective:

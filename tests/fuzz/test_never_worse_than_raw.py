@@ -95,7 +95,7 @@ def test_a_changed_clip_is_never_worse_than_its_raw_spline(seed):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(COUNT))
+@pytest.mark.parametrize("seed", sorted({*range(COUNT), 21}))  # in 21, a quaternion nearly vanishes between samples
 def test_a_clip_that_is_drawn_at_random_is_never_worse_than_its_raw_spline(seed):
     assert_no_worse(drawn(seed))
 
