@@ -34,7 +34,7 @@ from .pose import pose, soles_of
 from .posing.keyframe_notes import keyframe_notes
 from .posing.placement import wanted
 from .posing.places import Places
-from .table import KEY, ClipTable, SolveTable
+from .table import ClipTable, SolveTable
 from .tracking.recording import RecordedPath, TrackedRecording, followed
 
 MOST = 3  # most keyframes with unreachable positions that an error lists
@@ -130,7 +130,7 @@ def scene_and_figure(
     table = source.table
     rows = list(zip(source.labels, table.keyframe, strict=True))
     joints = [(label, name) for label, row in rows for name in row.joints]
-    keys = [(f"{label}: others", row.others.removeprefix(KEY)) for label, row in rows if row.others.startswith(KEY)]
+    keys = [(f"{label}: others", row.model_key) for label, row in rows if row.model_key is not None]
     figure = figure_file or table.figure if spec is None else spec
     try:
         scene, model = stage(figure, source.folder, obstacles(table.scene), joints, keys)
@@ -159,12 +159,12 @@ def _has_ground(clip: Clip, table: ClipTable) -> bool:
     if not clip.text:
         return False
     old = table_of(clip.text, clip.context.where)
-    named = {row.others for row in table.keyframe if row.others.startswith(KEY)}
+    named = {row.model_key for row in table.keyframe} - {None}
     same = (
         all(getattr(old, key) == getattr(table, key) for key in ("figure", "scene"))
         and old.solve.coordinates == table.solve.coordinates
     )
-    return same and named <= {row.others for row in old.keyframe}
+    return same and named <= {row.model_key for row in old.keyframe}
 
 
 def _from_mjcf(path: Path, fps: float | None) -> Clip:

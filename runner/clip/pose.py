@@ -24,7 +24,7 @@ from .posing.placement import Wanted, check_search, wanted, with_pose
 from .posing.places import Places, sole_points
 from .posing.root_entries import set_roots
 from .posing.standing_feet import Stander
-from .table import KEY, ROTATION, ClipTable, KeyframeTable, RootTable, RotationTable, SceneTable
+from .table import ROTATION, ClipTable, KeyframeTable, RootTable, RotationTable, SceneTable
 
 FREE = RootTable(position="free", rotation="free")
 
@@ -130,10 +130,9 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequen
     """Return the qpos and mask of a keyframe; unspecified degrees of freedom are free, at rest, or as in `before`. The
     joints of the links `loose` are free whatever `others` is."""
     qpos = np.array(figure.model.qpos0)
-    fixed = np.full(figure.width, row.others == "rest" or row.others.startswith(KEY))
-    if row.others.startswith(KEY):
-        configuration = figure.model.key(row.others.removeprefix(KEY)).qpos
-        qpos = figure.to_qpos(figure.to_state(configuration))  # unit quaternions
+    fixed = np.full(figure.width, row.others == "rest" or row.model_key is not None)
+    if row.model_key is not None:
+        qpos = figure.to_qpos(figure.to_state(figure.model.key(row.model_key).qpos))  # unit quaternions
     if row.others == "previous" and before is not None:
         qpos, fixed = np.array(before.state), np.array(before.fixed)
     for i in loose:

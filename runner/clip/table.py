@@ -192,6 +192,11 @@ class KeyframeTable(Table):
     bodies: dict[str, Body] = {}
     others: Others = "free"
 
+    @property
+    def model_key(self) -> str | None:
+        """The name of the model's <key> for unspecified joints, if any."""
+        return self.others.removeprefix(KEY) if self.others.startswith(KEY) else None
+
 
 class StepTable(Table):
     """A step to climb."""

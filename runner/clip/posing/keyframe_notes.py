@@ -17,7 +17,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 
-from ..table import KEY, KeyframeTable, RotationTable
+from ..table import KeyframeTable, RotationTable
 from .root_entries import roots_by_name
 
 HALF, SAME = 180.0, 1.0  # [degrees] largest turn between two keyframes; tolerance of equal turns
@@ -89,7 +89,7 @@ def _lost(figure: Figure, name: str, rows: Sequence[KeyframeTable], keys: Timeli
         if table is None:
             if row.others == "rest":
                 last = (k, None, np.zeros(1))
-            elif row.others.startswith(KEY):
+            elif row.model_key is not None:
                 last = None
             continue
         if written is not None and last is not None and last[1] in (None, written[0]):
