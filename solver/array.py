@@ -38,7 +38,7 @@ def segments_at(times: Array, t: Array) -> Index:
     return np.clip(np.searchsorted(times, t, side="right") - 1, 0, times.size - 2)
 
 
-def within(t: Array, first: Array, last: Array) -> tuple[Index, Index]:
+def pairs_within(t: Array, first: Array, last: Array) -> tuple[Index, Index]:
     """Return the pairs of an interval and a time in it: two index arrays (p,), for times t (S,).
 
     Args:

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...array import Array, Index, Mask, within
+from ...array import Array, Index, Mask, pairs_within
 from ...contacts.stance import Stance
 from ...figure.algebra import applied
 from ...figure.kinematics import Samples
@@ -75,12 +75,12 @@ class Attachment(Penalty):
         Returns:
             The stances (p,), a sample during each (p,), and the displacements (3, p) [m], zero along free axes.
         """
-        stance, at = within(samples.t, self._arrays.first, self._arrays.last)
+        stance, at = pairs_within(samples.t, self._arrays.first, self._arrays.last)
         return stance, at, self._vectors(samples, stance, at)[2]
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         arrays = self._arrays
-        stance, at = within(samples.t, arrays.first, arrays.last)
+        stance, at = pairs_within(samples.t, arrays.first, arrays.last)
         if not stance.size:
             return
         offset, spot, away = self._vectors(samples, stance, at)

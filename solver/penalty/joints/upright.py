@@ -12,7 +12,7 @@ from functools import cached_property
 import numpy as np
 
 from ... import quaternion as quat
-from ...array import Array, Index, within
+from ...array import Array, Index, pairs_within
 from ...curve.frame import Timeline
 from ...figure.algebra import applied, cross
 from ...figure.figure import Figure, JointKind, quaternion_columns
@@ -74,7 +74,7 @@ class Upright(Penalty):
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         links, axes, *times = self._arrays
-        which, at = within(samples.t, *times)
+        which, at = pairs_within(samples.t, *times)
         if not which.size:
             return
         turned = applied(samples.links.poses(links[which] * samples.count + at)[1], axes[:, which])
