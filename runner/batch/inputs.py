@@ -38,7 +38,12 @@ class Source:
 
     def place(self, folder: Path) -> str:
         """Return its path relative to a manifest's folder, so that both can be moved together."""
-        return f"shipped:{self.name}" if self.path is None else Path(os.path.relpath(self.path, folder)).as_posix()
+        if self.path is None:
+            return f"shipped:{self.name}"
+        try:
+            return Path(os.path.relpath(self.path, folder)).as_posix()
+        except ValueError:  # another drive
+            return self.path.as_posix()
 
 
 def sources(words: Iterable[str], listed: str | None = None, *, recordings: bool = False) -> list[Source]:
@@ -66,19 +71,19 @@ def sources(words: Iterable[str], listed: str | None = None, *, recordings: bool
 
 
 def with_unique_names(new_sources: list[Source], used_names: Collection[str]) -> list[Source]:
-    """Return the sources with unique names, by prefixing the folder, or else by a number.
+    """Return the sources with unique names, by prefixing folders as far as necessary, or by a number.
 
     `used_names` are names in use; case is ignored, as on some disks.
     """
-    folders = defaultdict[str, set[Path | None]](set)
-    for source in new_sources:
-        folders[str(source.name).casefold()].add(source.path and source.path.parent)
+    names, shorter = [source.name for source in new_sources], list[PurePosixPath]()
+    while names != shorter:
+        folders, shorter = defaultdict[str, set[str]](set), names
+        for source, name in zip(new_sources, names, strict=True):
+            folders[str(name).casefold()].add("" if source.path is None else str(source.path.parent).casefold())
+        pairs = zip(new_sources, names, strict=True)
+        names = [_above(source, name) if len(folders[str(name).casefold()]) > 1 else name for source, name in pairs]
     used, out = {name.casefold() for name in used_names}, list[Source]()
-    for source in new_sources:
-        name = source.name
-        if source.path is not None and len(folders[str(name).casefold()]) > 1:
-            above = source.path.parent.parts[1:]  # without the root
-            name = PurePosixPath(*above[-len(name.parts) :], name.name)
+    for source, name in zip(new_sources, names, strict=True):
         number, free = 1, name
         while str(free).casefold() in used:
             number += 1
@@ -86,6 +91,13 @@ def with_unique_names(new_sources: list[Source], used_names: Collection[str]) ->
         used.add(str(free).casefold())
         out.append(replace(source, name=free))
     return out
+
+
+def _above(source: Source, name: PurePosixPath) -> PurePosixPath:
+    """Return a name with one more of the folders above the source, if there is one."""
+    parts = () if source.path is None else source.path.with_suffix("").parts[1:]  # without the root
+    count = len(name.parts) + 1
+    return PurePosixPath(*parts[-count:]) if count <= len(parts) else name
 
 
 def task_of(source: Source, figures: dict[Path, Contents], options: Options = DEFAULTS) -> Task:
