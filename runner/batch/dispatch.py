@@ -165,10 +165,7 @@ class Batch:
         except UserError as error:
             files, hashes, outcome = {}, {}, replace(outcome, cause="error", error=one_line(error))
         for path, content in reversed(files.items()):
-            if self.written.get(path) != hashes[path]:  # clips may share the files of a figure
-                (self.folder / path).parent.mkdir(parents=True, exist_ok=True)
-                with Replacement(self.folder / path) as temporary:
-                    temporary.write_bytes(content)
+            _write(self.folder / path, content)
         self.written |= hashes
         result = {member.name: getattr(outcome, member.name) for member in fields(Result)}
         state = "failed" if outcome.cause else "done"
@@ -191,3 +188,12 @@ class Batch:
             pace = f"{over / spent:.1f} clips/s" if over >= spent else f"{spent / over:.1f} s a clip"
             note = f", {pace}, {remaining // 3600}:{remaining // 60 % 60:02}:{remaining % 60:02} left"
         self.progress.step("batch", over / self.total, f"{counts} of {self.total}{note}", force=force)
+
+
+def _write(target: Path, content: bytes) -> None:
+    """Write a file, unless it exists with this content: clips may share the files of a figure."""
+    if target.is_file() and target.stat().st_size == len(content) and target.read_bytes() == content:
+        return
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with Replacement(target) as temporary:
+        temporary.write_bytes(content)

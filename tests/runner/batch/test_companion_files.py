@@ -35,9 +35,9 @@ def clips(tmp_path: Path) -> Path:
     return folder
 
 
-def done(clips: Path) -> Tally:
+def done(clips: Path, name: str = "") -> Tally:
     options = Options(workers=1, to="mjcf")
-    return run([str(clips)], clips.parent / "out", options, quiet())
+    return run([str(clips / name)], clips.parent / "out", options, quiet())
 
 
 @pytest.mark.slow
@@ -56,4 +56,9 @@ def test_a_mesh_comes_with_the_model_and_another_figures_is_not_written_over_it(
     assert done(clips).solved == 1
     (out / "part.obj").unlink()
     assert done(clips).solved == 2
+    assert (out / "part.obj").read_bytes() == same
+
+    (out / "part.obj").unlink()
+    (clips / "1.toml").write_text((clips / "1.toml").read_text(encoding="utf-8") + "\n", encoding="utf-8")
+    assert done(clips, "1.toml").solved == 1  # the other one stays done, and has the same mesh
     assert (out / "part.obj").read_bytes() == same
