@@ -112,6 +112,7 @@ def write(result: Solved, file: Path) -> None:
     np.savez(
         stream,
         allow_pickle=False,
+        key=file.stem,
         time=timeline.times,
         state=timeline.states,
         end_slope=timeline.end_slope,
@@ -128,7 +129,7 @@ def read(file: Path, clip: Clip) -> Solved | None:
     if not file.is_file():
         return None
     try:
-        solution = _restored(clip, read_arrays(file))
+        solution = _restored(clip, read_arrays(file), file.stem)
     except Exception:  # a damaged file may raise any exception
         return None
     with suppress(OSError):
@@ -136,7 +137,7 @@ def read(file: Path, clip: Clip) -> Solved | None:
     return solution
 
 
-def _restored(clip: Clip, data: Mapping[str, Any]) -> Solved:
+def _restored(clip: Clip, data: Mapping[str, Any], key: str) -> Solved:
     """Return a solution. Raises an exception for data that is not a solution of the clip."""
     raw = clip.problem.raw
     timeline = _timeline(raw, data)
@@ -145,8 +146,8 @@ def _restored(clip: Clip, data: Mapping[str, Any]) -> Solved:
         (int(n), int(turn), float(value), dict(parts)) for n, turn, value, parts in json.loads(str(data["trace"]))
     )
     check_timeline(clip.figure, timeline)
-    if not np.isfinite(timeline.rows).all() or not np.isfinite(seconds):
-        raise ValueError("not finite")
+    if str(data["key"]) != key or not np.isfinite(timeline.rows).all() or not np.isfinite(seconds):
+        raise ValueError("not a solution of this clip")
     if not keyframe_error(clip, timeline) <= UNMET:
         raise ValueError("not through the keyframes")
     motion = Solution(clip.figure, clip.problem.objective, timeline, raw, trace, evaluations, Stop[str(data["stop"])])

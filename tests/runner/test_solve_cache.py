@@ -174,6 +174,7 @@ DAMAGE = {
     "text": lambda file: file.write_text("no motion", encoding="utf-8"),
     "cut short": lambda file: file.write_bytes(file.read_bytes()[:-300]),
     "a bit turned": lambda file: file.write_bytes(flipped(file.read_bytes())),
+    "of another clip": lambda file: told(file, key="0" * 40),
     "off a keyframe": moved,
     "without its end": shortened,
     "no number": lambda file: told(file, end_slope=np.full((2, 11), np.nan)),
