@@ -20,6 +20,7 @@ from .trajectory import ExportOptions, Recording, SampledTrajectory
 
 OF_MOTIONS = {"format_version", "frame_state"}  # names of arrays that only this program's motions have
 SIMULATED = ".simulate.xml"  # extension of a scene with actuators and contacts
+CONVERTIBLE = (".glb", ".gltf", ".vrm", ".fbx", ".usd", ".usda", ".usdc")  # animations that Blender converts to BVH
 WISHES = {"simulate": "a scene to simulate", "columns": "columns of forces or velocities"}
 
 
@@ -120,10 +121,7 @@ FORMATS = (
     Format("amass", ".amass.npz", "AMASS: motion capture of an SMPL body", "amass", writes=False, reads=True,
            containers=(".pkl", ".pickle", ".joblib")),
     Format("bvh", ".bvh", "skeleton and joint angles, y up, in centimetres", "bvh", reads=True, scales=True),
-    Format("gltf", ".glb", "meshes and an animation, for Blender, game engines and the web; reads VRM avatars",
-           "gltf", reads=True, scales=True, containers=(".gltf", ".vrm")),
-    Format("usd", ".usdc", "meshes, a time code per sample; .usda is text", "usd", reads=True, scales=True,
-           variants=(".usd", ".usda")),
+    Format("gltf", ".glb", "meshes and an animation, for Blender, game engines and the web", "gltf"),
     Format("html", ".html", "page that plays the motion before and after solving, in any browser", "html"),
 )  # fmt: skip
 
@@ -330,6 +328,8 @@ def _write_only(name: str) -> str:
 def _fitting(source: Path) -> list[Format]:
     """Return the formats that a file may have, by its extension, or by its content where several share it."""
     name, available = source.name.lower(), readers().values()
+    if name.endswith(CONVERTIBLE):
+        raise UserError(f"'{source}': {source.suffix.lower()} is not read; convert it to BVH, for example with Blender")
     selected = by_ending(source)
     if selected is not None and not selected.reads:
         raise UserError(f"'{source}': {_write_only(selected.name)}")

@@ -14,7 +14,6 @@ import mujoco
 import numpy as np
 import pytest
 from command import commanded
-from small_disk import largest_file
 from tiny import CLIP, changed, written
 
 from dynsplines.batch.inputs import sources
@@ -154,14 +153,3 @@ def test_names_in_a_table_are_no_formulas_and_come_back(tmp_path: Path):
         heading = next(csv.reader(stream))
     assert heading[1:] == ["'" + name for name in names[:6]] + ["plain"]
     np.testing.assert_allclose(csv_table.read(target, scene.model(), None).qpos[[0, -1]], qpos, atol=1e-12)
-
-
-def test_a_full_disk_is_reported_for_usd_too(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    pytest.importorskip("pxr.Usd")
-    import puppet
-
-    from dynsplines.exchange import formats
-
-    full = pytest.raises(UserError, match=r"cannot write '.*': the disk is full, or a limit on the size of files")
-    with largest_file(1000), full:
-        formats.export(puppet.moved(name="puppet"), "usd", tmp_path / "a.usdc")

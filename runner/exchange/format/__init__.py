@@ -12,6 +12,5 @@ deepmimic   JSON of DeepMimic (and its data/motions/*.txt): the frames of its hu
 amass       NPZ of AMASS, only read: motion capture of thousands of people on the SMPL body
 bvh         BVH: centimetres, y up, the figure faces z
 gltf        glTF 2.0 (.glb): a node per body with its geoms as a mesh, moved by one animation
-usd         USD (.usd, .usda, .usdc): an Xform per body, moved at every time code
 html        HTML: a page that plays the motion without other files or network access
 """

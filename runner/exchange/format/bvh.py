@@ -40,20 +40,8 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: 
 
     fps is unused: the files contain their rate. scale [m]: the file's unit of length; None infers it.
     """
-    return recording(bvh_file.read(path), path, model, scale)
-
-
-def recording(
-    skeleton: Skeleton,
-    path: Path,
-    model: mujoco.MjModel | None,
-    scale: float | None,
-    *,
-    is_metric: bool = False,
-) -> Recording:
-    """Read a skeleton's motion, from any format, as a new figure or on a figure; scale [m] as in `read`; is_metric,
-    whether the format specifies metres."""
-    captured = CapturedSkeleton.of(skeleton, scale, maps.current()[0].recording, is_metric=is_metric)
+    skeleton = bvh_file.read(path)
+    captured = CapturedSkeleton.of(skeleton, scale, maps.current()[0].recording)
     return of_captured(captured, skeleton.fps, path, model)
 
 

@@ -4,7 +4,7 @@ up.
 https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html; metres, the figure faces +z. Times are i / fps from 0 in
 float32, the only type that the format allows, so at 10 s they are off by up to 0.5 µs. Viewers interpolate positions
 linearly and rotations along the arc. Bodies that never move have no channels. The nodes are in the pose of the first
-sample; their extras contain the model's rest pose, from which `read` restores it.
+sample.
 """
 
 from __future__ import annotations
@@ -21,10 +21,8 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...scene.triangles import Piece, Triangles, joined, linear, pieces, png, triangles
-from ..nodes import gltf_file
 from ..skeleton import hierarchy
-from ..trajectory import Recording, SampledTrajectory
-from .bvh import recording
+from ..trajectory import SampledTrajectory
 
 STILL = 1e-7  # [m, or 1 for quaternions] largest change that counts as no motion
 KINDS = {1: gl.SCALAR, 2: gl.VEC2, 3: gl.VEC3, 4: gl.VEC4}
@@ -73,10 +71,6 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
     ]
     for body in range(model.nbody):
         asset.nodes[body].children = [int(child) for child in np.flatnonzero(model.body_parentid == body) if child]
-    place, turn = (track[0] for track in hierarchy.local(model, hierarchy.rest(model)))
-    for node, at, turned in zip(asset.nodes, place, hierarchy.xyzw(turn), strict=True):
-        node.extras = {gltf_file.REST: {"translation": at.tolist(), "rotation": turned.tolist()}}
-    asset.nodes[0].extras = {}
     asset.nodes[0].rotation = hierarchy.xyzw(hierarchy.Y_UP).tolist()
     asset.nodes[0].translation = None
     _meshes(asset, blob, model, names, 10.0 + float(np.abs(trajectory.bodies.position).max()))
@@ -85,11 +79,6 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
     asset.buffers = [gl.Buffer(byteLength=len(blob.data))]
     asset.set_binary_blob(bytes(blob.data))
     path.write_bytes(b"".join(asset.save_to_bytes()))
-
-
-def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: float | None = None) -> Recording:
-    """Read the file's skeleton, or its motion on a figure; fps [1/s] to resample; scale [m], its unit."""
-    return recording(gltf_file.read(path, fps), path, model, scale, is_metric=True)
 
 
 def _least(row: Array) -> list[float] | None:

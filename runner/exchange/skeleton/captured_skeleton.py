@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -15,7 +15,7 @@ from ...errors import listed
 from .. import missing_input
 from . import bvh_file
 from .bvh_file import Skeleton, placed
-from .roles import NEEDED, apply_bone_map, first_hinge, lineage, roles, unique, with_trunk
+from .roles import apply_bone_map, first_hinge, lineage, roles, unique, with_trunk
 from .up_axis import NONE, TO_Z, standing_turn, vertical
 
 REACH = 1.25  # [m] typical distance from an adult's hips along the bones to the fingertips or toes
@@ -50,21 +50,14 @@ class CapturedSkeleton:
         skeleton: Skeleton,
         scale: float | None = None,
         bone_map: Mapping[str, str] | None = None,
-        *,
-        is_metric: bool = False,
     ) -> CapturedSkeleton:
-        """Convert from a file's unit and axes; scale [m] its unit, inferred if None; bone_map, names by role.
-
-        is_metric: Whether the format specifies metres, from which only files of people deviate.
-        """
+        """Convert from a file's unit and axes; scale [m] its unit, inferred if None; bone_map, names by role."""
         bone_map, notes_of_file = bone_map or {}, skeleton.notes
         skeleton, folded = _from_body_root(skeleton, bone_map)
         place, turn = skeleton.local
         offset = np.where(np.ptp(place, axis=0) > 0, np.median(place, axis=0), place[0])
         ends = {i: joint.end for i, joint in enumerate(skeleton.joints) if joint.end is not None}
-        is_person = bool(bone_map) or {*NEEDED} <= {*roles(skeleton.names, skeleton.parents)}
-        units = (UNITS, ODD_UNITS) if is_person or not is_metric else ()
-        unit, notes = _unit(skeleton.parents, offset, ends, units, scale, is_metric=is_metric)
+        unit, notes = _unit(skeleton.parents, offset, ends, scale)
         notes = (*notes_of_file, *notes, *folded)
         drift = np.abs(place[:, 1:] - offset[1:]).max(axis=(0, 2), initial=0.0)
         stretched = [skeleton.names[1 + i] for i in np.flatnonzero(unit * drift > DRIFT * REACH)]
@@ -163,10 +156,7 @@ def _unit(
     parents: list[int],
     offset: Array,
     ends: dict[int, Array],
-    choices: Sequence[Mapping[str, float]],
     scale: float | None,
-    *,
-    is_metric: bool,
 ) -> tuple[float, tuple[str, ...]]:
     """Return the file's unit [m], by the length of its longest limb from the root, and notes."""
     reach = np.zeros(len(parents))
@@ -176,16 +166,14 @@ def _unit(
     longest = max([*reach, *(reach[i] + np.linalg.norm(end) for i, end in ends.items())])
     if scale is not None:
         return scale, ()
-    if longest <= 0 and not is_metric:
+    if longest <= 0:
         return 0.01, (f"a skeleton without size: taken for centimetres; {missing_input.UNIT}",)
-    for units in choices:
+    for units in (UNITS, ODD_UNITS):
         likely = {name: unit for name, unit in units.items() if LIKELY[0] <= longest * unit <= LIKELY[1]}
         if likely:
             name = min(likely, key=lambda each: abs(np.log(longest * likely[each] / REACH)))
             length = f"the longest limb reaches {longest * likely[name]:.2f} m"
             return likely[name], (f"taken for {name}: {length}; if not, {missing_input.UNIT}",)
-    if is_metric:
-        return 1.0, (f"taken for metres: the longest limb reaches {longest:.2f} m; if not, {missing_input.UNIT}",)
     unit = REACH / longest
     return unit, (f"of no unit that fits a person: made {REACH:g} m from hips to toes; {missing_input.UNIT}",)
 

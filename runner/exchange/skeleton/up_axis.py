@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 from dynsplines.solver.array import Array
 
 CLEARLY = 0.3  # least gain in the sum of the cosines of up and left for which a rest pose is rotated
-AXES, USUAL = "xyz", "y"  # and the vertical axis of BVH, glTF and converted USD files
+AXES, USUAL = "xyz", "y"  # and the vertical axis of BVH files
 NONE = np.array([1.0, 0, 0, 0])
 TO_Z = {  # rotation of an axis to z; that of y is for figures facing z, as in animation
     "z": NONE, "y": np.array([0.5, 0.5, 0.5, 0.5]), "x": np.array([0.5, -0.5, -0.5, -0.5]),

@@ -76,7 +76,7 @@ def test_more_columns_are_for_tables_and_a_scene_to_simulate_is_for_mjcf(run, tm
 def test_the_longest_ending_selects_the_format_and_is_dropped_and_one_that_fits_goes_with_a_formats_name():
     stems = {"in/a.b.mjlab.csv": "a.b", "A.KEYS.XML": "A", "a.b.csv": "a.b", ".csv": ".csv", "a.b.pkl": "a.b", "a": "a"}
     assert {name: formats.stem(Path(name)) for name in stems} == stems
-    kinds = {"a.bvh": "bvh", "a.MJLAB.csv": "mjlab-csv", "a.csv": "csv", "t.usdc": "usd", "t.keys.xml": "mjcf"}
+    kinds = {"a.bvh": "bvh", "a.MJLAB.csv": "mjlab-csv", "a.csv": "csv", "t.glb": "gltf", "t.keys.xml": "mjcf"}
     assert {name: formats.chosen(None, Path(name)).name for name in kinds} == kinds
     for name, kind in (("a.npz", "mjlab"), ("a.xml", "mjcf"), ("a.txt", "deepmimic"), ("A.BVH", "bvh")):
         assert formats.chosen(kind, Path(name)).name == kind
@@ -101,9 +101,17 @@ def test_a_name_that_does_not_fit_is_refused_before_anything_is_written(run, tmp
     assert sorted(path.name for path in tmp_path.iterdir()) == ["robot.xml", "wild.npz"]
 
 
-@pytest.mark.parametrize("words", [["x.html"], ["x.y", "--from", "html"]])
-def test_a_format_that_is_only_written_is_reported(run, words):
-    assert "the format 'html' is only written; read are: csv" in refusal(run("import", *words, "-o", "new.npz"))
+@pytest.mark.parametrize(
+    ("words", "told"),
+    [
+        (["x.html"], "the format 'html' is only written; read are: csv"),
+        (["x.y", "--from", "gltf"], "the format 'gltf' is only written; read are: csv"),
+        (["x.GLB"], "'x.GLB': .glb is not read; convert it to BVH, for example with Blender"),
+        (["x.usdc"], "'x.usdc': .usdc is not read; convert it to BVH"),
+    ],
+)
+def test_a_file_that_is_not_read_is_refused(run, words, told):
+    assert told in refusal(run("import", *words, "-o", "new.npz"))
 
 
 def test_an_import_reports_violations_as_solve_does(run, tmp_path):
