@@ -41,7 +41,6 @@ if TYPE_CHECKING:
     from . import batch as batches
     from . import inputs, motion, solving
     from .clean import command as clean_command
-    from .clean import rest_pose_trim
     from .clip import kinds, starter
     from .edit import files, thin_files
     from .exchange import formats, motion_import, quantities, trajectory
@@ -59,7 +58,7 @@ else:
     inputs, motion, solving, terminal = _lazy("", "inputs motion solving system.progress")
     batches, kinds, starter = _lazy("", "batch clip.kinds clip.starter")
     files, thin_files = _lazy(".edit", "files thin_files")
-    clean_command, rest_pose_trim = _lazy(".clean", "command rest_pose_trim")
+    clean_command = _lazy(".clean", "command")
     formats, motion_import, quantities, trajectory, maps = _lazy(
         ".exchange", "formats motion_import quantities trajectory skeleton.maps"
     )
@@ -324,7 +323,6 @@ def thin(
     max_angle: Annotated[float, number("DEGREES", "Largest rotation error of any body", 0, 180)] = 5.0,
     solve: option.ThinSolve = False,
     exact: option.Exact = False,
-    skip_rest: option.SkipRest = False,
     figure: option.Figure = None,
     kind: option.Format = None,
     fps: option.Fps = None,
@@ -334,7 +332,7 @@ def thin(
 ) -> None:
     """Reduce a motion to a few keyframes within an error bound.
     The extension of -o selects a clip (.toml) or a motion (.npz)."""
-    recording = thin_files.Recording(source, figure, kind, fps, no_cache, skip_rest)
+    recording = thin_files.Recording(source, figure, kind, fps, no_cache)
     bound = thin_files.bound(max_error, max_angle)
     with terminal.Progress() as progress:
         thin_files.run(recording, bound, output, solve=solve, exact=exact, overwrite=overwrite, progress=progress)
@@ -420,7 +418,6 @@ def import_motion(
     kind: option.Format = None,
     fps: option.Fps = None,
     scale: option.Scale = None,
-    skip_rest: option.SkipRest = False,
     output: Annotated[Path | None, option.output("FILE.npz")] = None,
     strict: option.Strict = False,
     overwrite: option.Overwrite = False,
@@ -434,8 +431,7 @@ def import_motion(
         raise UserError(f"'{target}' is the input file; give another -o")
     outputs.check_target(target, overwrite=overwrite)
     with terminal.Progress() as progress:
-        recording = motion_import.import_recording(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
-        saved = rest_pose_trim.trim(recording, progress, skip=skip_rest)
+        saved = motion_import.import_recording(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
         motion.save(saved, target)
         violations = solving.Solved.of(saved).violations
         _conclude(progress, target, violation.by_name(violations), target)

@@ -192,7 +192,6 @@ Ghosts = Annotated[
     ),
 ]
 AsJson = Annotated[bool, flag("--json", "Print numbers and violations as JSON")]
-SkipRest = Annotated[bool, flag("--skip-rest", "Remove a T-pose or rest pose before the motion")]
 Repeat = Annotated[int | None, number("N", "If the clip is a loop, repeat it N times", 1, default="1", kind=int)]
 Rate = Annotated[float | None, number("HZ", "Samples per second of the output", 0.01, 100_000, "the clip's, or 30")]
 Figure = Annotated[

@@ -1,7 +1,6 @@
 """Cleaning of recordings: sliding, penetration, floating and jumps are removed; the motion is preserved.
 
-rest_pose_trim  the pose before a recording's motion, to which cameras or skeleton were calibrated
-repairs    gaps, jumps, duplicate and invalid samples, and rest poses: detected, reported and interpolated
+repairs    gaps, jumps, duplicate and invalid samples: detected, reported and interpolated
 cleaning   a repaired recording, its stances, and the motion near it that satisfies them
 penetration  depths in surfaces, and penetrations between the samples of a search
 comparison  before and after: depth, slip, ranges, accelerations, forces, and displacements

@@ -1,4 +1,4 @@
-"""Detection of gaps, dropouts, jumps, duplicate and invalid samples, and rest poses at the ends of a recording.
+"""Detection of gaps, dropouts, jumps, and duplicate and invalid samples of a recording.
 
 An implausible sample is discarded, and the motion there is interpolated from the samples before and after it.
 """
@@ -16,7 +16,6 @@ from dynsplines.solver.figure.figure import Figure
 
 from ..errors import UserError, listed
 from ..exchange import gaps
-from .rest_pose_trim import find_rest_pose
 
 FEWEST = 5  # least number of samples of a motion
 TWICE = 0.1  # time between duplicate samples, relative to the median step
@@ -53,7 +52,6 @@ def repaired(figure: Figure, time: Array, qpos: Array, where: str) -> Repaired:
         raise UserError(f"{where}: times go back: sample {i + 2} is at {time[i + 1]:g} s, after {time[i]:g} s")
     time, qpos = _without_duplicates(time, qpos, notes)
     known = _numbers(figure, qpos, time, notes)
-    time, qpos, known = _without_rest(figure, time, qpos, known, notes)
     time, qpos, known = _without_dropouts(figure, time, qpos, known, notes)
     if time.size < FEWEST:
         raise UserError(f"{where}: {time.size} samples are left; a motion to clean has {FEWEST} at least")
@@ -93,17 +91,6 @@ def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Mask
         notes.append(f"{bad.size} samples of {listed(joints)} hold no numbers, first at {time[bad[0]]:.3f} s: bridged")
     np.copyto(qpos, np.asarray(figure.model.qpos0), where=~known)
     return known
-
-
-def _without_rest(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str]) -> tuple[Array, Array, Mask]:
-    """Remove the rest poses before and after the motion."""
-    for at_end in (False, True):
-        pose = find_rest_pose(figure.model, time, qpos, at_end=at_end)
-        if pose is not None:
-            notes.append(f"{pose.line}: left out")
-            motion = slice(None, -pose.count) if at_end else slice(pose.count, None)
-            time, qpos, known = time[motion], qpos[motion], known[motion]
-    return time, qpos, known
 
 
 def _without_dropouts(

@@ -10,7 +10,6 @@ import numpy as np
 from dynsplines import models
 
 from .. import motion, recordings, solve_cache
-from ..clean import rest_pose_trim
 from ..clip.load import load_motion
 from ..errors import UserError
 from ..exchange.formats import is_foreign, stem
@@ -33,7 +32,6 @@ class Recording:
         source: The file, or a shipped clip.
         fps: Samples per second [1/s].
         no_cache: Whether to solve a clip even if its solution is cached.
-        skip_rest: Whether to remove a T-pose or rest pose before the motion.
     """
 
     source: str
@@ -41,13 +39,9 @@ class Recording:
     kind: str | None = None
     fps: float | None = None
     no_cache: bool = False
-    skip_rest: bool = False
 
     def read(self, progress: Progress) -> Saved:
         """Return a saved motion, the solution of a clip, or an imported file."""
-        return rest_pose_trim.trim(self._read(progress), progress, skip=self.skip_rest)
-
-    def _read(self, progress: Progress) -> Saved:
         is_foreign_file = self.figure is not None or self.kind is not None
         path = Path(self.source)
         if not is_foreign_file and motion.is_motion(self.source) and not is_foreign(path):

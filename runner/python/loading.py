@@ -90,7 +90,6 @@ def import_motion(
     format: str | Reader | None = None,
     fps: float | None = None,
     scale: float | None = None,
-    skip_rest: bool = False,
     allow_outside: bool = False,
 ) -> Motion:
     """Import a recording of another program. Every sample becomes a keyframe; there is no search.
@@ -102,7 +101,6 @@ def import_motion(
             an object with read(path, model, fps).
         fps: Samples per second [1/s], if the file has no rate.
         scale: Unit of length of the file [m], instead of the inferred one.
-        skip_rest: Remove a T-pose, or the figure's rest pose, before the motion.
         allow_outside: Let the figure's model read files outside its folder.
 
     Returns:
@@ -111,12 +109,10 @@ def import_motion(
     Raises:
         UserError: For an invalid file, or one that does not fit the figure. The message is one line.
     """
-    from ..clean import rest_pose_trim
     from ..exchange.motion_import import import_recording
 
     if figure is not None and not isinstance(figure, str | os.PathLike):
         raise UserError(f"figure is a name or a path to MJCF, not of type {type(figure).__name__}")
     figure = None if figure is None else str(os.fspath(figure))
     with file_access.allowed(allow_outside):
-        motion = import_recording(Path(source), format, figure=figure, fps=fps, scale=scale)
-    return Motion(rest_pose_trim.without(motion) if skip_rest else motion)
+        return Motion(import_recording(Path(source), format, figure=figure, fps=fps, scale=scale))

@@ -118,16 +118,6 @@ def test_a_sample_of_the_other_sign_jumps_nowhere():
     assert mended(TIMES, qpos).known.all()
 
 
-def test_a_rest_pose_before_and_after_the_motion_is_left_out():
-    qpos = motion()
-    rest = FIGURE.model.qpos0
-    time = np.arange(64) / 30
-    found = mended(time, np.vstack([rest, rest, qpos[:60], rest, rest]))
-    assert found.time.size == 60
-    assert "begins with" in found.notes[0]
-    assert "ends with" in found.notes[1]
-
-
 @pytest.mark.parametrize(
     ("change", "told"),
     [

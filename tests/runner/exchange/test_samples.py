@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import re
 from pathlib import Path
 
 import numpy as np
@@ -89,6 +90,34 @@ def test_import_keeps_repeated_samples_and_reports_them(folder: Path, tmp_path: 
     assert len(saved.keys) == len(arrays["qpos"])
     printed = " ".join(text.getvalue().split())
     assert "note: 5 samples repeat the one before until a jump, first at 0.333 s: kept" in printed
+
+
+POSE, LOWERED = np.zeros(9), np.linspace(0, 1.4, 30)
+
+
+@pytest.mark.parametrize(
+    ("angles", "seconds"),
+    [
+        ([*POSE[:1], *(1.4 + LOWERED)], 0.034),
+        ([*POSE, *(1.4 + LOWERED)], 0.3),
+        ([*POSE, *(1.4 + POSE)], 0.3),
+        ([*POSE, *LOWERED], None),  # a pose that is left as fast as people move
+        ([*POSE, 1.4, *POSE, *LOWERED], None),  # an outlier
+        ([*LOWERED, *(2.8 + LOWERED)], None),  # a jump in a motion
+        (POSE, None),
+    ],
+)
+def test_a_jump_out_of_a_pose_at_the_start_is_reported(angles, seconds, tmp_path: Path) -> None:
+    (tmp_path / "arm.xml").write_text(
+        '<mujoco><worldbody><body><joint name="swing"/><geom size=".1"/></body></worldbody></mujoco>'
+    )
+    np.savez(tmp_path / "arm.npz", qpos=np.reshape(angles, (-1, 1)), fps=30)
+    text = io.StringIO()
+    import_recording(tmp_path / "arm.npz", figure=str(tmp_path / "arm.xml"), progress=Progress(Console(file=text)))
+    found = re.findall(
+        r"starts with a pose and jumps .* `dynsplines trim --from (\S+)`", " ".join(text.getvalue().split())
+    )
+    assert found == ([] if seconds is None else [f"{seconds:g}"])
 
 
 ARM = """
