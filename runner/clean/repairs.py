@@ -1,4 +1,4 @@
-"""Detection of gaps, dropouts, jumps, and duplicate and invalid samples of a recording.
+"""Detection of gaps, jumps, and duplicate and invalid samples of a recording.
 
 An implausible sample is discarded, and the motion there is interpolated from the samples before and after it.
 """
@@ -52,9 +52,6 @@ def repaired(figure: Figure, time: Array, qpos: Array, where: str) -> Repaired:
         raise UserError(f"{where}: times go back: sample {i + 2} is at {time[i + 1]:g} s, after {time[i]:g} s")
     time, qpos = _without_duplicates(time, qpos, notes)
     known = _numbers(figure, qpos, time, notes)
-    time, qpos, known = _without_dropouts(figure, time, qpos, known, notes)
-    if time.size < FEWEST:
-        raise UserError(f"{where}: {time.size} samples are left; a motion to clean has {FEWEST} at least")
     time, qpos, known = _interpolated(time, qpos, known, notes, where)
     known &= ~_jumps(figure, time, qpos, known, notes)
     lost = [_name(figure, columns) for columns in groups(figure) if known[:, columns].all(axis=1).sum() < FEWEST]
@@ -93,17 +90,6 @@ def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Mask
     return known
 
 
-def _without_dropouts(
-    figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[str]
-) -> tuple[Array, Array, Mask]:
-    """Remove samples that repeat the one before because of a dropout."""
-    whole, keep = np.flatnonzero(known.all(axis=1)), np.ones(time.size, bool)
-    keep[whole] = ~gaps.repeated(figure, time[whole], qpos[whole])
-    if not keep.all():
-        notes.append(f"{gaps.repetition_note(time, ~keep)}: taken as missing")
-    return time[keep], qpos[keep], known[keep]
-
-
 def _interpolated(time: Array, qpos: Array, known: Mask, notes: list[str], where: str) -> tuple[Array, Array, Mask]:
     step = float(np.median(np.diff(time)))
     missing = np.maximum(np.round(np.diff(time) / step).astype(int) - 1, 0)
@@ -112,8 +98,8 @@ def _interpolated(time: Array, qpos: Array, known: Mask, notes: list[str], where
         long = float(time[i + 1] - time[i])
         if long > LONGEST_GAP:
             raise UserError(
-                f"{where}: nothing is recorded from {time[i]:.3f} to {time[i + 1]:.3f} s, over {LONGEST_GAP:g} s "
-                "(samples that repeat the one before until a jump do not count); cut the recording there"
+                f"{where}: nothing is recorded from {time[i]:.3f} to {time[i + 1]:.3f} s, over {LONGEST_GAP:g} s; "
+                "cut the recording there"
             )
         notes.append(f"nothing is recorded from {time[i]:.3f} to {time[i + 1]:.3f} s: bridged")
     if not missing.any():

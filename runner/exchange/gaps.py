@@ -2,8 +2,6 @@
 
 A sample that is not finite is replaced by the sample before it, so that readers need no special case, and removed at
 the end. A file whose arrays differ in their number of samples is read again, up to the smallest number.
-
-During a dropout, some programs repeat the last pose. Such samples are finite, and `repeated` finds them.
 """
 
 from __future__ import annotations
@@ -16,16 +14,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dynsplines.solver.array import Array, Mask
-from dynsplines.solver.curve.recording import RecordedMotion
-from dynsplines.solver.figure.figure import Figure
 
 from ..errors import UserError
 from .layouts import with_notes
 from .trajectory import Recording
 
 FEWEST = 2  # least number of samples of a motion
-EQUAL = 1e-9  # largest difference of entries of equal samples, because a motion is sampled with rounding errors
-SUDDEN = 1.5  # least speed after a dropout relative to the speeds before and afterwards; a pause starts and ends slowly
 
 
 class UnequalSamples(UserError):
@@ -105,27 +99,6 @@ def without_missing(recording: Recording, where: object) -> Recording:
     many = "samples lack" if count > 1 else "sample lacks"
     notes = (*recording.notes, f"{count} {many} some or all numbers, first at {first:.3f} s: left out as a whole")
     return replace(recording, time=recording.time[is_present], qpos=recording.qpos[is_present], notes=notes)
-
-
-def repeated(figure: Figure, time: Array, qpos: Array) -> Mask:
-    """Return the mask (T,) of samples that equal the one before because of a dropout: the figure moves before the
-    dropout, and then jumps. time (T,) [s], rising; qpos (T, nq), finite."""
-    out = np.zeros(time.size, bool)
-    steps = np.diff(RecordedMotion.of(figure, time, qpos).states, axis=0)
-    speeds = np.linalg.norm(steps, axis=1) / np.diff(time)
-    moves = np.flatnonzero(np.abs(steps).max(axis=1, initial=0.0) > EQUAL)
-    for before, jump, after in zip(moves, moves[1:], moves[2:], strict=False):
-        if before + 1 < jump == after - 1 and speeds[jump] >= SUDDEN * max(speeds[before], speeds[after]):
-            out[before + 2 : jump + 1] = True
-    return out
-
-
-def repetition_note(time: Array, is_repeated: Mask) -> str:
-    """Return the start of a note on the samples found by `repeated`, at times (T,) [s]."""
-    count, first = int(is_repeated.sum()), float(time[is_repeated][0])
-    return (
-        f"{count} sample{'s repeat' if count > 1 else ' repeats'} the one before until a jump, first at {first:.3f} s"
-    )
 
 
 def median_step(time: Array) -> float:

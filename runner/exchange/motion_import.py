@@ -110,9 +110,6 @@ def import_recording(
     progress = progress or Progress()
     record = read_recording(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
     clip = clips.from_qpos(record.name, record.scene, record.time, record.qpos, record.fps, source.name)
-    if (is_repeated := gaps.repeated(clip.figure, record.time, record.qpos)).any():
-        line = gaps.repetition_note(record.time, is_repeated)
-        progress.report(f"note: {line}: kept; `dynsplines clean` takes them as missing")
     if record.loops:
         try:
             return unsolved(clip.with_problem(ends="periodic")).saved(progress, with_report=False)

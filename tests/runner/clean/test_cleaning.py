@@ -139,22 +139,6 @@ def test_hands_and_feet_are_nearer_to_the_true_motion(part):
     assert off(found.after) < 0.6 * off(before)
 
 
-def test_frozen_samples_cost_no_more_than_missing_ones():
-    """A walk whose samples repeat a pose for a quarter of a second is as near to the true motion as without them."""
-    take = Take.of(shipped.solved("walk_loop"), 30)
-    frozen, missing = take.qpos.copy(), take.qpos.copy()
-    frozen[12:19], missing[12:19] = take.qpos[11], np.nan
-    true = natural_spline(take.time, RecordedMotion.of(take.figure, take.time, take.qpos).states)
-
-    def off(qpos: Array) -> float:
-        whole = repaired(take.figure, take.time, qpos, "walk")
-        after = cleaned(ground_of(take.figure, whole.qpos), whole).after
-        places = [samples_at(take.figure, path, take.time).links.x for path in (true, after)]
-        return float(np.linalg.norm(places[0] - places[1], axis=0).max())
-
-    assert off(frozen) == pytest.approx(off(missing), rel=0.05)
-
-
 def test_a_long_recording_is_searched_again_about_what_was_unseen_alone(part, bad, monkeypatch):
     take, bad = part, bad[:80]
     ground, whole = ground_of(take.figure, bad), repaired(take.figure, take.time, bad, "bad")

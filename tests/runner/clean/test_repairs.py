@@ -66,43 +66,6 @@ def test_missing_samples_are_put_in_and_known_to_be_missing():
     assert found.notes == ("nothing is recorded from 0.967 to 1.333 s: bridged",)
 
 
-@pytest.mark.parametrize("rate", [30, 120])
-def test_samples_that_repeat_the_pose_before_a_jump_are_missing(rate):
-    time, qpos = TIMES * 30 / rate, motion()
-    qpos[20:27] = qpos[19]
-    found = mended(time, qpos)
-    np.testing.assert_allclose(found.time, time, atol=1e-9)
-    assert not found.known[20:27].any()
-    assert found.known.all(axis=1).sum() == 53
-    assert found.notes == (
-        f"7 samples repeat the one before until a jump, first at {time[20]:.3f} s: taken as missing",
-        f"nothing is recorded from {time[19]:.3f} to {time[27]:.3f} s: bridged",
-    )
-
-
-def test_a_pause_is_kept():
-    """A motion that slows down, rests in equal samples, and starts again; and jumps between two rests."""
-    phase = np.r_[np.linspace(0, 1, 21), np.ones(18), np.linspace(1, 2, 21)]
-    qpos = motion()
-    qpos[:, 2] = 1 + 0.2 * np.r_[(phase[:39] * (2 - phase[:39])), 1 - (phase[39:] - 1) ** 2]
-    qpos[:, ELBOW : ELBOW + 4] = qpos[0, ELBOW : ELBOW + 4]
-    assert (np.diff(qpos[20:39], axis=0) == 0).all()
-    jump = np.tile(qpos[0], (60, 1))
-    jump[30:, 2] += 0.05
-    for rests in (qpos, jump):
-        found = mended(TIMES, rests)
-        assert found.notes == ()
-        assert found.known.all()
-
-
-def test_repeated_samples_beside_missing_numbers_are_not_mistaken_for_a_jump():
-    qpos = motion()
-    qpos[20:27] = qpos[19]
-    qpos[27:] = qpos[19]
-    qpos[30:33, ELBOW] = np.nan
-    assert not any("repeat" in note for note in mended(TIMES, qpos).notes)
-
-
 def test_a_sample_that_jumps_away_and_back_is_not_believed():
     qpos = motion()
     qpos[25, 2] += 0.3

@@ -80,18 +80,6 @@ def test_the_rate_is_that_of_samples_at_different_times(folder: Path, tmp_path: 
     assert read_recording(tmp_path / "twice.csv", figure="human").fps == pytest.approx(30)
 
 
-def test_import_keeps_repeated_samples_and_reports_them(folder: Path, tmp_path: Path) -> None:
-    with np.load(folder / "whole.qpos.npz") as file:
-        arrays = dict(file)
-    arrays["qpos"][10:15] = arrays["qpos"][9]
-    np.savez(tmp_path / "frozen.qpos.npz", **arrays)
-    text = io.StringIO()
-    saved = import_recording(tmp_path / "frozen.qpos.npz", figure="human", progress=Progress(Console(file=text)))
-    assert len(saved.keys) == len(arrays["qpos"])
-    printed = " ".join(text.getvalue().split())
-    assert "note: 5 samples repeat the one before until a jump, first at 0.333 s: kept" in printed
-
-
 POSE, LOWERED = np.zeros(9), np.linspace(0, 1.4, 30)
 
 
