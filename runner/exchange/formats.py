@@ -69,7 +69,6 @@ class Format:
     functions are optional. `companions(trajectory)` returns more files, such as a hinge model, by extension or by name
     without a leading dot. `recognises(path)` decides between formats that share an extension.
 
-    also        further extensions of the format, written only if its name is given
     variants    further extensions of the format, read and written
     containers  extensions of other files with the same content, only read
     options     fields of `ExportOptions` that the format supports
@@ -83,7 +82,6 @@ class Format:
     writes: bool = True
     reads: bool = False
     scales: bool = False
-    also: tuple[str, ...] = ()
     variants: tuple[str, ...] = ()
     containers: tuple[str, ...] = ()
     options: tuple[str, ...] = ()
@@ -94,11 +92,11 @@ class Format:
 
     @property
     def read_endings(self) -> tuple[str, ...]:
-        return "." + self.ending.rpartition(".")[2], *self.also, *self.containers
+        return "." + self.ending.rpartition(".")[2], *self.containers
 
     def check_name(self, target: Path) -> None:
         """Raise UserError unless a file's name fits the format; plain .npz also fits .mjlab.npz."""
-        endings = dict.fromkeys((*self.write_endings, *self.also, Path(f"_{self.ending}").suffix))
+        endings = dict.fromkeys((*self.write_endings, Path(f"_{self.ending}").suffix))
         if not target.name.lower().endswith(tuple(endings)):
             raise UserError(f"'{target}': the name of a file of the format {self.name} ends in {' or '.join(endings)}")
 
@@ -117,7 +115,6 @@ FORMATS = (
     Format("gmr", ".gmr.pkl", "GMR: root pose (xyzw), hinge angles, body positions", "gmr", reads=True,
            containers=(".pickle", ".joblib")),
     Format("mimickit", ".mimickit.pkl", "MimicKit: rotation vectors of root and ball joints", "mimickit", reads=True),
-    Format("deepmimic", ".deepmimic.json", "DeepMimic: humanoid", "deepmimic", reads=True, also=(".txt",)),
     Format("amass", ".amass.npz", "AMASS: motion capture of an SMPL body", "amass", writes=False, reads=True,
            containers=(".pkl", ".pickle", ".joblib")),
     Format("bvh", ".bvh", "skeleton and joint angles, y up, in centimetres", "bvh", reads=True, scales=True),
@@ -138,7 +135,7 @@ def readers() -> dict[str, Format]:
 
 def stem(source: Path) -> str:
     """Return a file's name without the complete extension of its format: 'run' for run.loco.npz."""
-    endings = (ending for form in FORMATS for ending in (form.ending, *form.also, *form.containers))
+    endings = (ending for form in FORMATS for ending in (form.ending, *form.containers))
     fitting = [len(ending) for ending in endings if source.name.lower().endswith(ending) and source.name != ending]
     return source.name[: -max(fitting)] if fitting else source.stem
 

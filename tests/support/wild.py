@@ -7,7 +7,6 @@ from typing import Any
 
 import mujoco
 import numpy as np
-from rekeyed import with_keys
 
 from dynsplines import motion, solving
 from dynsplines.clip import load as clip
@@ -16,7 +15,6 @@ from dynsplines.exchange.motion_import import import_recording
 from dynsplines.motion import Sampled, Saved
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.curve.frame import Frame
 from dynsplines.system.progress import Progress
 
 FPS = 50.0
@@ -64,19 +62,6 @@ def through(figure: str, time: np.ndarray, qpos: np.ndarray) -> Saved:
     """The spline through keyframes."""
     found = clip.from_qpos("wild", compose(figure_spec(figure)), time, qpos, FPS, "wild")
     return solving.unsolved(found).saved(Progress(), with_report=False)
-
-
-def with_hinges(saved: Saved, *endings: str) -> Saved:
-    """The same with the ball joints of these endings turning about y alone, in every sample."""
-    model, at = saved.figure.model, samples(saved)
-    qpos = at.qpos.copy()
-    for joint in range(model.njnt):
-        if model.joint(joint).name.endswith(endings):
-            start = model.jnt_qposadr[joint]
-            qpos[:, [start + 1, start + 3]] = 0
-            qpos[:, start : start + 4] = quat.normalised(qpos[:, start : start + 4])
-    keys = [Frame.key(time, row) for time, row in zip(at.time, qpos, strict=True)]
-    return solving.unsolved(with_keys(clip.of_motion(saved), keys)).saved(Progress(), with_report=False)
 
 
 def samples(saved: Saved, fps: float | None = None) -> Sampled:

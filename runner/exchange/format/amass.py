@@ -33,6 +33,8 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.figure.forward import kinematics
 
 from ...errors import UserError
 from ...motion import FARTHEST
@@ -40,12 +42,10 @@ from ...scene.configuration import posed
 from .. import missing_input, plain_pickle
 from ..array_reader import SAMPLES, ArrayReader, names_in, read_npz, times
 from ..skeleton import hierarchy, smpl
-from ..skeleton.humanoid import JOINTS, Humanoid
-from ..skeleton.roles import lineage
+from ..skeleton.roles import SIDES, lineage
 from ..trajectory import Recording
 from . import bvh
 
-NAME = "amass"
 POSES = ("poses", "smpl_poses", "pose_aa", "fullpose", "full_pose")
 ROOTS = ("root_orient", "global_orient", "poses_root")
 BODIES = ("pose_body", "body_pose", "poses_body")
@@ -54,7 +54,14 @@ RATES = ("mocap_framerate", "mocap_frame_rate", "mocap_fps", "framerate", "frame
 SCALE = "smpl_scaling"
 ROBOT = "dof"  # array that only files of robots have, among SMPL's names
 BODY = 3 * len(smpl.NAMES)
-JOINT = {name: smpl.NAMES.index("spine3" if name == "spine" else name) for name in JOINTS}  # of SMPL, by ball joint
+JOINT = {  # of SMPL, by ball joint of the figure
+    "spine": smpl.NAMES.index("spine3"),
+    **{
+        f"{side}_{part}": smpl.NAMES.index(f"{side}_{part}")
+        for side in SIDES
+        for part in ("shoulder", "elbow", "hip", "knee", "ankle")
+    },
+}
 SPREAD = {  # rotation of hanging arms to the sides, as at rest in SMPL
     "left": np.array([np.sqrt(0.5), np.sqrt(0.5), 0, 0]),
     "right": np.array([np.sqrt(0.5), -np.sqrt(0.5), 0, 0]),
@@ -82,11 +89,11 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     position, local, turned = smpl.z_up(position, local)
     position, scaled = (position, ()) if SCALE in arrays else smpl.in_metres(position, local)
     notes = turned + scaled
-    person = None if model is None else _person(model)
-    if person is None:
+    columns = None if model is None else _columns(model)
+    if model is None or columns is None:
         notes += _on_shape(arrays)
         return bvh.of_captured(smpl.captured(position, local), rate, path, model, notes)
-    qpos = _on_person(person, position, local)
+    qpos = _on_person(model, columns, position, local)
     return Recording(times(len(qpos), rate), qpos, fps=rate, notes=notes)
 
 
@@ -142,15 +149,22 @@ def _on_shape(reader: ArrayReader) -> tuple[str, ...]:
     return ("bones are those of SMPL's mean shape: the file's 'betas' are not used",) if has_shape else ()
 
 
-def _person(model: mujoco.MjModel) -> Humanoid | None:
-    """Return a figure as a Humanoid, None if it lacks the ball joints."""
-    try:
-        return Humanoid.of(model, NAME)
-    except UserError:
+def _columns(model: mujoco.MjModel) -> dict[str, int] | None:
+    """Return the first columns in qpos of the root and of the ball joints of a figure like the shipped human.
+
+    None for a figure that lacks some of them, or has bodies that are not parallel to the world at rest.
+    """
+    roots = np.flatnonzero(model.jnt_type == JointKind.FREE)
+    joints = {model.joint(joint).name: joint for joint in np.flatnonzero(model.jnt_type == JointKind.BALL)}
+    if len(roots) != 1 or not joints.keys() >= JOINT.keys():
         return None
+    chosen = [roots[0], *(joints[name] for name in JOINT)]
+    if np.abs(kinematics(model).xquat[model.jnt_bodyid[chosen[1:]], 0]).min() < 1 - 1e-6:
+        return None
+    return dict(zip(("root", *JOINT), model.jnt_qposadr[chosen].tolist(), strict=True))
 
 
-def _on_person(person: Humanoid, position: Array, local: Array) -> Array:
+def _on_person(model: mujoco.MjModel, columns: dict[str, int], position: Array, local: Array) -> Array:
     """Return qpos (T, nq) with the joints' angles, on the floor."""
     _, rotation = smpl.in_world(local)
     bodies = {"root": quat.product(rotation[:, 0], hierarchy.Y_UP)}
@@ -158,12 +172,15 @@ def _on_person(person: Humanoid, position: Array, local: Array) -> Array:
         world = quat.product(rotation[:, joint], hierarchy.Y_UP)
         arm = name.endswith(("shoulder", "elbow"))
         bodies[name] = quat.product(world, SPREAD[name.split("_")[0]]) if arm else world
-    names, joints = {joint: name for name, joint in JOINT.items()}, {}
+    qpos, root = np.tile(model.qpos0, (len(position), 1)), columns["root"]
+    qpos[:, root : root + 3] = position
+    qpos[:, root + 3 : root + 7] = quat.aligned(bodies["root"])
+    names = {joint: name for name, joint in JOINT.items()}
     for name, joint in JOINT.items():
         above = next((names[i] for i in lineage(joint, smpl.PARENT)[1:] if i in names), "root")
-        joints[name] = quat.product(quat.inverse(bodies[above]), bodies[name])
-    qpos = person.posed(position, bodies["root"], joints)
-    qpos[:, person.root + 2] -= _lowest(person.model, qpos)
+        turn = quat.product(quat.inverse(bodies[above]), bodies[name])
+        qpos[:, columns[name] : columns[name] + 4] = quat.aligned(turn)
+    qpos[:, root + 2] -= _lowest(model, qpos)
     return qpos
 
 

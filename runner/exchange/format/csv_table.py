@@ -51,11 +51,6 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
         rows.writerows(map(repr, row) for row in table.tolist())
 
 
-def recognises(path: Path) -> bool:
-    """Return whether a text is a table."""
-    return b'"Frames"' not in path.read_bytes()
-
-
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Read a table: with a heading, columns in any order; without one, nq columns, or the time and nq columns."""
     if model is None:

@@ -10,10 +10,7 @@ nsite, site_bodyid, site_pos, site_quat        of mjModel
 
 Source: LocoMuJoCo 1.0, loco_mujoco/trajectory/dataclasses.py; its `load` rejects unknown names and ball joints. So a
 ball joint is three hinges (`hinge_joints`), and the model with these hinges is written next to the file. `metadata` is
-omitted, as None would be a pickled object.
-
-Before version 1.0 a file had arrays (T,) for every joint, such as `q_pelvis_tx` and `dq_pelvis_tx`. These files are
-read for models with the same joints.
+omitted, as None would be a pickled object. Files from before version 1.0, with an array for every joint, are not read.
 """
 
 from __future__ import annotations
@@ -29,14 +26,13 @@ from dynsplines.solver.figure.figure import JointKind
 
 from ...errors import UserError
 from ...motion import write_arrays
-from .. import layouts, missing_input
+from .. import layouts
 from ..array_reader import ArrayReader, body_poses, names_in, read_npz, times, unit_quaternions
 from ..robot import Robot, configurations, needs_figure
 from ..trajectory import Recording, SampledTrajectory
 from .mjlab import companions as companions
 
 NAME = "locomujoco"
-BEFORE = "q_"  # prefix of joint names in files before version 1.0
 OF_MODEL = (
     "jnt_type", "body_rootid", "body_weldid", "body_mocapid", "body_pos", "body_quat", "body_ipos", "body_iquat",
     "site_bodyid", "site_pos", "site_quat",
@@ -76,9 +72,8 @@ def _of_data(model: mujoco.MjModel, qpos: Array, qvel: Array) -> dict[str, Array
 
 
 def recognises(path: Path) -> bool:
-    """Return whether an .npz is of this format, or of that before version 1.0."""
-    names = names_in(path)
-    return {"qpos", "split_points"} <= names or any(name.startswith(BEFORE) for name in names)
+    """Return whether an .npz is of this format."""
+    return {"qpos", "split_points"} <= names_in(path)
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
@@ -88,8 +83,6 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     """
     model = needs_figure(model, path)
     arrays = read_npz(path)
-    if "qpos" not in arrays and any(name.startswith(BEFORE) for name in arrays.entries):
-        return _before_1_0(arrays, model, path, fps)
     declared = _declared(arrays, path)
     names, kinds = arrays.texts("joint_names"), arrays.numbers("jnt_type", "joints").astype(int).tolist()
     fits = set(kinds) <= {JointKind.FREE, JointKind.SLIDE, JointKind.HINGE} and kinds.count(JointKind.FREE) == 1
@@ -116,23 +109,3 @@ def _declared(reader: ArrayReader, path: Path) -> int:
     if len(splits) > 2:
         raise UserError(f"{path}: it holds {len(splits) - 1} motions one after another; cut them apart first")
     return int(splits[-1] - splits[0]) if splits.size == 2 else 0
-
-
-def _before_1_0(reader: ArrayReader, model: mujoco.MjModel, path: Path, fps: float | None) -> Recording:
-    """Read one array per joint, for models of that version, whose roots are slides and hinges."""
-    joints = [model.joint(joint).name for joint in range(model.njnt)]
-    missing = [name for name in joints if BEFORE + name not in reader]
-    if missing or not set(model.jnt_type.tolist()) <= {JointKind.SLIDE, JointKind.HINGE}:
-        there = ", ".join(name.removeprefix(BEFORE) for name in reader.entries if name.startswith(BEFORE))
-        lacking = f"no '{BEFORE}{missing[0]}'" if missing else "a root of slides and hinges"
-        raise UserError(
-            f"{path}: a file of LocoMuJoCo before 1.0, with {lacking}; it is for that version's model, of the joints "
-            f"{there}; name that model, or load the data set with LocoMuJoCo 1.0 and save its trajectory"
-        )
-    if "split_points" in reader:
-        _declared(reader, path)
-    if "frequency" not in reader and fps is None:
-        raise UserError(f"{path}: a file of LocoMuJoCo before 1.0 has no rate; {missing_input.RATE}")
-    rate = reader.rate("frequency", fps)
-    qpos = np.stack([reader.numbers(BEFORE + name, "samples") for name in joints], axis=1)
-    return Recording(times(len(qpos), rate), qpos, fps=rate)

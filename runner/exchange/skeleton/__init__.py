@@ -5,7 +5,6 @@ hierarchy        bodies in the convention of animation
 roles            which part of the body a joint is, by its name and its position in the tree
 captured_skeleton  a captured skeleton in metres, z up, facing x where it stands straight
 captured_figure  a captured skeleton as a new figure
-humanoid         a figure with ball joints under common names of motion capture
 smpl             the SMPL body: 22 joints, their offsets in the mean shape, and axes and unit of recordings
 root_motion      the root of a figure, moved on a free joint or on slides
 up_axis          the vertical axis of rest poses and recordings

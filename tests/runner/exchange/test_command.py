@@ -33,7 +33,7 @@ def test_an_imported_motion_is_measured_when_a_report_is_requested(run, tmp_path
 
 def test_formats_are_listed_and_a_wrong_one_is_reported(run):
     rows = {line.split()[0]: line for line in run("formats").out.splitlines()}
-    assert {"csv", "npz", "mjcf", "mjlab", "mjlab-csv", "locomujoco", "gmr", "mimickit", "deepmimic"} <= rows.keys()
+    assert {"csv", "npz", "mjcf", "mjlab", "mjlab-csv", "locomujoco", "gmr", "mimickit"} <= rows.keys()
     assert "reads and writes" in rows["gmr"] and "writes" not in rows["amass"]
     assert "read only; written are: csv" in refusal(run("export", "wild.npz", "--to", "amass"))
     assert "did you mean 'mjlab" in refusal(run("export", "wild.npz", "--to", "mjlb"))
@@ -78,7 +78,7 @@ def test_the_longest_ending_selects_the_format_and_is_dropped_and_one_that_fits_
     assert {name: formats.stem(Path(name)) for name in stems} == stems
     kinds = {"a.bvh": "bvh", "a.MJLAB.csv": "mjlab-csv", "a.csv": "csv", "t.glb": "gltf", "t.keys.xml": "mjcf"}
     assert {name: formats.chosen(None, Path(name)).name for name in kinds} == kinds
-    for name, kind in (("a.npz", "mjlab"), ("a.xml", "mjcf"), ("a.txt", "deepmimic"), ("A.BVH", "bvh")):
+    for name, kind in (("a.npz", "mjlab"), ("a.xml", "mjcf"), ("A.BVH", "bvh")):
         assert formats.chosen(kind, Path(name)).name == kind
 
 

@@ -12,7 +12,6 @@ import zlib
 from collections import OrderedDict
 from typing import Any
 
-import mujoco
 import numpy as np
 import pytest
 import walking_biped as biped
@@ -316,32 +315,3 @@ def test_what_would_inflate_beyond_the_bound_is_refused(tmp_path, monkeypatch):
         (tmp_path / "a.pkl").write_bytes(compress(bytes(3_000_000)))
         with pytest.raises(UserError, match="decompressed, comes to"):
             plain_pickle.load(tmp_path / "a.pkl")
-
-
-OLD = """
-<mujoco><worldbody><body name="pelvis"><joint name="pelvis_tx" type="slide" axis="1 0 0"/>
-  <joint name="pelvis_tz" type="slide" axis="0 0 1"/><joint name="pelvis_tilt" axis="0 1 0"/><geom size=".1"/>
-  <body name="thigh" pos="0 0 -.1"><joint name="hip" axis="0 1 0" range="-1 1"/><geom size=".1" pos="0 0 -.4"/>
-</body></body></worldbody></mujoco>
-"""
-
-
-def test_files_of_locomujoco_before_1_0_are_read_for_its_models(tmp_path):
-    model = mujoco.MjModel.from_xml_string(OLD)
-    names = [model.joint(j).name for j in range(model.njnt)]
-    qpos = np.random.default_rng(1).uniform(-0.5, 0.5, (9, 4))
-    arrays: dict[str, Any] = {f"q_{name}": qpos[:, i] for i, name in enumerate(names)}
-    arrays |= {f"dq_{name}": np.zeros(9) for name in names}
-    np.savez(tmp_path / "a.npz", **dict(reversed(arrays.items())))
-    found = read(tmp_path / "a.npz", 100.0, model)
-    np.testing.assert_array_equal(found.qpos, qpos)
-    assert found.fps == 100
-    with pytest.raises(UserError, match=r"before 1\.0 has no rate; give the rate"):
-        read(tmp_path / "a.npz", None, model)
-    with pytest.raises(
-        UserError, match=r"LocoMuJoCo before 1\.0, with no 'q_root'; .* model, of the joints hip, pelvis"
-    ):
-        read(tmp_path / "a.npz", 100.0)
-    np.savez(tmp_path / "b.npz", **arrays, split_points=np.array([0, 4, 9]))
-    with pytest.raises(UserError, match="holds 2 motions"):
-        read(tmp_path / "b.npz", 100.0, model)
