@@ -58,7 +58,7 @@ else:
     inputs, motion, solving, terminal = _lazy("", "inputs motion solving system.progress")
     batches, kinds, starter = _lazy("", "batch clip.kinds clip.starter")
     files, thin_files = _lazy(".edit", "files thin_files")
-    clean_command = _lazy(".clean", "command")
+    (clean_command,) = _lazy(".clean", "command")
     formats, motion_import, quantities, trajectory, maps = _lazy(
         ".exchange", "formats motion_import quantities trajectory skeleton.maps"
     )
