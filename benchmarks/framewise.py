@@ -28,7 +28,7 @@ import numpy as np
 from bench import Effort, Section, Target, peer
 from rich.console import Console
 
-from dynsplines import solve_cache
+from dynsplines import solving
 from dynsplines.clean import command
 from dynsplines.clean.cleaning import Cleaned
 from dynsplines.clean.comparison import Comparison, PathMeasurement
@@ -66,7 +66,7 @@ def recordings(effort: Effort, folder: Path) -> Iterator[Path]:
         yield from sorted(Path(named_folder).glob("*.bvh"))[: effort.count(50, 1)]
         return
     for name in ("walk_loop", "run_and_step", "walk_and_turn")[: effort.count(3, 1)]:
-        saved = solve_cache.solved(clips.load(name), quiet()).saved(quiet(), with_report=False)
+        saved = solving.solve(clips.load(name), quiet()).saved(quiet(), with_report=False)
         formats.export(saved, "bvh", folder / f"{name}.bvh", fps=60)
         yield folder / f"{name}.bvh"
 

@@ -24,7 +24,7 @@ import numpy as np
 from bench import Effort, Section, Target, people
 from rich.console import Console
 
-from dynsplines import solve_cache
+from dynsplines import solving
 from dynsplines.clean.cleaning import Cleaned, cleaned
 from dynsplines.clean.comparison import PathMeasurement
 from dynsplines.clean.repairs import repaired
@@ -79,7 +79,7 @@ def truths(effort: Effort) -> Iterator[Truth]:
         return
     for name in people()[: effort.count(20, 2)]:
         clip = clips.load(name)
-        motion = solve_cache.solved(clip, Progress(Console(file=io.StringIO()))).motion
+        motion = solving.solve(clip, Progress(Console(file=io.StringIO()))).motion
         at = sampled(clip.figure, motion.timeline, FPS)
         yield set_down(Truth(name, clip.figure, at.time - at.time[0], at.qpos))
 

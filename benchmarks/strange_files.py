@@ -66,7 +66,7 @@ def tried(kind: str, count: int, folder: Path, *, start: int = 0) -> Tally:
 def _batch(kind: str, start: int, stop: int, folder: Path, tally: Tally) -> int:
     """By one process; the first seed that is left."""
     command = [sys.executable, __file__, kind, str(start), str(stop), str(folder)]
-    environment = {**os.environ, "OMP_NUM_THREADS": "1", "DYNSPLINES_CACHE": "off"}
+    environment = {**os.environ, "OMP_NUM_THREADS": "1"}
     with (folder / "errors.txt").open("ab") as errors:
         process = subprocess.Popen(
             command, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=errors, bufsize=0

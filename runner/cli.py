@@ -134,7 +134,6 @@ def solve(
     repeat: option.Repeat = None,
     strict: option.Strict = False,
     as_json: option.AsJson = False,
-    no_cache: option.NoCache = False,
     model: option.Model = None,
     keys: option.Keys = None,
     allow_outside: option.Outside = False,
@@ -149,7 +148,7 @@ def solve(
             raise UserError(f"{source}: a motion is solved already; report, plot and render take it")
         first, last = inputs.span(clip, repeat)
         motion.sample_count(last - first, clip.fps)
-        saved, violations = inputs.solved(clip, progress, repeat, no_cache=no_cache)
+        saved, violations = inputs.solved(clip, progress, repeat)
         motion.save(saved, target)
         _conclude(progress, target, violations, target)
     if as_json:
@@ -173,7 +172,6 @@ def render(
     workers: option.RenderWorkers = None,
     repeat: option.Repeat = None,
     strict: option.Strict = False,
-    no_cache: option.NoCache = False,
     model: option.Model = None,
     keys: option.Keys = None,
     allow_outside: option.Outside = False,
@@ -197,7 +195,7 @@ def render(
         look.check(clip.figure.model, *inputs.span(clip, repeat), flags="--")
         progress.report(renderer.line)
         is_solved = only not in ("keys", "before")
-        saved, violations = inputs.solved(clip, progress, repeat, solve=is_solved, no_cache=no_cache)
+        saved, violations = inputs.solved(clip, progress, repeat, solve=is_solved)
         show.draw(saved, look, renderer, target, workers, progress)
         _conclude(progress, target, violations, source)
     _judge(violations, strict)
@@ -259,14 +257,13 @@ def mirror(
     source: option.Source,
     output: option.Mirrored = None,
     overwrite: option.Overwrite = False,
-    no_cache: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
     """Swap left and right in a motion or a clip.
     If the input is a clip (.toml), the output is a clip too, unless -o names a
     motion (.npz). In a clip, step and obstacles are mirrored; in a motion, the
     scene is unchanged."""
-    _edit(files.mirrored(), output, overwrite, no_cache, source)
+    _edit(files.mirrored(), output, overwrite, source)
 
 
 @app.command(rich_help_panel="Edit")
@@ -276,13 +273,12 @@ def retime(
     speed: Annotated[float | None, number("FACTOR", "Speed factor, e.g. 1.5", default="none")] = None,
     duration: Annotated[float | None, seconds("New duration", "none")] = None,
     overwrite: option.Overwrite = False,
-    no_cache: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
     """Change the speed of a motion or a clip.
     Specify either --speed or --duration. If the input is a clip (.toml), the output is a clip too, unless -o names a
     motion (.npz)."""
-    _edit(files.retimed(speed, duration), output, overwrite, no_cache, source)
+    _edit(files.retimed(speed, duration), output, overwrite, source)
 
 
 @app.command(rich_help_panel="Edit")
@@ -292,12 +288,11 @@ def trim(
     first: Annotated[float | None, seconds("Start of the interval", "the start", "--from")] = None,
     last: Annotated[float | None, seconds("End of the interval", "the end", "--to")] = None,
     overwrite: option.Overwrite = False,
-    no_cache: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
     """Cut a motion to a time interval.
     Specify --from or --to, or both. A clip is solved first."""
-    _edit(files.trimmed(first, last), output, overwrite, no_cache, source)
+    _edit(files.trimmed(first, last), output, overwrite, source)
 
 
 @app.command(rich_help_panel="Edit")
@@ -307,12 +302,11 @@ def join(
     output: option.Joined = None,
     transition: Annotated[float, seconds("Duration of the transition")] = 0.4,
     overwrite: option.Overwrite = False,
-    no_cache: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
     """Append a motion to another one, with a transition.
     Clips are solved first. The second motion is moved and rotated, so that it continues from the end of the first."""
-    _edit(files.joined(transition), output, overwrite, no_cache, first, second)
+    _edit(files.joined(transition), output, overwrite, first, second)
 
 
 @app.command(rich_help_panel="Edit")
@@ -327,12 +321,11 @@ def thin(
     kind: option.Format = None,
     fps: option.Fps = None,
     overwrite: option.Overwrite = False,
-    no_cache: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
     """Reduce a motion to a few keyframes within an error bound.
     The extension of -o selects a clip (.toml) or a motion (.npz)."""
-    recording = thin_files.Recording(source, figure, kind, fps, no_cache)
+    recording = thin_files.Recording(source, figure, kind, fps)
     bound = thin_files.bound(max_error, max_angle)
     with terminal.Progress() as progress:
         thin_files.run(recording, bound, output, solve=solve, exact=exact, overwrite=overwrite, progress=progress)
@@ -343,7 +336,6 @@ def report(
     source: option.Source = "",
     strict: option.Strict = False,
     as_json: option.AsJson = False,
-    no_cache: option.NoCache = False,
     model: option.Model = None,
     keys: option.Keys = None,
     allow_outside: option.Outside = False,
@@ -353,7 +345,7 @@ def report(
     It also estimates how far the cost is above the local optimum."""
     from rich.console import Console
 
-    measured = _measured(source, model, keys, no_cache).report
+    measured = _measured(source, model, keys).report
     if as_json:
         print(json.dumps({key: value for key, value in measured.items() if key != "curves"}, indent=2))
     else:
@@ -367,7 +359,6 @@ def report(
 def plot(
     source: option.Source = "",
     output: Annotated[Path | None, option.output("CLIP.png")] = None,
-    no_cache: option.NoCache = False,
     model: option.Model = None,
     keys: option.Keys = None,
     allow_outside: option.Outside = False,
@@ -378,7 +369,7 @@ def plot(
     The extension of -o selects .png, .svg or .pdf."""
     target = output or Path(f"{_name(source, model, keys)}.png")
     outputs.check_target(target, endings=chart.ENDINGS)
-    saved = _measured(source, model, keys, no_cache)
+    saved = _measured(source, model, keys)
     with inputs.complete_report(source):
         chart.draw(saved.name, saved.report, saved.trace, [key.time for key in saved.keys], target)
     print(f"wrote {target}", file=sys.stderr)
@@ -394,7 +385,6 @@ def export(
     simulate: option.Simulate = False,
     repeat: option.Repeat = None,
     overwrite: option.Overwrite = False,
-    no_cache: option.NoCache = False,
     allow_outside: option.Outside = False,
 ) -> None:
     """Write a motion in the format of another program.
@@ -406,7 +396,7 @@ def export(
     with terminal.Progress() as progress:
         clip = inputs.load(source)
         inputs.span(clip, repeat)
-        saved, violations = inputs.solved(clip, progress, repeat, no_cache=no_cache)
+        saved, violations = inputs.solved(clip, progress, repeat)
         formats.export(saved, form.name, target, fps=fps, options=options, overwrite=overwrite, report=progress.report)
         _conclude(progress, target, violations, source)
 
@@ -542,18 +532,16 @@ def _name(source: str, model: str | None, keys: str | None) -> str:
     return Path(source if keys is None else keys).stem or "motion"
 
 
-def _measured(source: str, model: str | None, keys: str | None, no_cache: bool) -> "motion.Saved":
+def _measured(source: str, model: str | None, keys: str | None) -> "motion.Saved":
     _name(source, model, keys)
     with terminal.Progress() as progress:
-        return inputs.measured(inputs.load(source, model=model, keys=keys), progress, no_cache=no_cache)
+        return inputs.measured(inputs.load(source, model=model, keys=keys), progress)
 
 
-def _edit(edit: "files.Edit", output: Path | None, overwrite: bool, no_cache: bool, *edited: str) -> None:
+def _edit(edit: "files.Edit", output: Path | None, overwrite: bool, *edited: str) -> None:
     """Apply an edit to files, and print the name of the written file."""
     with terminal.Progress() as progress:
-        target, violations = files.run(
-            list(edited), edit, output, overwrite=overwrite, no_cache=no_cache, progress=progress
-        )
+        target, violations = files.run(list(edited), edit, output, overwrite=overwrite, progress=progress)
         _conclude(progress, target, violations, target)
 
 

@@ -182,7 +182,6 @@ Recording = Annotated[
 Version = Annotated[bool, flag("--version", "Print the version", is_eager=True, callback=_print_version)]
 Overwrite = Annotated[bool, flag("--overwrite", "Overwrite an existing output file")]
 Strict = Annotated[bool, flag("--strict", "Exit with code 3 if a motion has violations")]
-NoCache = Annotated[bool, flag("--no-cache", "--fresh", "Solve the clip again, even if its solution is in the cache")]
 Outside = Annotated[bool, flag("--allow-outside", "Allow a model to read files outside its folder", callback=_prepare)]
 Ghosts = Annotated[
     bool,

@@ -51,21 +51,20 @@ def span(source: Clip | Saved, repeat: int | None = None) -> tuple[float, float]
 
 
 def solved(
-    source: Clip | Saved, progress: Progress, repeat: int | None = None, *, solve: bool = True, no_cache: bool = False
+    source: Clip | Saved, progress: Progress, repeat: int | None = None, *, solve: bool = True
 ) -> tuple[Saved, Sequence[Violation]]:
     """Return the motion of a source, repeated `repeat` times, and its violations.
 
-    Without `solve` the clip's raw spline is returned, without violations. With `no_cache` a clip is solved even if its
-    solution is cached.
+    Without `solve` the clip's raw spline is returned, without violations.
     """
-    from . import solve_cache, solving  # imported here because rejected clips do not need it
+    from . import solving  # imported here because rejected clips do not need it
     from .measure import violation
 
     violations: Sequence[Violation] | None = None if solve else ()
     if isinstance(source, Saved):
         out = source
     elif solve:
-        result = solve_cache.solved(source, progress, no_cache=no_cache)
+        result = solving.solve(source, progress)
         out, violations = result.saved(progress, with_report=False), result.violations if repeat is None else None
     else:
         out = solving.unsolved(source).saved(progress, with_report=False)
@@ -79,13 +78,13 @@ def solved(
     return out, violations
 
 
-def measured(source: Clip | Saved, progress: Progress, *, no_cache: bool = False) -> Saved:
-    """Return the motion of a source with its report, measured unless stored in its file; `no_cache` as for `solved`."""
-    from . import solve_cache, solving  # imported here, as above
+def measured(source: Clip | Saved, progress: Progress) -> Saved:
+    """Return the motion of a source with its report, measured unless stored in its file."""
+    from . import solving  # imported here, as above
     from .measure import violation
 
     if not isinstance(source, Saved):
-        return solve_cache.solved(source, progress, no_cache=no_cache).saved(progress)
+        return solving.solve(source, progress).saved(progress)
     if not source.report:
         return solving.measured(source, progress, "not searched: imported")
     if "violations" in source.report:

@@ -322,14 +322,14 @@ def _check(saved: Saved, data: Arrays) -> None:
     if not saved.fps > 0:
         raise ValueError(f"fps is {saved.fps:g}")
     for timeline in (saved.timeline, saved.raw):
-        check_timeline(saved.figure, timeline)
+        _check_timeline(saved.figure, timeline)
         if not all(np.any(np.abs(timeline.times - key.time) < 1e-9) for key in saved.keys):
             raise ValueError("a keyframe has no frame")
     if not (isinstance(saved.trace, list) and isinstance(saved.report, dict) and isinstance(saved.search, dict)):
         raise ValueError("trace, report and search are not a list and two tables")
 
 
-def check_timeline(figure: Figure, timeline: Timeline) -> None:
+def _check_timeline(figure: Figure, timeline: Timeline) -> None:
     """Raise ValueError for frames of another figure, and for quaternions of length zero."""
     if timeline.width != figure.width:
         raise ValueError(f"frames of {timeline.width} entries, the model has {figure.width}")

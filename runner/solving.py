@@ -134,7 +134,8 @@ def solve(clip: Clip, progress: Progress, *, stop_after: int | None = None) -> S
     Args:
         stop_after: The number of evaluations after which to stop; None: no limit.
     """
-    report_notes(clip, progress)
+    for note in clip.notes:
+        progress.report(f"note: {note}")
     _check_size(clip)
 
     def improved(improvement: Improvement) -> None:
@@ -147,21 +148,15 @@ def solve(clip: Clip, progress: Progress, *, stop_after: int | None = None) -> S
     solution = inbetween(clip.problem, improved=improved)
     seconds = time.perf_counter() - begin
     if solution.trace:
-        progress.step("solving", 1.0, course(solution), force=True)
+        first, last = solution.trace[0][2], solution.trace[-1][2]
+        note = f"evaluation {solution.evaluations}, objective {first:.4g} -> {last:.4g}"
+        progress.step("solving", 1.0, note, force=True)
     return Solved(clip, solution, seconds)
 
 
-def report_notes(clip: Clip, progress: Progress) -> None:
-    """Report the clip's notes."""
-    for note in clip.notes:
-        progress.report(f"note: {note}")
-
-
-def course(motion: Solution) -> str:
-    """Return a short description of a search; "" without a search."""
-    if not motion.trace:
-        return ""
-    return f"evaluation {motion.evaluations}, objective {motion.trace[0][2]:.4g} -> {motion.trace[-1][2]:.4g}"
+def saved(source: Clip | Saved, progress: Progress) -> Saved:
+    """Return a saved motion unchanged, or that of a clip without a report."""
+    return source if isinstance(source, Saved) else solve(source, progress).saved(progress, with_report=False)
 
 
 def unsolved(clip: Clip) -> Solved:

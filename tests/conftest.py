@@ -9,7 +9,6 @@ import signals_heard  # noqa: F401
 # isort: on
 
 import gc
-import os
 from collections.abc import Generator
 from pathlib import Path
 
@@ -29,7 +28,6 @@ from dynsplines.picture.graphics import Graphics
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solving import Solved
 
-os.environ["DYNSPLINES_CACHE"] = "off"  # a test solves what it asks for, and leaves nothing in a user's folder
 shipped.open_folder()
 shared_figures.share()
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from dynsplines import models
 
-from .. import motion, recordings, solve_cache
+from .. import motion, recordings, solving
 from ..clip import file as clip_file
 from ..clip.build import Clip
 from ..clip.load import load_motion
@@ -48,12 +48,9 @@ class Edit:
 
 
 def run(
-    sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, no_cache: bool = False, progress: Progress
+    sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, progress: Progress
 ) -> tuple[Path, Violations]:
-    """Apply an edit; return the written motion or clip (.toml), and the violations of a motion.
-
-    With `no_cache`, clips are solved even if their solution is cached.
-    """
+    """Apply an edit; return the written motion or clip (.toml), and the violations of a motion."""
     direct = edit.clip is not None and not motion.is_motion(sources[0])
     ending = ".toml" if direct and Path(sources[0]).suffix.lower() == ".toml" else ".npz"
     target = target or Path(f"{Path(sources[0]).stem}_{edit.word}{ending}")
@@ -66,7 +63,7 @@ def run(
     if is_clip and edit.clip is not None and isinstance(one, Clip) and one.text:
         _write_clip(edit.clip(table_of(one.text, sources[0]), one), sources[0], target)
         return target, ()
-    saved = edit.motions([solve_cache.saved(item, progress, no_cache=no_cache) for item in inputs], progress)
+    saved = edit.motions([solving.saved(item, progress) for item in inputs], progress)
     if is_clip:
         if not saved.text:
             raise UserError(f"{target}: '{sources[0]}' has no clip file to edit; write an .npz")

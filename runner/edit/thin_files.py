@@ -9,7 +9,7 @@ import numpy as np
 
 from dynsplines import models
 
-from .. import motion, recordings, solve_cache
+from .. import motion, recordings, solving
 from ..clip.load import load_motion
 from ..errors import UserError
 from ..exchange.formats import is_foreign, stem
@@ -31,14 +31,12 @@ class Recording:
     Attributes:
         source: The file, or a shipped clip.
         fps: Samples per second [1/s].
-        no_cache: Whether to solve a clip even if its solution is cached.
     """
 
     source: str
     figure: str | None = None
     kind: str | None = None
     fps: float | None = None
-    no_cache: bool = False
 
     def read(self, progress: Progress) -> Saved:
         """Return a saved motion, the solution of a clip, or an imported file."""
@@ -47,7 +45,7 @@ class Recording:
         if not is_foreign_file and motion.is_motion(self.source) and not is_foreign(path):
             return load_motion(path)
         if not is_foreign_file and (self.source in models.clips() or path.suffix.lower() == ".toml"):
-            return solve_cache.saved(recordings.load(self.source), progress, no_cache=self.no_cache)
+            return solving.saved(recordings.load(self.source), progress)
         return import_recording(path, self.kind, figure=self.figure, fps=self.fps, progress=progress)
 
 
@@ -87,7 +85,7 @@ def run(
     written = thinning.write(result, target, exact=exact, overwrite=overwrite)
     lines = [result.line]
     if target.suffix == ".toml":
-        solved = solve_cache.solved(recordings.load(str(target)), progress, no_cache=recording.no_cache).motion.timeline
+        solved = solving.solve(recordings.load(str(target)), progress).motion.timeline
         after = thinning.measured(thinning.recorded_of(saved, *bound), replace(result.motion, timeline=solved))
         lines = [after.line] if solve or exact else [f"{result.line}: the spline", _as_solved(after)]
         thinning.write(result, target, exact=exact, note="; ".join(lines), overwrite=True)

@@ -4,7 +4,6 @@ output        atomic writing of files
 lock          one program at a time in a folder
 scratch       temporary folders
 size_limit    limit on the memory that a file may need
-cache_folder  the user's cache folder
 progress      progress of long work: a bar on a terminal, plain lines elsewhere, always on stderr
 mujoco_warnings  MuJoCo's warnings as notes
 quantity      lengths and speeds with units: "2cm", "20 mm", "0.02 m"

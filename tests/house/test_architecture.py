@@ -146,7 +146,7 @@ STRATA = {
         clip
         measure picture
         solving
-        exchange solve_cache
+        exchange
         clean
         recordings
         edit

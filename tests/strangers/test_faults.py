@@ -187,7 +187,7 @@ def test_a_folder_that_vanished_beneath_the_command_is_no_harm_to_what_lies_else
 
 @pytest.mark.parametrize("place", ["", "/nowhere"])
 def test_without_a_home_and_a_folder_for_temporary_files_it_is_solved(place: str, tried: Tried, tmp_path):
-    before = "for name in ('DYNSPLINES_CACHE', 'HOME', 'XDG_CACHE_HOME'):\n    os.environ.pop(name, 0)\n"
+    before = "for name in ('HOME', 'XDG_CACHE_HOME'):\n    os.environ.pop(name, 0)\n"
     before += "os.environ.pop('TMPDIR', 0)\n"
     if place:
         before += f"os.environ |= dict.fromkeys(['HOME', 'TMPDIR'], {place!r})\n"
@@ -336,9 +336,8 @@ def test_a_clock_that_goes_back_changes_nothing(tried: Tried, tmp_path: Path):
 
 
 def test_files_from_the_future_are_read_and_replaced(tried: Tried, tmp_path: Path):
-    cache = f"os.environ['DYNSPLINES_CACHE'] = {str(tmp_path / 'cache')!r}\n"
-    assert tried("solve", "tiny.toml", "-o", "out.npz", before=cache)["code"] == 0
+    assert tried("solve", "tiny.toml", "-o", "out.npz")["code"] == 0
     for path in tmp_path.rglob("*"):
         os.utime(path, (4e9, 4e9))
-    ended = tried("solve", "tiny.toml", "-o", "out.npz", before=cache)
+    ended = tried("solve", "tiny.toml", "-o", "out.npz")
     assert ended["code"] == 0 and motion.load(tmp_path / "out.npz").name == "tiny"

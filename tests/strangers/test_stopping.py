@@ -47,12 +47,7 @@ def start(tmp_path: Path) -> Iterator[Start]:
 
     def start(script: str, *words: object) -> subprocess.Popen[str]:
         command = [sys.executable, "-c", script, *map(str, words)]
-        environment = {**os.environ, "DYNSPLINES_CACHE": "off"}
-        begun.append(
-            subprocess.Popen(
-                command, cwd=tmp_path, env=environment, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE
-            )
-        )
+        begun.append(subprocess.Popen(command, cwd=tmp_path, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE))
         return begun[-1]
 
     yield start

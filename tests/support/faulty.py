@@ -25,7 +25,6 @@ OWN = ("/runner/", "/solver/")  # files whose functions count
 def main() -> None:
     """Imports everything once, for all forks."""
     import matplotlib.backends.backend_agg  # noqa: F401
-    import platformdirs.unix  # noqa: F401
 
     import dynsplines
 

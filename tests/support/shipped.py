@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
+import pickle
 import shutil
 import tempfile
 from collections.abc import Callable, Iterator
@@ -14,9 +16,12 @@ from typing import Any
 import pytest
 from quiet import quiet
 
-from dynsplines import recordings, solve_cache, solving
+from dynsplines import recordings, solving
 from dynsplines.clip.build import Clip
+from dynsplines.clip.parse import table_of
+from dynsplines.clip.text import tables
 from dynsplines.motion import Saved
+from dynsplines.solver.solution import Solution
 from dynsplines.solving import Solved
 from dynsplines.system.progress import Progress
 
@@ -47,13 +52,29 @@ def unsolved(name: str) -> Saved:
 
 
 def _cached(problem: Clip, progress: Progress, solve: Callable[[Clip, Progress], Solved]) -> Solved:
-    file = Path(os.environ[PLACE]) / f"{solve_cache.key_of(problem)}.npz"
+    file = Path(os.environ[PLACE]) / _key(problem)
     with _locked(file.with_suffix(".lock")):
-        found = solve_cache.read(file, problem)
-        if found is None:
-            found = solve(problem, progress)
-            solve_cache.write(found, file)
-    return found
+        if not file.exists():
+            solved, motion = (result := solve(problem, progress)), result.motion
+            about = motion.trace, motion.evaluations, motion.stop
+            timeline = None if motion.timeline is motion.raw else motion.timeline
+            file.write_bytes(pickle.dumps((timeline, about, solved.seconds)))
+            return solved
+        timeline, about, seconds = pickle.loads(file.read_bytes())
+    raw = problem.problem.raw
+    motion = Solution(problem.figure, problem.problem.objective, raw if timeline is None else timeline, raw, *about)
+    return Solved(problem, motion, seconds)
+
+
+def _key(problem: Clip) -> str:
+    """A hash of all inputs of the search."""
+    content = tables(table_of(problem.text, problem.name)) if problem.text else {}
+    keys = [(key.time, key.state.tobytes(), key.fixed.tobytes(), key.known.tobytes()) for key in problem.keys]
+    weights = [(penalty.name, weight) for penalty, weight in problem.penalties]
+    posed, slope = problem.problem, problem.problem.end_slope
+    end = problem.ends, posed.travel, posed.turn, None if slope is None else slope.tobytes()
+    scene = problem.scene.mjcf, sorted(problem.scene.assets.items()), problem.figure.coordinates
+    return hashlib.sha256(repr((content, keys, weights, end, problem.settings, scene)).encode()).hexdigest()
 
 
 def share(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -34,7 +34,6 @@ from ...clip.build import Clip
 from ...clip.parse import table_of
 from ...errors import UserError, located, one_line
 from ...scene.file_access import allowed
-from ...system.cache_folder import place as cache
 from .. import paths
 from ..outline import formats, kinds, outline
 from ..solver import Message
@@ -171,22 +170,11 @@ class SolverLoop:
         return begin, _edited(before, clip)
 
     def _first(self, clip: Clip, *, go: bool) -> None:
-        """Show a newly opened clip: its cached solution, or a search from the raw spline."""
-        self._send_path(clip.problem.raw, "initial")  # a first view
-        from ... import solve_cache  # imported late: the figure is already shown
-
-        folder = cache()
-        cached = None if folder is None else solve_cache.read(folder / f"{solve_cache.key_of(clip)}.npz", clip)
+        """Show a newly opened clip, and search from the raw spline."""
         raw = clip.problem.raw
-        self.solution = (
-            Solution(clip.figure, clip.problem.plain_objective, raw, raw) if cached is None else cached.motion
-        )
-        if cached is not None:
-            self._send_path(
-                cached.motion.timeline, "best", value=cached.motion.trace[-1][2] if cached.motion.trace else 0
-            )
-            self._judge(stop=cached.motion.stop.name)
-        elif go:
+        self._send_path(raw, "initial")  # a first view
+        self.solution = Solution(clip.figure, clip.problem.plain_objective, raw, raw)
+        if go:
             self._search(None, None)
         else:
             self._judge(stop="paused")
@@ -290,11 +278,6 @@ class SolverLoop:
             self._accept_better(solution)
         else:
             self._accept(solution)
-        if begin is None and solution.stop is Stop.CONVERGED and (folder := cache()) is not None:
-            from ... import solve_cache
-            from ...solving import Solved
-
-            solve_cache.write(Solved(clip, solution, None), folder / f"{solve_cache.key_of(clip)}.npz")
         self._judge(stop=solution.stop.name)
 
     def _minimise(

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import importlib.util
-import os
 import re
 import shutil
 import signal
@@ -35,18 +34,6 @@ def browser():
         yield found
 
 
-@pytest.fixture(scope="module")
-def cache(tmp_path_factory):
-    """What one studio has solved, the next one does not solve again."""
-    folder, before = tmp_path_factory.mktemp("cache"), os.environ.get("DYNSPLINES_CACHE")
-    os.environ["DYNSPLINES_CACHE"] = str(folder)
-    yield folder
-    if before is None:
-        del os.environ["DYNSPLINES_CACHE"]
-    else:
-        os.environ["DYNSPLINES_CACHE"] = before
-
-
 def clip_in(folder):
     """A clip that ships, searched for a moment."""
     file = folder / "run.toml"
@@ -55,7 +42,7 @@ def clip_in(folder):
     return file
 
 
-def test_an_animators_afternoon(browser, cache, tmp_path):
+def test_an_animators_afternoon(browser, tmp_path):
     file = clip_in(tmp_path)
     first = file.read_text(encoding="utf-8")
     with browsers.studio(tmp_path, "run.toml") as studio:
@@ -148,7 +135,7 @@ def test_an_animators_afternoon(browser, cache, tmp_path):
         page.close()
 
 
-def test_two_tabs_follow_each_other_and_work_survives_whatever_is_killed(browser, cache, tmp_path):
+def test_two_tabs_follow_each_other_and_work_survives_whatever_is_killed(browser, tmp_path):
     rows = tomllib.loads(models.clip_text("run_and_step"))["keyframe"]
     keys = "".join(
         f"[[keyframe]]\ntime = {row['time']}\nroot.position = [{row['time']}, 0, 1]\n"
@@ -234,7 +221,7 @@ def test_two_tabs_follow_each_other_and_work_survives_whatever_is_killed(browser
 
 
 @pytest.fixture(scope="module")
-def tab(browser, cache, tmp_path_factory):
+def tab(browser, tmp_path_factory):
     """A page of a studio that several tests share, each of which leaves the clip as it was."""
     folder = tmp_path_factory.mktemp("shared")
     clip_in(folder)
