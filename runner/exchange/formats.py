@@ -10,7 +10,7 @@ from typing import Any, Protocol
 
 import mujoco
 
-from ..errors import UserError, missing_package, unknown
+from ..errors import UserError, unknown
 from ..motion import Saved
 from ..system import size_limit
 from ..system.output import Replacement, check_target
@@ -220,8 +220,7 @@ def export(
     overwrite  replace existing files, the main one and its companions, unless their content is identical
     report     receives lines for the user: further files written, and data that the format cannot represent
 
-    Raises UserError for an unknown format, the extension of another one, a missing package, and a motion that the
-    format cannot represent.
+    Raises UserError for an unknown format, the extension of another one, and a motion that the format cannot represent.
     """
     form, options = chosen(kind, target), read_options(target, options or ExportOptions())
     check_options(form, options)
@@ -348,8 +347,4 @@ def _recognises(form: Format, source: Path) -> bool:
 
 
 def _module(form: Format) -> Any:
-    """Import a format's module; raises UserError if its package is missing, an extra with the format's name."""
-    try:
-        return import_module(f".format.{form.module}", __package__)
-    except ModuleNotFoundError as error:
-        raise missing_package(f"the format '{form.name}'", error.name, form.name) from None
+    return import_module(f".format.{form.module}", __package__)

@@ -22,7 +22,6 @@ ONLY_IN = {
     "threadpoolctl": {"solver/one_thread.py"},
     "tomllib": {"runner/clip/parse.py", "runner/studio/document.py"},
     "typer": {"runner/cli.py", "runner/cli_options.py", "runner/system/exit_status.py"},
-    "pygltflib": {"runner/exchange/format/gltf.py"},
     "starlette": {"runner/studio/server.py"},
     "tomlkit": {"runner/studio/edits/tables.py"},
     "uvicorn": {"runner/studio/launch.py"},

@@ -9,12 +9,15 @@ sample.
 
 from __future__ import annotations
 
+import json
+import struct
+from collections import defaultdict
 from itertools import groupby
 from pathlib import Path
+from typing import Any
 
 import mujoco
 import numpy as np
-import pygltflib as gl
 from numpy.typing import NDArray
 
 from dynsplines.solver import quaternion as quat
@@ -25,106 +28,103 @@ from ..skeleton import hierarchy
 from ..trajectory import SampledTrajectory
 
 STILL = 1e-7  # [m, or 1 for quaternions] largest change that counts as no motion
-KINDS = {1: gl.SCALAR, 2: gl.VEC2, 3: gl.VEC3, 4: gl.VEC4}
+FLOAT, UNSIGNED_INT = 5126, 5125  # component types
+ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER = 34962, 34963  # targets of views
+REPEAT, LINEAR, LINEAR_MIPMAP_LINEAR = 10497, 9729, 9987  # wrapping and filters of textures
+WIDTHS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
 
 
-class _Blob:
-    """The binary part of the file, with its views and accessors."""
+class _Document:
+    """The arrays of the JSON part, by name, and the binary part that they refer to."""
 
-    def __init__(self, asset: gl.GLTF2) -> None:
-        self.asset, self.data = asset, bytearray()
+    def __init__(self) -> None:
+        self.arrays: dict[str, list[dict[str, Any]]] = defaultdict(list)
+        self.data = bytearray()
 
-    def view(self, data: bytes, target: int | None = None) -> int:
+    def add(self, array: str, **entry: Any) -> int:
+        """Append an entry and return its index."""
+        self.arrays[array].append(entry)
+        return len(self.arrays[array]) - 1
+
+    def view(self, data: bytes, **target: int) -> int:
         start = len(self.data)
         self.data += data + b"\0" * (-len(data) % 4)
-        self.asset.bufferViews.append(gl.BufferView(buffer=0, byteOffset=start, byteLength=len(data), target=target))
-        return len(self.asset.bufferViews) - 1
+        return self.add("bufferViews", buffer=0, byteOffset=start, byteLength=len(data), **target)
 
-    def accessor(self, array: Array, target: int | None = None, *, bounded: bool = False) -> int:
-        """Add float32 rows; `bounded` adds their minimum and maximum, required for times and positions."""
-        rows = np.ascontiguousarray(array, np.float32).reshape(len(array), -1)
-        low, high = (rows.min(axis=0).tolist(), rows.max(axis=0).tolist()) if bounded else (None, None)
-        kind, view = KINDS[rows.shape[1]], self.view(rows.tobytes(), target)
-        self.asset.accessors.append(
-            gl.Accessor(bufferView=view, componentType=gl.FLOAT, count=len(rows), type=kind, min=low, max=high)
-        )
-        return len(self.asset.accessors) - 1
+    def rows(self, array: Array, *, bounded: bool = False, **target: int) -> int:
+        """Add an accessor of float32 rows; `bounded` adds their bounds, required for times and positions."""
+        rows = np.ascontiguousarray(array, "<f4").reshape(len(array), -1)
+        bounds = {"min": rows.min(axis=0).tolist(), "max": rows.max(axis=0).tolist()} if bounded else {}
+        view, width = self.view(rows.tobytes(), **target), WIDTHS[rows.shape[1]]
+        return self.add("accessors", bufferView=view, componentType=FLOAT, count=len(rows), type=width, **bounds)
 
     def indices(self, faces: NDArray[np.uint32]) -> int:
-        view = self.view(faces.astype(np.uint32).tobytes(), gl.ELEMENT_ARRAY_BUFFER)
-        self.asset.accessors.append(
-            gl.Accessor(bufferView=view, componentType=gl.UNSIGNED_INT, count=faces.size, type=gl.SCALAR)
-        )
-        return len(self.asset.accessors) - 1
+        view = self.view(faces.astype("<u4").tobytes(), target=ELEMENT_ARRAY_BUFFER)
+        return self.add("accessors", bufferView=view, componentType=UNSIGNED_INT, count=faces.size, type="SCALAR")
+
+    def binary(self, scene: str) -> bytes:
+        """Return the file, whose only scene has the first node as its root."""
+        asset = {"version": "2.0", "generator": "dynamic-splines"}
+        head = {"asset": asset, "scene": 0, "scenes": [{"name": scene, "nodes": [0]}]}
+        text = json.dumps(head | self.arrays | {"buffers": [{"byteLength": len(self.data)}]}).encode()
+        text += b" " * (-len(text) % 4)
+        chunks = [(b"JSON", text), (b"BIN\0", self.data)]
+        body = b"".join(struct.pack("<I4s", len(data), kind) + data for kind, data in chunks)
+        return struct.pack("<4sII", b"glTF", 2, 12 + len(body)) + body
 
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
     """Write the whole scene and its animation; the animation's extras contain the times of the keyframes."""
-    model = trajectory.model
-    asset = gl.GLTF2(asset=gl.Asset(version="2.0", generator="dynamic-splines"))
-    blob = _Blob(asset)
-    names = hierarchy.names(model)
+    model, document = trajectory.model, _Document()
     position, rotation = hierarchy.local(model, trajectory.bodies)
-    asset.nodes = [
-        gl.Node(name=name, translation=_least(position[0, body]), rotation=_least(hierarchy.xyzw(rotation[0, body])))
-        for body, name in enumerate(names)
-    ]
-    for body in range(model.nbody):
-        asset.nodes[body].children = [int(child) for child in np.flatnonzero(model.body_parentid == body) if child]
-    asset.nodes[0].rotation = hierarchy.xyzw(hierarchy.Y_UP).tolist()
-    asset.nodes[0].translation = None
-    _meshes(asset, blob, model, names, 10.0 + float(np.abs(trajectory.bodies.position).max()))
-    _animation(asset, blob, trajectory, position, rotation)
-    asset.scenes, asset.scene = [gl.Scene(name=trajectory.name, nodes=[0])], 0
-    asset.buffers = [gl.Buffer(byteLength=len(blob.data))]
-    asset.set_binary_blob(bytes(blob.data))
-    path.write_bytes(b"".join(asset.save_to_bytes()))
+    names, rotation = hierarchy.names(model), hierarchy.xyzw(rotation)
+    meshes = _meshes(document, model, names, 10.0 + float(np.abs(trajectory.bodies.position).max()))
+    for body, name in enumerate(names):
+        place, turn = position[0, body].astype(np.float32), rotation[0, body].astype(np.float32)
+        children = [int(child) for child in np.flatnonzero(model.body_parentid == body) if child]
+        more = {"children": children} if children else {}
+        more |= {"mesh": meshes[body]} if body in meshes else {}
+        document.add("nodes", name=name, translation=place.tolist(), rotation=turn.tolist(), **more)
+    document.arrays["nodes"][0]["rotation"] = hierarchy.xyzw(hierarchy.Y_UP).tolist()
+    _add_animation(document, trajectory, position, rotation)
+    path.write_bytes(document.binary(trajectory.name))
 
 
-def _least(row: Array) -> list[float] | None:
-    """Return numbers as stored in the file, None for the default of the format."""
-    at_rest = np.zeros(3) if len(row) == 3 else np.array([0.0, 0, 0, 1])
-    return None if np.allclose(row, at_rest, atol=1e-12) else row.astype(np.float32).astype(float).tolist()
-
-
-def _animation(asset: gl.GLTF2, blob: _Blob, trajectory: SampledTrajectory, position: Array, rotation: Array) -> None:
-    """Add a channel for every position and rotation that changes; all share the times."""
-    clip = gl.Animation(
+def _add_animation(document: _Document, trajectory: SampledTrajectory, position: Array, rotation: Array) -> None:
+    """Add a channel for every position and rotation (xyzw) that changes; all share the times."""
+    tracks = {
+        (body, path): track[:, body]
+        for body in range(1, trajectory.model.nbody)
+        for path, track in (("translation", position), ("rotation", rotation))
+        if np.ptp(track[:, body], axis=0).max() > STILL
+    }
+    if not tracks:
+        return
+    times = document.rows(np.arange(len(trajectory.time)) / trajectory.fps, bounded=True)
+    keys = [round(key.time - float(trajectory.time[0]), 9) for key in trajectory.saved.keys]
+    document.add(
+        "animations",
         name=trajectory.name,
-        extras={
-            "fps": trajectory.fps,
-            "keyframes": [round(k.time - float(trajectory.time[0]), 9) for k in trajectory.saved.keys],
-        },
+        samplers=[{"input": times, "output": document.rows(track)} for track in tracks.values()],
+        channels=[{"sampler": i, "target": {"node": body, "path": path}} for i, (body, path) in enumerate(tracks)],
+        extras={"fps": trajectory.fps, "keyframes": keys},
     )
-    times = None
-    for body in range(1, trajectory.model.nbody):
-        for path, track in (("translation", position[:, body]), ("rotation", hierarchy.xyzw(rotation[:, body]))):
-            if np.abs(track - track[0]).max() <= STILL:
-                continue
-            if times is None:
-                times = blob.accessor(np.arange(len(trajectory.time)) / trajectory.fps, bounded=True)
-            clip.samplers.append(
-                gl.AnimationSampler(input=times, output=blob.accessor(track), interpolation=gl.ANIM_LINEAR)
-            )
-            target = gl.AnimationChannelTarget(node=body, path=path)
-            clip.channels.append(gl.AnimationChannel(sampler=len(clip.samplers) - 1, target=target))
-    asset.animations = [clip] if clip.channels else []
 
 
-def _meshes(asset: gl.GLTF2, blob: _Blob, model: mujoco.MjModel, names: list[str], reach: float) -> None:
-    """Add one mesh per body, with one primitive per material."""
+def _meshes(document: _Document, model: mujoco.MjModel, names: list[str], reach: float) -> dict[int, int]:
+    """Add a mesh for every visible body, with one primitive per material; return the meshes by body."""
+    meshes: dict[int, int] = {}
     materials: dict[tuple[object, ...], int] = {}
     for body, group in groupby(pieces(model), lambda piece: piece.body):
         alike: dict[int, list[Triangles]] = {}
         for piece in group:
             look = (*piece.colour.tolist(), piece.gloss, piece.picture)
             if look not in materials:
-                materials[look] = len(materials)
-                asset.materials.append(_material(asset, blob, model, piece))
+                materials[look] = _material(document, model, piece)
             alike.setdefault(materials[look], []).append(_placed(piece, triangles(model, piece, reach)))
-        primitives = [_primitive(blob, joined(parts), look) for look, parts in alike.items()]
-        asset.meshes.append(gl.Mesh(name=names[body], primitives=primitives))
-        asset.nodes[body].mesh = len(asset.meshes) - 1
+        primitives = [_primitive(document, joined(parts), look) for look, parts in alike.items()]
+        meshes[body] = document.add("meshes", name=names[body], primitives=primitives)
+    return meshes
 
 
 def _placed(piece: Piece, part: Triangles) -> Triangles:
@@ -133,31 +133,28 @@ def _placed(piece: Piece, part: Triangles) -> Triangles:
     return Triangles(points, quat.rotated(piece.rotation, part.normals), part.faces, part.texture)
 
 
-def _primitive(blob: _Blob, part: Triangles, material: int) -> gl.Primitive:
-    attributes = gl.Attributes(
-        POSITION=blob.accessor(part.points, gl.ARRAY_BUFFER, bounded=True),
-        NORMAL=blob.accessor(part.normals, gl.ARRAY_BUFFER),
-    )
+def _primitive(document: _Document, part: Triangles, material: int) -> dict[str, Any]:
+    attributes = {
+        "POSITION": document.rows(part.points, bounded=True, target=ARRAY_BUFFER),
+        "NORMAL": document.rows(part.normals, target=ARRAY_BUFFER),
+    }
     if part.texture is not None:
-        attributes.TEXCOORD_0 = blob.accessor(part.texture, gl.ARRAY_BUFFER)
-    return gl.Primitive(attributes=attributes, indices=blob.indices(part.faces), material=material)
+        attributes["TEXCOORD_0"] = document.rows(part.texture, target=ARRAY_BUFFER)
+    return {"attributes": attributes, "indices": document.indices(part.faces), "material": material}
 
 
-def _material(asset: gl.GLTF2, blob: _Blob, model: mujoco.MjModel, piece: Piece) -> gl.Material:
+def _material(document: _Document, model: mujoco.MjModel, piece: Piece) -> int:
     """Add a material; colours of models are sRGB and become linear, as the format requires."""
-    look = gl.PbrMetallicRoughness(
-        baseColorFactor=[*linear(piece.colour[:3]).tolist(), float(piece.colour[3])],
-        metallicFactor=0.0,
-        roughnessFactor=round(float(np.clip(1 - piece.gloss, 0.05, 1)), 4),
-    )
+    look: dict[str, Any] = {
+        "baseColorFactor": [*linear(piece.colour[:3]).tolist(), float(piece.colour[3])],
+        "metallicFactor": 0.0,
+        "roughnessFactor": round(float(np.clip(1 - piece.gloss, 0.05, 1)), 4),
+    }
     if piece.picture >= 0:
-        asset.images.append(gl.Image(bufferView=blob.view(png(model, piece.picture)), mimeType="image/png"))
-        asset.samplers.append(gl.Sampler(wrapS=gl.REPEAT, wrapT=gl.REPEAT, minFilter=gl.LINEAR_MIPMAP_LINEAR,
-                                         magFilter=gl.LINEAR))  # fmt: skip
-        asset.textures.append(gl.Texture(source=len(asset.images) - 1, sampler=len(asset.samplers) - 1))
-        look.baseColorTexture = gl.TextureInfo(index=len(asset.textures) - 1)
+        image = document.add("images", bufferView=document.view(png(model, piece.picture)), mimeType="image/png")
+        sampler = document.add("samplers", wrapS=REPEAT, wrapT=REPEAT, minFilter=LINEAR_MIPMAP_LINEAR, magFilter=LINEAR)
+        look["baseColorTexture"] = {"index": document.add("textures", source=image, sampler=sampler)}
     material = int(model.geom_matid[piece.geom])
     name = model.mat(material).name if material >= 0 else piece.name
-    see_through = piece.colour[3] < 1
-    return gl.Material(name=name, pbrMetallicRoughness=look, alphaMode=gl.BLEND if see_through else gl.OPAQUE,
-                       alphaCutoff=None)  # fmt: skip
+    mode = "BLEND" if piece.colour[3] < 1 else "OPAQUE"
+    return document.add("materials", name=name, pbrMetallicRoughness=look, alphaMode=mode)
