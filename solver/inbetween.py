@@ -21,10 +21,8 @@ from .curve.frame import Timeline
 from .curve.spline import path_of
 from .objective import Evaluation, Objective, segment_integrals
 from .one_thread import one_thread
-from .penalty import JointRange, Penalty, Role
-from .penalty.joints.joint_range import Range
+from .penalty import Role
 from .problem import Problem, Settings, guide_of
-from .refine.limits import limited
 from .refine.parts import Part, Window, edited, is_long, windows
 from .refine.subdivision import CRITERIA, midpoints, split
 from .search.descent import Descent, optimiser_of
@@ -99,21 +97,11 @@ def _search_result(
     """Return the result of a search. If interrupted, it is the best path so far, or `begin` before any evaluation."""
     with one_thread():
         loop = _Loop(problem.objective, problem.settings, improved)
-        hard = hard_ranges(problem.penalties)
         try:
             timeline = search(loop)
-            moved = limited(problem.figure, timeline, hard)
-            if moved is not timeline and loop.part is None and loop.stop is not Stop.INTERRUPTED:
-                timeline = loop.descend(moved, problem.settings.tolerance)  # other joints adapt to the moved ones
         except KeyboardInterrupt:
             timeline, loop.stop = loop.best() if loop.best is not None else begin, Stop.INTERRUPTED
-        timeline = limited(problem.figure, timeline, hard)
     return Solution(problem.figure, loop.objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
-
-
-def hard_ranges(penalties: Sequence[tuple[Penalty, float]]) -> tuple[Range, ...]:
-    """Return the joint ranges that a path must satisfy at all times."""
-    return tuple(joint for penalty, _ in penalties if isinstance(penalty, JointRange) for joint in penalty.hard)
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,16 +5,16 @@ A new kind is a class in the solver and a record here.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any
 
 import numpy as np
 from pydantic import Discriminator, Field, Tag
 
 from dynsplines.solver.contacts import Interval, surfaces_on
 from dynsplines.solver.contacts.thresholds import Thresholds
-from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.naming import geom_name
 from dynsplines.solver.penalty import (
     Attachment,
@@ -33,7 +33,6 @@ from dynsplines.solver.penalty import (
     PeakAcceleration,
     Penalty,
     Posture,
-    Range,
     RestPenalty,
     RootAcceleration,
     SelfContact,
@@ -61,7 +60,6 @@ from .context import Context, knees_and_elbows
 from .posing.stepping import SteppingStances
 from .table import Angle, Expected, Flag, Names, Number, Real, Table
 
-HARD, HARD_TRAVEL = float(np.radians(0.05)), 5e-5  # [rad], [m] tolerance of keyframes beyond a hard range
 BEND_BOUND = 8.0  # [degrees] default bound; the soft constraint then rarely exceeds 10°
 RAW_UNIT = 0.1  # [1] `most` of `UnitMagnitude`: limit of the raw spline's mean squared deviation, all joints together
 BODY = "collision.body"  # name of the term of the body's contacts with surfaces
@@ -104,7 +102,7 @@ class Reach(Options):
 
 
 class LimitOptions(Options):
-    """The limits of knees and elbows, whether joint ranges are hard, and the limit of joint speed."""
+    """The limits of knees and elbows, and the limit of joint speed."""
 
     bend_joints: Names | None = Field(default=None, description="ball joints that are knees or elbows")
     least_bend: Annotated[Real, Field(ge=-360, le=360)] | None = Field(
@@ -112,7 +110,6 @@ class LimitOptions(Options):
     )
     sideways: Angle | None = Field(default=None, description="largest angle, degrees; default 8")
     twist: Angle | None = Field(default=None, description="largest angle, degrees; default 8")
-    range: Literal["soft", "hard"] | None = Field(default=None, description="'soft' or 'hard'")
     speed: Annotated[Real, Field(gt=0, le=100_000)] | None = Field(default=None, description="degrees/s")
 
 
@@ -362,35 +359,7 @@ def _supported(context: Context, kind: str) -> Support:
 
 def _range(context: Context, options: LimitOptions) -> Penalty | None:
     figure, joints = context.figure, joint_ranges(context.figure)
-    if options.range != "hard":
-        return JointRange(joints).allowing(figure, context.keys) if joints else None
-    where = f"{context.where}: penalty 'limits': range = 'hard'"
-    if not joints:
-        raise UserError(f"{where}: no joint of the figure has a range")
-    if not KINDS["limits"].weights(options)["range"]:
-        raise UserError(f"{where}: it needs a weight over 0; leave weight out")
-    _check_keyframes(context, joints)
-    inner = tuple(replace(joint, low=joint.low + _inside(joint), high=joint.high - _inside(joint)) for joint in joints)
-    return replace(JointRange(inner).allowing(figure, context.keys), hard=joints)
-
-
-def _inside(joint: Range) -> float:
-    """Return the margin [rad, m] of the search inside a hard range, so that the final projection is small."""
-    return min(0.005 if joint.kind is JointKind.SLIDE else np.radians(0.5), 0.05 * (joint.high - joint.low))
-
-
-def _check_keyframes(context: Context, joints: Sequence[Range]) -> None:
-    allowed = JointRange(tuple(joints)).allowing(context.figure, context.keys).allowed
-    assert allowed is not None, "of some joints"
-    for joint, excess in zip(joints, allowed.excess.max(axis=0), strict=True):
-        k, slides = int(excess.argmax()), joint.kind is JointKind.SLIDE
-        if excess[k] > (HARD_TRAVEL if slides else HARD):
-            over, low, high = (float(x if slides else np.degrees(x)) for x in (excess[k], joint.low, joint.high))
-            unit = "m" if slides else "degrees"
-            raise UserError(
-                f"{context.where}: keyframe {k + 1} (t = {context.keys.times[k]:g} s): '{joint.name}' is {over:.3g} "
-                f"{unit} beyond its range, {low:g} to {high:g} {unit}, hard by penalty 'limits'; move it inside"
-            )
+    return JointRange(joints).allowing(figure, context.keys) if joints else None
 
 
 def _posture(context: Context, options: Options) -> Penalty:

@@ -39,8 +39,6 @@ BOUNDS = {
         Bound("twist", 3.0, "degrees"),  # as sideways
         Bound("range", 2.0, "degrees"),  # a soft constraint gives about 1°
         Bound("travel", 0.005, "m"),  # of slides beyond their range
-        Bound("hard range", 0.05, "degrees"),  # a joint beyond a range that the clip makes hard
-        Bound("hard travel", 0.00005, "m"),  # a slide beyond a range that the clip makes hard
         Bound("overshoot", 10.0, "degrees"),  # a joint off a value that two neighbouring keyframes hold
         Bound("overshoot travel", 0.1, "m"),  # a slide, or the root, off its values in two neighbouring keyframes
         Bound("coupled", 1.0, "degrees"),  # a hinge off what it follows

@@ -15,9 +15,6 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.curve.frame import Timeline
-from dynsplines.solver.figure.figure import JointKind
-from dynsplines.solver.inbetween import hard_ranges
-from dynsplines.solver.refine.limits import farthest
 from dynsplines.solver.search.minimum import Stop
 
 from ..clip.build import Clip
@@ -75,7 +72,7 @@ def violations(clip: Clip, timeline: Timeline, raw: Timeline, stop: Stop = Stop.
 def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:
     """Return all violations in a measured motion, worst first."""
     violations = [violation for check, hits in motion.checks for violation in _worst(check, hits, motion)]
-    violations += [*_drifts(motion), *_beyond_hard(motion.clip, motion.timeline)]
+    violations += _drifts(motion)
     for row, amount, time, key in floating_and_sliding(motion):
         violations.append(_as_violation(row, amount, time, 0 if key is None else int(motion.numbers[key])))
     if stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS):
@@ -200,16 +197,6 @@ def _drifts(motion: Measurement) -> Iterator[Violation]:
         yield _as_violation(row, drift, time, int(motion.numbers[k]))
 
 
-def _beyond_hard(clip: Clip, timeline: Timeline) -> Iterator[Violation]:
-    """Yield joints that exceed hard ranges of the clip, at any time."""
-    for joint, over, time in farthest(clip.figure, timeline, hard_ranges(clip.penalties)):
-        slides = joint.kind is JointKind.SLIDE
-        kind, amount = ("hard travel", over) if slides else ("hard range", float(np.degrees(over)))
-        row = row_of(kind, joint.name, f"{joint.name} is {{}} beyond its hard range")
-        if amount > row.bound:
-            yield _as_violation(row, amount, time)
-
-
 def _as_violation(row: Row, amount: float, time: float | None, keyframe: int = 0) -> Violation:
     """Return the violation of a row; keyframe: the number of the faulty keyframe, 0 if none is at fault."""
     unit = BOUNDS[row.kind].unit
@@ -220,10 +207,6 @@ def _as_violation(row: Row, amount: float, time: float | None, keyframe: int = 0
 
 
 def _with_unit(amount: float, unit: str) -> str:
-    if unit == "m" and amount < 0.001:
-        return f"{1000 * amount:.2g} mm"
-    if unit == "degrees" and amount < 1:
-        return f"{amount:.2g}°"
     if unit == "m":
         return f"{1000 * amount:.0f} mm" if amount < 1 else f"{amount:.2f} m"
     if unit == "degrees":

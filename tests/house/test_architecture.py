@@ -32,7 +32,6 @@ SCIPY_IN_SOLVER = {
     "solver/curve/spline.py",
     "solver/curve/unknowns.py",
     "solver/posing/limits.py",
-    "solver/refine/limits.py",
     "solver/search/quadratic.py",
 }
 SETUPTOOLS = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["setuptools"]

@@ -62,13 +62,11 @@ class JointRange(Penalty):
 
     Attributes:
         allowed: The tolerance below and above the ranges, (2, n, K).
-        hard: Ranges that the path must satisfy at all times; those of `joints` are then slightly tighter.
     """
 
     joints: tuple[Range, ...]
     allowed: Allowance | None = None
     term_name: str = "limits.range"
-    hard: tuple[Range, ...] = ()
 
     role = Role.LIMIT
 
@@ -96,8 +94,7 @@ class JointRange(Penalty):
 
     @property
     def normalization(self) -> Normalization:
-        little = np.radians(0.1 if self.hard else 1)
-        return Normalization(float(little**2), is_violation=True)
+        return Normalization(float(np.radians(1)) ** 2, is_violation=True)
 
     def beyond(self, samples: Samples) -> Array:
         """Return the excess of every joint over its range, negative within it, (n, S) [rad or m]."""
