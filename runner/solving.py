@@ -12,7 +12,6 @@ from functools import cached_property
 
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.problem import renormalised
-from dynsplines.solver.search.descent import WIDEST
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
 
@@ -21,12 +20,7 @@ from .clip.load import clip_from_motion, of_motion
 from .errors import UserError
 from .measure.violation import Violation, is_recording, violations
 from .motion import Saved, Search
-from .system import size_limit
 from .system.progress import Progress
-
-# [bytes] memory of a search per pair of a frame's entries; short clips of chains of hinges take 1100 to 1500
-PAIR = 2000
-NUMBER = 500_000  # [bytes] memory of a search without matrices per entry of a frame; 380,000 were measured at most
 
 
 @contextmanager
@@ -119,15 +113,6 @@ def measured(saved: Saved, progress: Progress, reason: str) -> Saved:
     return replace(saved, report=report | {"stopped because": saved.search.get("stopped because", reason)})
 
 
-def _check_size(clip: Clip) -> None:
-    """Raise UserError for a figure with too many joints for the memory of a search."""
-    width = clip.figure.width
-    if width > WIDEST:
-        size_limit.check(clip.name, NUMBER * width, f"the search with {width} numbers a frame")
-    else:
-        size_limit.check(clip.name, PAIR * width**2, f"the search with {width} numbers a frame, all with all,")
-
-
 def solve(clip: Clip, progress: Progress, *, stop_after: int | None = None) -> Solved:
     """Solve a clip and report every improvement. Ctrl-C stops the search and returns the best path.
 
@@ -136,7 +121,6 @@ def solve(clip: Clip, progress: Progress, *, stop_after: int | None = None) -> S
     """
     for note in clip.notes:
         progress.report(f"note: {note}")
-    _check_size(clip)
 
     def improved(improvement: Improvement) -> None:
         note = f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}"

@@ -14,6 +14,7 @@ from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import Penalty, Placed
 from dynsplines.solver.problem import Problem, Settings
+from dynsplines.solver.search.descent import optimiser_of
 from dynsplines.solver.search.nlopt_methods import DENSE, is_practical
 from dynsplines.solver.surface import static_surfaces
 
@@ -150,7 +151,7 @@ def build(
     slope = np.zeros((2, figure.width)) if solve.ends.startswith("clamped") else None
     turn = radians(solve.turn)
     problem = Problem(figure, tuple(keys), (), source.settings, solve.ends, slope, solve.travel, turn)
-    _check_timeline(problem, source.where)
+    _check_problem(problem, source.where)
     surfaces = static_surfaces(figure.model)
     context = Context.of(figure, problem.raw, surfaces, source.where, tuple(placed), table.contact, table.grasp)
     resting: tuple[str, ...] = ()
@@ -280,7 +281,7 @@ def build_following(
     rests = recording.stances(ground, edits, given_rests) if stances is None else stances_in(stances, ground, where)
     problem, factors = recording.problem(ground, edits, rests), weight_factors(source.options)
     problem = replace(problem, penalties=tuple((p, w * factors.get(p.name, 1.0)) for p, w in problem.penalties))
-    _check_timeline(problem, where)
+    _check_problem(problem, where)
     bends = () if ground.bends is None else ground.bends.joints
     schedule = ContactSchedule(
         figure,
@@ -308,9 +309,10 @@ def weight_factors(listed: Mapping[str, Options]) -> dict[str, float]:
     return factors
 
 
-def _check_timeline(problem: Problem, where: str) -> None:
+def _check_problem(problem: Problem, where: str) -> None:
     try:
         _ = problem.raw
+        optimiser_of(problem.settings.optimiser, problem.figure.width, problem.settings.tolerance)
     except (TimelineError, ValueError) as error:
         raise UserError(f"{where}: {error}") from None
 

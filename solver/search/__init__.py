@@ -5,7 +5,6 @@ minimum           the interface of optimisers: arguments, result, stop reasons
 newton            Gauss-Newton steps with Levenberg's damping, each a banded solve
 quadratic         the quadratic model of E that a step minimises, with one-sided residuals
 nlopt_methods     the algorithms of NLopt, for the final stage of a search
-matrix_free       the alternative for figures with so many joints that Newton's matrices would not fit in memory
 restart_criteria  detection of poor local minima
 selection         the timeline of least E among several of one clip
 """

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from ..curve.frame import Timeline
 from ..objective import Discretised, Objective
-from .matrix_free import matrix_free
 from .minimum import MOST_EVALUATIONS, TOLERANCE, Improved, Minimum, Optimiser, Stop
 from .newton import GaussNewton
 from .nlopt_methods import LBFGS, METHODS, NONE, algorithm
 
-WIDEST = 150  # columns of the state up to which Newton steps are used; the size of their blocks is quadratic in it
+WIDEST = 300  # largest number of columns of the state; time and memory of Newton steps are at least quadratic in it
 FINE = 1e-7  # [1] default tolerance of `optimised`, relative to E
 
 
@@ -34,13 +33,15 @@ def optimiser_of(method: str | Optimiser, width: int, final: float) -> Optimiser
         final: The tolerance of the last rounds.
 
     Raises:
-        ValueError: The method is unknown.
+        ValueError: The method is unknown, or the state too wide for it.
     """
     check_method(method)
     if not isinstance(method, str):
         return method
     if width > WIDEST:
-        return matrix_free
+        raise ValueError(
+            f"the figure has {width} coordinates, more than the {WIDEST} that a search supports; remove or weld joints"
+        )
     return GaussNewton(method, final)
 
 

@@ -104,13 +104,6 @@ class Layout:
         place = np.flatnonzero(springs)
         return place, springs[place]
 
-    def springs_by_column(self) -> Array:
-        """Return the springs on entries of single columns, without those of ties and seams, (C, K + 1, N)."""
-        matrix = np.zeros((self.count, self.blocks + 1, self.width))
-        column, offset, values = self._column_springs(self._held)
-        np.add.at(matrix, (column, offset), values)
-        return matrix
-
     def empty(self) -> Array:
         return np.zeros((self.count, self.width, self.blocks + 1, self.width))
 

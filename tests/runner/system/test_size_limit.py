@@ -18,9 +18,7 @@ from dynsplines.errors import UserError
 from dynsplines.exchange.array_reader import read_npz
 from dynsplines.scene.assets import Scene, taken_along
 from dynsplines.scene.compose import compose, figure_spec
-from dynsplines.solving import solve
 from dynsplines.system import size_limit
-from dynsplines.system.progress import Progress
 
 
 def model(inside: str) -> str:
@@ -144,15 +142,6 @@ def test_arrays_are_weighed_before_they_are_read(read, tmp_path: Path, monkeypat
     bomb.write_bytes(stream.getvalue())
     found = read(bomb)
     assert (found.entries if read is read_npz else found)["a"].size == 1e6
-
-
-def test_a_figure_of_so_many_joints_that_no_search_has_room_is_refused_before_one(monkeypatch: pytest.MonkeyPatch):
-    problem = load("run_and_step")
-    monkeypatch.setenv("DYNSPLINES_LARGEST", "5")
-    with pytest.raises(
-        UserError, match=r"run_and_step: the search with 51 numbers a frame, all with all, comes to 5 MB"
-    ):
-        solve(problem, Progress())
 
 
 def test_keyframes_too_unevenly_apart_for_a_spline_are_refused() -> None:

@@ -12,13 +12,13 @@ from small_problems import Watched, by_nlopt, problem_of
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.objective import Discretised, Evaluation
-from dynsplines.solver.search.matrix_free import matrix_free
+from dynsplines.solver.search.descent import WIDEST, optimiser_of
 from dynsplines.solver.search.minimum import Minimum, Stop, StopSearch
 from dynsplines.solver.search.newton import GaussNewton
 from dynsplines.solver.search.nlopt_methods import METHODS, NONE
 
 METHODS_OF_NLOPT = [method for method in METHODS if method != NONE]
-REPORTING = ("Gauss-Newton", "Gauss-Newton and refinement", "matrix-free")
+REPORTING = ("Gauss-Newton", "Gauss-Newton and refinement")
 ALL = (*REPORTING, *METHODS_OF_NLOPT)
 
 
@@ -30,8 +30,6 @@ def searched(name: str, problem: Discretised, *, max_evaluations: int = 100, **m
             optimiser: Callable[..., Minimum] = GaussNewton()
         case "Gauss-Newton and refinement":
             optimiser = GaussNewton("lbfgs", tolerance)
-        case "matrix-free":
-            optimiser = matrix_free
         case _:
             optimiser = partial(by_nlopt, method=name)
     return optimiser(problem, max_evaluations=max_evaluations, tolerance=tolerance, **more)
@@ -113,3 +111,11 @@ def test_what_is_no_number_never_becomes_the_best(name, bad, part, rng):
     found = searched(name, problem)
     assert np.isfinite(found.value)
     assert found.value == Discretised.__call__(problem, found.x).value <= problem.values[0]
+
+
+def test_figures_with_too_many_coordinates_are_refused_unless_the_optimiser_is_custom() -> None:
+    assert isinstance(optimiser_of("lbfgs", WIDEST, 1e-6), GaussNewton)
+    with pytest.raises(ValueError, match="the figure has 301 coordinates, more than the 300 that a search supports"):
+        optimiser_of("lbfgs", WIDEST + 1, 1e-6)
+    custom = GaussNewton()
+    assert optimiser_of(custom, WIDEST + 1, 1e-6) is custom
