@@ -31,14 +31,12 @@ from dynsplines.solver.posing import (
     chain,
     dragged,
     limb,
-    posed,
 )
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import Point
 
 from ..clip.kinds import posing_limits
 from ..clip.parse import chosen
-from ..clip.posing.equalities import Equalities
 from ..clip.posing.places import Places, sole_points
 from ..clip.table import PenaltyTable
 from ..clip.text import TomlTable, keyframe_tables, tables
@@ -95,7 +93,6 @@ class Poser:
         self.soles: tuple[Point, ...] = sole_points(figure, np.reshape(full_keyframes, (-1, figure.width)))
         self.footing = Footing(figure, self.soles, static_surfaces(figure.model))
         self.data = mujoco.MjData(figure.model)
-        self._equalities = Equalities(figure, is_inner=True) if figure.model.neq else None
 
     @cached_property
     def _range_shares(self) -> dict[int, float]:
@@ -115,8 +112,6 @@ class Poser:
             limb_mask[figure.links[link].columns] = figure.links[link].kind is not JointKind.FREE
         for i, link in enumerate(figure.links[1:], 1):
             whole[link.columns] = bool(figure.tables.path[i, root])
-        if self._equalities is not None:
-            limb_mask, whole = (self._equalities.coupled(qpos, mask) for mask in (limb_mask, whole))
         if alone and limb_mask.any():
             whole = limb_mask
         set_qpos(self.figure.model, self.data, qpos)
@@ -202,17 +197,12 @@ class Poser:
         limits = grip.limits if support is None else (*grip.limits, support)
         if support is not None and any(foot.body == grip.body for foot in aloft):
             limits += tuple(foot.above(floor, CLEAR) for foot in aloft for floor in grip.limits)
-        constraints = Constraints((*goals, *self._couplings), limits, tuple(level))
+        constraints = Constraints(tuple(goals), limits, tuple(level))
         may_restart = free is None and not fixed and not landing
         return dragged(
             self.figure, grip.qpos, grip.is_whole_figure if free is None else free, target, constraints, self.bends,
             begin=begin, limb=grip.limb if may_restart else None, range_shares=self._range_shares,
         )  # fmt: skip
-
-    @property
-    def _couplings(self) -> tuple[Equalities, ...]:
-        """The goal of closed equality constraints, if the figure has any."""
-        return () if self._equalities is None else (self._equalities,)
 
     def _keeps_balance(self, grip: Grip, pose: Posed) -> bool:
         set_qpos(self.figure.model, self.data, pose.qpos)
@@ -251,26 +241,13 @@ class Poser:
             if self.figure.model.jnt_limited[link.joint]:
                 value = float(np.clip(value, *self.figure.model.jnt_range[link.joint]))
             out[link.qpos] = value
-            return self._closed(out, link.columns)
+            return out
         start = link.qpos + (3 if link.kind is JointKind.FREE else 0)
         quaternion = out[start : start + 4]
         base = quat.product(self.data.xquat[link.body], quat.inverse(quaternion))
         there = quat.product(quat.product(quat.inverse(base), moved), quat.product(base, quaternion))
         out[start : start + 4] = quat.normalised(there)
-        return self._closed(out, link.columns)
-
-    def _closed(self, qpos: Array, columns: slice) -> Array:
-        """Return a pose (nq,) in which the joints that equality constraints couple with a moved joint follow it, if
-        they can."""
-        if self._equalities is None:
-            return qpos
-        moved = np.zeros(self.figure.width, bool)
-        moved[columns] = True
-        followers = self._equalities.coupled(qpos, moved) & ~moved
-        if not followers.any():
-            return qpos
-        pose = posed(self.figure, qpos, followers, self._couplings)
-        return pose.qpos if pose.is_met else qpos
+        return out
 
     def keyframe_entries(self, qpos: Array, home: Array | None = None) -> TomlTable:
         """Return the entries of a keyframe for a pose: of all joints, or of those that differ from `home`.

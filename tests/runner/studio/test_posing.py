@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 
-import mujoco
 import numpy as np
 import pytest
 from oracles import kinematics
@@ -15,7 +14,6 @@ from dynsplines.clip.kinds import posing_limits
 from dynsplines.clip.pose import _key
 from dynsplines.clip.table import ClipTable
 from dynsplines.errors import UserError
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.posing import limb
 from dynsplines.studio.posing import Poser
@@ -93,30 +91,6 @@ def test_what_a_pose_says_is_that_pose(clip, poser):
     table = ClipTable.model_validate({"figure": "human", "keyframe": [row]})
     key = _key(clip.figure, table.keyframe[0], None, (), "here")
     np.testing.assert_allclose(key.state[key.fixed], other[key.fixed], atol=2e-5)
-
-
-HAND = """<mujoco><worldbody><body name="palm" pos="0 0 1"><geom size=".03"/>
- <body name="left" pos="0 .05 0"><joint name="left" axis="1 0 0" range="-60 90"/>
-  <geom type="capsule" size=".01" fromto="0 0 0 0 0 .1"/>
-  <body name="tip" pos="0 0 .1"><joint name="bend" axis="1 0 0"/><geom size=".01" pos="0 0 .05"/></body></body>
- <body name="right" pos="0 -.05 0"><joint name="right" axis="1 0 0"/>
-  <geom type="capsule" size=".01" fromto="0 0 0 0 0 .1"/></body>
-</body></worldbody><equality><joint joint1="bend" joint2="left" polycoef="0 0 1"/>
- <joint joint1="right" joint2="left" polycoef="0 -1"/></equality></mujoco>"""
-
-
-def test_joints_that_follow_a_dragged_one_follow_it():
-    """A finger's tip by the square of its angle, and the opposite finger, which is no part of the limb."""
-    model = mujoco.MjModel.from_xml_string(HAND)
-    poser, home = Poser(Figure(model), [], np.zeros((0, 3))), np.zeros(3)
-    grip = poser.gripped(home, model.body("left").id, np.array([0, 0, 0.1]), alone=True)
-    goal = np.array([0, 0.05 - 0.1 * np.sin(0.5), 1 + 0.1 * np.cos(0.5)])
-    dragged = home
-    for _ in range(4):
-        dragged = poser.pulled(grip, goal, dragged).qpos
-    for pose in (dragged, poser.turned(home, "left", [np.cos(0.25), np.sin(0.25), 0, 0])):
-        assert pose[0] == pytest.approx(0.5, abs=0.02)
-        np.testing.assert_allclose(pose[1:], [pose[0] ** 2, -pose[0]], atol=1e-3)
 
 
 SAMPLE = 4
