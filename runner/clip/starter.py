@@ -1,4 +1,4 @@
-"""A starting clip for any model: its keyframes, or one or two poses, and every available name in comments."""
+"""A starting clip for any model: its keyframes, or its rest pose, and every available name in comments."""
 
 from __future__ import annotations
 
@@ -15,38 +15,34 @@ from dynsplines import models
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.figure.figure import Figure, FigureError, JointKind, Link, quaternion_columns
-from dynsplines.solver.figure.forward import boxes, kinematics
+from dynsplines.solver.figure.figure import Figure, FigureError, JointKind, Link
+from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import closures, couplings
-from dynsplines.solver.surface.points import Point, body_points, bottoms_of, places_of
-from dynsplines.solver.surface.touch import TOUCHING, counts_all, movers
-from dynsplines.solver.surface.touch import solids as solids_of
+from dynsplines.solver.penalty import couplings
+from dynsplines.solver.surface.points import Point, body_points, bottoms_of, hanging, places_of
+from dynsplines.solver.surface.touch import counts_all, grounds
 
 from ..errors import UserError, words_of
 from ..scene.compose import compose, figure_spec
-from ..scene.configuration import first_wrong, posed
+from ..scene.configuration import first_wrong
 from ..scene.model_notes import vertical_notes
 from ..scene.urdf import fixed_base
 from ..system.mujoco_warnings import quietly
 from .load import compiled_keys
 from .pose import follow
-from .posing.equalities import Equalities, in_words
+from .posing.grounding import lifts
 from .posing.places import Places, posable_sites, rest_within_ranges, sole_points
-from .posing.pose_report import floor_height, lifts, lowest_point, violations
-from .table import KEY, KeyframeTable, RotationTable
-from .text import keyframe_tables, rotation, tables, written
+from .table import KEY, KeyframeTable
+from .text import keyframe_tables, tables, written
 
 APART = 0.5  # [s] distance of keyframes if the model's times do not rise
 STRAIGHT = 0.99  # [1] component of a slide's direction from which a comment names the axis
 REPORTED = 5e-4  # [m] displacement above which a raised pose is reported
-MOVED = np.radians(40)  # [rad] rotation of the one joint that moves
-ROOM = 0.6  # [1] maximum motion of a joint, relative to the distance to its bound
-FLEXED = 0.35  # [1] maximum motion of a slide, relative to the figure's size
 DIGITS = 6  # decimal places of degrees and metres
 WIDE = 110  # characters per line of comments
 AT_REST = "Positions in the first keyframe, in metres. Such a line in a keyframe is a target position:"
 ALL_COUNT = "Nothing of this model collides (contype, conaffinity), so all of its geoms are checked for collisions."
+NEXT = "# Add here what changes, such as a joint from the list above. Then add more keyframes."
 NO_FEET = "none were found; add sites with names such as left_heel and left_toe"
 
 PENALTIES = """\
@@ -76,63 +72,44 @@ def starter(source: str, target: Path, report: Callable[[str], None] = lambda _:
     Args:
         source: The name or path of the figure.
         target: The path to which the text will be written.
-        report: Receives a note for each violation of the keyframes, and for each change. The text contains them too.
+        report: Receives notes on the model. The text contains them too.
 
     Raises:
         UserError: The figure cannot be loaded.
     """
     with quietly():
         spec = figure_spec(source)
-    times, poses = _model_keys(spec, Path(source).name)
-    names, model_poses = [key.name for key in spec.keys], poses
+    times, model_poses = _model_keys(spec, Path(source).name)
+    names, has_keys = [key.name for key in spec.keys], bool(len(model_poses))
     scene = compose(spec)
     try:
         figure = Figure(scene.model())
     except (FigureError, ValueError) as error:
         raise UserError(f"{Path(source).name}: {words_of(error)}") from None
-    soles = sole_points(figure, poses)
-    has_keys = bool(len(poses))
-    equalities = Equalities(figure)
+    soles = sole_points(figure, model_poses)
     notes = [*([line] if (line := fixed_base(source, figure.model)) else []), *vertical_notes(figure.model)]
-    if not has_keys:
-        times, poses = np.zeros(1), rest_within_ranges(figure)[None]
-    given_poses, poses = poses, np.array([_settled(figure, qpos) for qpos in poses])
-    for k, qpos in enumerate(poses):
-        poses[k], lines = _closed(figure, qpos, equalities)
-        notes += [f"keyframe {k + 1}: {line}" for line in lines]
-    settled = poses
-    lifted = [_on_floor(figure, qpos, lowers=bool(soles) and not has_keys) for qpos in poses]
-    poses = np.array(
-        [  # bodies attached to the world or a mocap body are not lifted off it
-            qpos if equalities.open(up) and not equalities.open(qpos) else up
-            for qpos, up in zip(poses, lifted, strict=True)
-        ]
-    )
-    for k, qpos in enumerate(poses):
-        notes += [f"keyframe {k + 1}: {line}" for line in violations(figure, qpos, equalities)]
     for note in notes:
         report(note)
+    if not has_keys:
+        times, model_poses = np.zeros(1), rest_within_ranges(figure)[None]
+    coupled = np.array([_with_followers(figure, qpos) for qpos in model_poses])
+    poses = np.array([_on_floor(figure, qpos, lowers=bool(soles) and not has_keys) for qpos in coupled])
     frames = [Frame.key(t, q) for t, q in zip(times, poses, strict=True)]
     rows = [_without_followers(figure, row) for row in keyframe_tables(figure, frames)]
-    for k in range(len(model_poses)):
+    for k in range(len(names)):
         if names[k] and np.array_equal(poses[k], model_poses[k]):
             rows[k] = KeyframeTable.unchecked(time=rows[k].time, others=KEY + names[k])
-    if len(poses) == 1:
-        rows += _moved(figure, poses[0], float(times[0]))
+    if len(rows) == 1:
+        rows.append(KeyframeTable.unchecked(time=float(times[0]) + APART, others="previous"))
     head = {"figure": source if source in models.figures() else _path(source, target), "fps": 30}
     blocks = [
-        _head(
-            source,
-            has_keys,
-            len(poses),
-            float(max((poses - settled).flat, key=abs)),
-            float(np.abs(settled - given_poses).max()),
-        ),
+        _head(source, len(poses) if has_keys else 0, float(max((poses - coupled).flat, key=abs))),
         written(head).rstrip("\n"),
         *([_comment(notes)] if notes else []),
         _named(figure, poses[0], soles),
         PENALTIES.rstrip("\n"),
         "\n\n".join(written({"keyframe": [_rounded(tables(row))]}).strip("\n") for row in rows),
+        *([NEXT] if len(poses) == 1 else []),
     ]
     return "\n\n".join(blocks) + "\n"
 
@@ -155,24 +132,7 @@ def _path(source: str, target: Path) -> str:
     return Path(os.path.relpath(Path(source).resolve(), target.resolve().parent)).as_posix()
 
 
-def _closed(figure: Figure, qpos: Array, equalities: Equalities) -> tuple[Array, list[str]]:
-    """Return a pose (nq,) moved onto the model's equality constraints if possible, with notes."""
-    gaps = equalities.open(qpos)
-    if not gaps:
-        return qpos, []
-    closed = equalities.closed(qpos)
-    if closed is None:
-        return qpos, ["no pose within the joints' ranges was found that meets the model's equality constraints"]
-    away = np.zeros(figure.model.nv)
-    mujoco.mj_differentiatePos(figure.model, away, 1.0, qpos, closed)
-    link = max(figure.links[1:], key=lambda candidate: float(np.abs(away[candidate.dofs]).max()))
-    most = float(np.linalg.norm(away[link.dofs]))
-    size = in_words(most, "m") if link.kind is JointKind.SLIDE else in_words(np.degrees(most), "degrees")
-    was = str(gaps[0]).replace("open by", "was open by")
-    return closed, [f"moved onto the model's equality constraints, '{link.name}' by {size}: {was}"]
-
-
-def _settled(figure: Figure, qpos: Array) -> Array:
+def _with_followers(figure: Figure, qpos: Array) -> Array:
     """Return a pose (nq,) with coupled joints at the values that their drivers determine."""
     out = np.array(qpos)
     follow(figure, out, np.ones(figure.width, bool), lambda _: False)
@@ -186,136 +146,15 @@ def _without_followers(figure: Figure, row: KeyframeTable) -> KeyframeTable:
 
 
 def _on_floor(figure: Figure, qpos: Array, *, lowers: bool) -> Array:
-    """Return a pose (nq,) with free parts raised out of the floor, or with `lowers` also lowered onto it, and on top
-    of their pedestal."""
-    out, floor = np.array(qpos), floor_height(figure.model)
-    for root, column, up in lifts(figure):
-        low = lowest_point(figure, out, root)
-        if low is None:
-            continue
-        if floor is not None:
+    """Return a pose (nq,) with free parts raised out of the floor, or with `lowers` also lowered onto it."""
+    out, data = np.array(qpos), kinematics(figure.model)
+    floor = max((float(data.geom_xpos[geom, 2]) for geom in grounds(figure.model)), default=None)
+    for root, column, up in lifts(figure) if floor is not None else ():
+        points = hanging(figure, root, body_points(figure))
+        if points:
+            low = float(bottoms_of(points, Samples.still(figure, figure.to_state(qpos[None]))).min())
             out[column] += up * (floor - low if lowers else max(floor - low, 0.0))
-        if root in figure.tables.free_links:
-            _mount(figure, out, root)
     return out
-
-
-def _mount(figure: Figure, qpos: Array, root: int) -> None:
-    """Raise a link's subtree to the top of the obstacle that it overlaps: its pedestal."""
-    model = figure.model
-    endless = (int(mujoco.mjtGeom.mjGEOM_PLANE), int(mujoco.mjtGeom.mjGEOM_HFIELD))
-    solids = [geom for geom in solids_of(model) if model.geom_type[geom] not in endless]
-    geoms = [geom for geom in movers(model) if figure.tables.path[figure.body_link[model.geom_bodyid[geom]], root]]
-    for _ in solids:
-        data = kinematics(model, qpos)
-        under = [s for s in solids if any(_depth(model, data, geom, s) > TOUCHING for geom in geoms)]
-        low = lowest_point(figure, qpos, root)
-        if not under or low is None:
-            return
-        centre, reach = boxes(model, data, np.array(under))
-        qpos[figure.links[root].qpos + 2] += (centre + reach)[:, 2].max() - low
-
-
-def _depth(model: mujoco.MjModel, data: mujoco.MjData, geom: int, solid: int) -> float:
-    """Return the penetration depth of one geom in another [m]."""
-    return -mujoco.mj_geomDistance(model, data, geom, solid, TOUCHING, None)
-
-
-def _moved(figure: Figure, qpos: Array, start: float) -> list[KeyframeTable]:
-    """Return two more keyframes: one joint moved, and moved back."""
-    link, value = _example_joint(figure, qpos)
-    back = _joint(link, qpos)
-    if isinstance(back, RotationTable):
-        there: RotationTable | float = RotationTable(rotvec=(0.0, float(_short(float(np.degrees(value)))), 0.0))
-    else:
-        there = float(np.degrees(value)) if link.kind is JointKind.HINGE else value
-        rounded = round(there, 0 if link.kind is JointKind.HINGE else 3)
-        there = rounded if min(back, there) < rounded < max(back, there) else there
-    loops = [figure.links[i] for i in sorted(_loops(figure))]
-    loops = loops if any(loop is link for loop in loops) else []  # the search closes the loops again
-    free = {loop.name: "free" for loop in loops if loop is not link}
-    closed = {loop.name: _joint(loop, qpos) for loop in loops}
-    return [
-        KeyframeTable.unchecked(time=start + APART, joints={link.name: there, **free}, others="previous"),
-        KeyframeTable.unchecked(time=start + 2 * APART, joints={link.name: back, **closed}, others="previous"),
-    ]
-
-
-def _joint(link: Link, qpos: Array) -> RotationTable | float:
-    columns = quaternion_columns(link)
-    if columns is not None:
-        return rotation(qpos[columns])
-    return float(np.degrees(qpos[link.qpos])) if link.kind is JointKind.HINGE else float(qpos[link.qpos])
-
-
-def _loops(figure: Figure) -> set[int]:
-    path, links = figure.tables.path > 0, set()
-    for closure in closures(figure):
-        links |= set(np.flatnonzero(path[closure.point.link] != path[closure.link]).tolist())
-    return {i for i in links if figure.links[i].kind is not JointKind.FREE}
-
-
-def _example_joint(figure: Figure, qpos: Array) -> tuple[Link, float]:
-    """Return the joint whose motion is most visible, except those that carry half the figure, and its target value."""
-    model = figure.model
-    after = {coupling.follower for coupling in couplings(figure)}
-    loops = _loops(figure)
-    size = _size(figure, qpos)
-    choices: list[tuple[int, float]] = []
-    poses = [qpos]
-    for i, link in enumerate(figure.links[1:], start=1):
-        if link.kind is JointKind.FREE or link.qpos in after:
-            continue
-        for value in _goals(figure, link, qpos, size):
-            moved = np.array(qpos)
-            columns = quaternion_columns(link)
-            if columns is None:
-                moved[link.qpos] = value
-            else:
-                moved[columns] = [np.cos(value / 2), 0, np.sin(value / 2), 0]
-            choices.append((i, value))
-            poses.append(moved)
-    if not choices:
-        name = figure.links[1].name
-        raise UserError(
-            f"'{name}' is the only moving body: a free body needs its own keyframes, "
-            "as in `dynsplines clips --show tumble`"
-        )
-    samples = Samples.still(figure, figure.to_state(np.array(poses)))
-    lowest = bottoms_of(body_points(figure), samples).min(axis=0, initial=np.inf)
-    worth = []
-    for (i, _), pose, low in zip(choices, poses[1:], lowest[1:], strict=True):
-        heavy, sunk = figure.tables.path[:, i].mean() > 0.5, low < lowest[0] - 1e-3
-        share = (0.1 if heavy else 1.0) * (0.2 if sunk else 1.0) * (0.1 if i in loops else 1.0)
-        worth.append(share * _shift(model, qpos, pose))
-    i, value = choices[int(np.argmax(np.array(worth) > 0.999 * max(worth)))]
-    return figure.links[i], value
-
-
-def _goals(figure: Figure, link: Link, qpos: Array, size: float) -> list[float]:
-    """Return possible values of a joint [rad or m], in either direction."""
-    if link.kind is JointKind.BALL:
-        high = float(figure.model.jnt_range[link.joint].max()) if figure.model.jnt_limited[link.joint] else np.pi
-        return [min(MOVED, ROOM * high), -min(MOVED, ROOM * high)]
-    here, most = float(qpos[link.qpos]), MOVED if link.kind is JointKind.HINGE else FLEXED * size
-    low, high = (here - most / ROOM, here + most / ROOM)
-    if figure.model.jnt_limited[link.joint]:
-        low, high = (float(bound) for bound in figure.model.jnt_range[link.joint])
-    steps = [min(most, ROOM * max(high - here, 0.0)), -min(most, ROOM * max(here - low, 0.0))]
-    return [here + step for step in steps if step != 0]
-
-
-def _shift(model: mujoco.MjModel, before: Array, after: Array) -> float:
-    """Return the largest displacement of a geom between two poses [m]."""
-    places = [np.concatenate([data.geom_xpos, data.xipos]) for data in posed(model, np.stack([before, after]))]
-    return float(np.linalg.norm(places[1] - places[0], axis=1).max())
-
-
-def _size(figure: Figure, qpos: Array) -> float:
-    """Return the extent of a figure [m]."""
-    data = kinematics(figure.model, qpos)
-    moving = figure.body_link > 0
-    return float(np.linalg.norm(np.ptp(data.xipos[moving], axis=0))) or 0.1
 
 
 def _rounded(value: Any) -> Any:
@@ -331,18 +170,14 @@ def _short(value: float) -> float | int:
     return int(number) if number == int(number) else number
 
 
-def _head(source: str, has_keyframes: bool, count: int, raised: float, settled: float) -> str:
-    name = Path(source).name
-    content = f"its {count} keyframe{'s' * (count > 1)}" if has_keyframes else "its rest pose"
-    more = "" if count > 1 else ", and one joint moved"
-    up = "\n"
+def _head(source: str, key_count: int, raised: float) -> str:
+    content = f"its {key_count} keyframe{'s' * (key_count > 1)}" if key_count else "its rest pose"
+    up = ""
     if abs(raised) >= REPORTED:
         verb = "Raised" if raised > 0 else "Lowered"
-        where = "out of" if raised > 0 else "onto"
-        up = f" {verb} by up to {1000 * abs(raised):.1f} mm, {where} the floor or an obstacle.\n"
-    off = "# Joints that follow others have the values that these determine, not those of the model's keyframes.\n"
+        up = f" {verb} by up to {1000 * abs(raised):.1f} mm, {'out of' if raised > 0 else 'onto'} the floor."
     return (
-        f"# A clip for {name}: {content}{more}.{up}{off if has_keyframes and settled >= REPORTED else ''}"
+        f"# A clip for {Path(source).name}: {content}.{up}\n"
         "# Units are degrees, metres and seconds. The solver chooses joints that a keyframe does not name. To specify\n"
         '# them, add others = "previous" (as in the previous keyframe), "rest" or "key:NAME" (a <key> of the model).\n'
         "# To see the motion: dynsplines render THIS_FILE"

@@ -16,8 +16,8 @@ from dynsplines.solver.figure.root_wrench import RootWrench, weight
 from dynsplines.solver.surface.heights import heights
 from dynsplines.solver.surface.points import arrays_of, body_points, hanging, places_of
 
+from ..clip.posing.grounding import standing_trees
 from ..clip.posing.places import rounded
-from ..clip.posing.pose_report import standing_trees
 from ..motion import samples_at
 from .bounds import BOUNDS, Bound
 from .checks import Row, row_of

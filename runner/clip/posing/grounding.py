@@ -244,6 +244,19 @@ def _slides(figure: Figure, root: int) -> dict[int, tuple[int, float]]:
     return out
 
 
+def lifts(figure: Figure) -> list[tuple[int, int, float]]:
+    """Return the links that can be lifted, with the column of qpos that does so and 1, or −1 for a slide down."""
+    root, links = figure.root, figure.tables.free_links.tolist()
+    links += [root.link] if root is not None and not root.is_free else []
+    return [(link, *slides[2]) for link in links if 2 in (slides := _slides(figure, link))]
+
+
+def standing_trees(figure: Figure) -> list[int]:
+    """Return the root links of articulated trees that can be lifted, else of the first free body."""
+    roots = [root for root, _, _ in lifts(figure)]
+    return [root for root in roots if figure.tables.children[root]] or roots[:1]
+
+
 def _beside(told: Mask, k: int, *, loop: bool) -> list[int]:
     """Return the nearest keyframes before and after keyframe k in a mask (K,), in a loop across its end."""
     at = np.flatnonzero(told)
