@@ -15,7 +15,6 @@ from ..errors import UserError
 from ..motion import FARTHEST, read_entries
 from ..system import size_limit
 from .gaps import UnequalSamples, bridged, samples_used
-from .trajectory import BodyPoses
 
 NUMBER = 8  # [bytes] of a number in double precision
 SAMPLES = "samples"  # name of the first axis of arrays with one row per sample
@@ -129,18 +128,6 @@ def unit_quaternions(array: Array, name: str, where: object) -> Array:
     if np.any(np.abs(length - 1) > 0.01):
         raise UserError(f"{where}: '{name}': a quaternion of length {length.flat[np.argmax(abs(length - 1))]:.3g}")
     return array / length
-
-
-def body_poses(reader: ArrayReader) -> BodyPoses | None:
-    """Return the body poses that a file stores with qpos, under the names of MuJoCo and mjlab; None without any."""
-    place = next((name for name in ("xpos", "body_pos_w", "body_pos") if name in reader), None)
-    if place is None or np.ndim(reader.of(place)) != 3:
-        return None
-    position = reader.numbers(place, "samples", "bodies", 3)
-    turn = next((name for name in ("xquat", "body_quat_w", "body_quat", "body_rot") if name in reader), None)
-    rotation = None if turn is None else reader.quaternions(turn, "samples", "bodies", 4)
-    names = tuple(reader.texts("body_names")) if "body_names" in reader else None
-    return BodyPoses(position, rotation, turn == "xquat", names)
 
 
 def read_npz(source: Path) -> ArrayReader:

@@ -110,7 +110,7 @@ FORMATS = (
            variants=(SIMULATED,), options=("simulate",)),
     Format("mjlab", ".mjlab.npz", "mjlab, BeyondMimic: hinge angles and body poses", "mjlab", reads=True),
     Format("mjlab-csv", ".mjlab.csv", "input of mjlab, BeyondMimic: root pose (xyzw) and hinge angles, without names",
-           "mjlab_csv", reads=True, containers=(".tsv", ".txt")),
+           "mjlab_csv", reads=True),
     Format("locomujoco", ".loco.npz", "LocoMuJoCo: trajectory", "locomujoco", reads=True),
     Format("gmr", ".gmr.pkl", "GMR: root pose (xyzw), hinge angles, body positions", "gmr", reads=True,
            containers=(".pickle", ".joblib")),
@@ -280,19 +280,14 @@ def recording(
     available = readers()
     if kind is not None and kind not in available:
         raise UserError(_write_only(kind) if kind in writers() else unknown("format", kind, available))
-    fitting = [available[kind]] if kind is not None else _fitting(source)
+    form = available[kind] if kind is not None else _recognised(source)
     size_limit.check_file(source)
-    recordings: dict[str, Recording] = {}
-    failure: UserError | None = None
-    for form in fitting:
-        try:
-            recordings[form.name] = _read(form, source, model, fps, scale)
-        except UserError as error:
-            failure = failure or error
-    if not recordings:
-        assert failure is not None, "a file fits a format or is refused"
-        raise failure
-    return layouts.chosen(recordings, model, source, is_named=kind is not None)
+    result = _read(form, source, model, fps, scale)
+    if model is not None:
+        layouts.check_radians(model, result.qpos, source)
+        if kind is None and by_ending(source) is None:
+            layouts.check_upright(model, result, form.name, source)
+    return result
 
 
 def _read(
@@ -321,8 +316,11 @@ def _write_only(name: str) -> str:
     return f"the format '{name}' is only written; read are: {', '.join(readers())}"
 
 
-def _fitting(source: Path) -> list[Format]:
-    """Return the formats that a file may have, by its extension, or by its content where several share it."""
+def _recognised(source: Path) -> Format:
+    """Return the format of a file by its complete extension, or by its content where several share an extension.
+
+    Raises UserError for a file that none or several recognise, and for tables and arrays without names.
+    """
     name, available = source.name.lower(), readers().values()
     if name.endswith(CONVERTIBLE):
         raise UserError(f"'{source}': {source.suffix.lower()} is not read; convert it to BVH, for example with Blender")
@@ -330,14 +328,15 @@ def _fitting(source: Path) -> list[Format]:
     if selected is not None and not selected.reads:
         raise UserError(f"'{source}': {_write_only(selected.name)}")
     if selected is not None:
-        others = [form for form in available if form is not selected and selected.ending in form.read_endings]
-        return [selected, *(form for form in others if _recognises(form, source))]
+        _recognises(selected, source)  # raises UserError for a table without a heading
+        return selected
     sharing = [form for form in available if name.endswith(form.read_endings)]
     fitting = [form for form in sharing if _recognises(form, source)]
-    if not fitting:
-        names = ", ".join(form.name for form in sharing or available)
-        raise UserError(f"'{source}': its ending is of no known format; {missing_input.FORMAT}, one of: {names}")
-    return fitting
+    if len(fitting) == 1:
+        return fitting[0]
+    names = ", ".join(form.name for form in fitting or sharing or available)
+    problem = "it may be of several formats" if fitting else "its ending is of no known format"
+    raise UserError(f"'{source}': {problem}; {missing_input.FORMAT}, one of: {names}")
 
 
 def _recognises(form: Format, source: Path) -> bool:

@@ -16,7 +16,6 @@ import numpy as np
 from dynsplines.solver.array import Array, Mask
 
 from ..errors import UserError
-from .layouts import with_notes
 from .trajectory import Recording
 
 FEWEST = 2  # least number of samples of a motion
@@ -133,4 +132,4 @@ def as_far_as_it_goes(read: Callable[[], Recording]) -> Recording:
     if unequal is None:
         return result
     note = f"the file is cut short, samples of its arrays: {unequal.counts}; the first {unequal.count} are used"
-    return with_notes(result, (note,))
+    return replace(result, notes=(*result.notes, note))

@@ -1,15 +1,14 @@
-"""Selection of the layout in which a file is read, by `evidence`: redundant body poses, or else plausibility.
+"""Layout of a robot's arrays: the documented one, unless body poses in the same file decide for another.
 
-A reader returns a recording in the documented layout, with `others` for further layouts that occur in such files. The
-documented layout has precedence. Another one replaces it only if the documented one contradicts the file's body poses,
-or is implausible while the other is plausible. Formats that share an extension have equal precedence. A note reports
-the decision. An undecided file is refused, unless the user names the format: then its documented layout is used.
+Body poses beside joint angles are redundant, because forward kinematics must reproduce them. So they decide between the
+layouts that occur in such files: the order of the components of quaternions, the order of the joints, and those that
+the reader adds. A file without body poses has the documented layout.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
 from itertools import combinations
 
 import mujoco
@@ -18,259 +17,213 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.figure.root import root_of
 
 from ..errors import UserError
-from ..scene.assets import Scene
-from ..scene.configuration import quaternions
-from . import missing_input
-from .evidence import Plausibility, disagreement, in_degrees
+from ..scene.configuration import posed, quaternions
+from ..scene.framing import spread
+from .array_reader import ArrayReader
 from .skeleton import hierarchy
-from .skeleton.up_axis import TO_Z
-from .trajectory import BodyPoses, Recording
+from .trajectory import Recording
 
+CLOSE, ALIGNED = 0.02, np.radians(2)  # [m], [rad] allowed difference between forward kinematics and recorded bodies
 EQUAL = 0.05  # difference in `Disagreement.share` up to which layouts agree equally well with body poses
-SAME = 1e-6  # [m, rad] largest difference between layouts that result in the same motion
-ABOUT_X = quat.from_rotation_vector(np.array([np.pi / 2, 0, 0]))
-Y_UP = (  # words; rotation to z up; whether the root's frame is y up, too
-    ("y up", ABOUT_X, False),
-    ("y up in the world and in the root's frame", ABOUT_X, True),
-    ("y up and z forward in the world and in the root's frame", TO_Z["y"], True),
-)
+LOOKED_AT = 60  # samples of a file that are compared, evenly spread
+FALLEN = np.radians(60)  # [rad] tilt of the root that casts doubt on the order of its quaternions
+OFTEN = 0.1  # fraction of samples that are no outliers
+TURN = 2 * np.pi  # [rad]
 Reading = Callable[[], Array]
-Change = tuple[str, Callable[[Array], Array]]
-Candidate = tuple[str, Recording]  # name of a format, and the file read in it
-Judged = tuple[Plausibility, Candidate]
+Layout = tuple[str, ...]  # deviations from the documented layout
+
+
+@dataclass(frozen=True)
+class BodyPoses:
+    """Body poses that a file stores in addition to joint angles.
+
+    position (T, b, 3) [m]; rotation (T, b, 4) or None; names (b,) or None
+    is_wxyz   whether rotations are certainly wxyz, else they may be xyzw
+    is_local  whether positions are relative to the root, as if it were unrotated at the origin
+    """
+
+    position: Array
+    rotation: Array | None = None
+    is_wxyz: bool = False
+    names: tuple[str, ...] | None = None
+    is_local: bool = False
+
+
+def body_poses(reader: ArrayReader) -> BodyPoses | None:
+    """Return the body poses that a file stores with qpos, under the names of MuJoCo and mjlab; None without any."""
+    place = next((name for name in ("xpos", "body_pos_w", "body_pos") if name in reader), None)
+    if place is None or np.ndim(reader.of(place)) != 3:
+        return None
+    position = reader.numbers(place, "samples", "bodies", 3)
+    turn = next((name for name in ("xquat", "body_quat_w", "body_quat", "body_rot") if name in reader), None)
+    rotation = None if turn is None else reader.quaternions(turn, "samples", "bodies", 4)
+    names = tuple(reader.texts("body_names")) if "body_names" in reader else None
+    return BodyPoses(position, rotation, turn == "xquat", names)
+
+
+@dataclass(frozen=True)
+class Disagreement:
+    """The largest distance [m] and angle [rad] between recorded body poses and those of the figure."""
+
+    distance: float
+    angle: float
+
+    @property
+    def share(self) -> float:
+        """Ratio of the disagreement to the allowed value."""
+        return max(self.distance / CLOSE, self.angle / ALIGNED)
+
+    def __str__(self) -> str:
+        return f"{100 * self.distance:.1f} cm and {np.degrees(self.angle):.1f}°"
 
 
 def recording(
     model: mujoco.MjModel,
+    where: object,
     time: Array,
-    readings: Mapping[tuple[str, ...], Reading],
+    readings: Mapping[Layout, Reading],
+    bodies: BodyPoses | None,
     *,
-    scalar_last: bool | None = None,
-    has_names: bool = True,
-    bodies: BodyPoses | None = None,
+    scalar_last: bool,
+    has_names: bool,
     fps: float | None = None,
-    loops: bool = False,
 ) -> Recording:
-    """Return a recording with the layouts that its file may have.
+    """Return a recording in the layout that reproduces the body poses, with a note if it is not the documented one.
 
     Args:
+        where: Label of the file in errors.
         time: (T,) [s].
-        readings: Functions that return qpos (T, nq), wxyz, by words that describe their layout. The documented one,
-            without words, is first. A function that raises UserError does not fit the file.
-        scalar_last: Whether quaternions are documented as xyzw; None where their order is certain.
+        readings: Functions that return qpos (T, nq), wxyz, by their deviations from the documented layout, which is
+            first. A function that raises UserError does not fit the file.
+        bodies: The body poses; None for the documented layout.
+        scalar_last: Whether quaternions are documented as xyzw.
         has_names: Whether the file names its joints, so that their order is certain.
 
     Raises:
-        UserError: The first of the readings' errors, if none fits.
+        UserError: No layout fits, or none reproduces the body poses.
     """
-    bases: list[Recording] = []
+    assumed = ("xyzw" if scalar_last else "wxyz") if bodies is None or bodies.is_local else None
+    if bodies is None:
+        return Recording(time, next(iter(readings.values()))(), fps=fps, assumed_quaternions=assumed)
+    candidates: dict[Layout, Array] = {}
     failure: UserError | None = None
     for layout, read in readings.items():
         try:
-            base = Recording(time, read(), fps=fps, loops=loops, layout=layout, bodies=bodies)
+            qpos = read()
         except UserError as error:
             failure = failure or error
         else:
-            bases.append(_in_radians(model, base))
-    if not bases:
+            candidates |= {(*layout, *more): other for more, other in _variants(model, qpos, scalar_last, has_names)}
+    if not candidates:
         assert failure is not None, "a file has a documented layout"
         raise failure
-    variants = [other for base in bases for other in _variants(model, base, scalar_last, has_names=has_names)]
-    return replace(bases[0], others=(*bases[1:], *variants))
-
-
-def with_notes(recorded: Recording, notes: Sequence[str]) -> Recording:
-    """Return a recording with further notes, in all of its layouts."""
-    others = tuple(replace(other, notes=(*other.notes, *notes)) for other in recorded.others)
-    return replace(recorded, notes=(*recorded.notes, *notes), others=others)
-
-
-def chosen(
-    recordings: Mapping[str, Recording], model: mujoco.MjModel | None, where: object, *, is_named: bool = False
-) -> Recording:
-    """Return the recording in the layout with the most evidence, with a note if there was a choice.
-
-    Args:
-        recordings: By format; several for a file that several formats fit.
-        model: The figure; None for files that contain theirs.
-        where: Label of the file in errors.
-        is_named: Whether the user names the format, so that its documented layout is used if several are possible.
-
-    Raises:
-        UserError: No layout agrees with the file's body poses, or several are equally plausible.
-    """
-    first = next(iter(recordings.values()))
-    if len(recordings) == 1 and not first.others and first.bodies is None:
-        return first
-    if model is None:
-        assert first.mjcf is not None, "a file without a figure is for one that is named"
-        model = Scene(first.mjcf, first.assets).model()
-    layouts = [(form, variant) for form, base in recordings.items() for variant in (base, *base.others)]
-    fitting, notes = _agreeing(layouts, model, where)
-    best, note = _most_plausible(fitting, model, where, is_named=is_named)
-    return replace(best, bodies=None, others=(), notes=(*best.notes, *notes, *note))
-
-
-def _agreeing(
-    candidates: Sequence[Candidate], model: mujoco.MjModel, where: object
-) -> tuple[list[Candidate], tuple[str, ...]]:
-    """Return the layouts that reproduce the body poses best, and a note if the documented one is not among them."""
-    verified = [(form, variant) for form, variant in candidates if variant.bodies is not None]
-    if not verified:
-        return list(candidates), ()
-    off = [disagreement(model, variant) for _, variant in verified]
-    best, first = min(off, key=lambda each: each.share), off[0]
+    off = {layout: disagreement(model, qpos, bodies) for layout, qpos in candidates.items()}
+    first, best = next(iter(off.values())), min(off.values(), key=lambda each: each.share)
     if best.share > 1:
-        others = f", at best {best} with {_layout_text(verified[off.index(best)][1])}" if best is not first else ""
+        others = f", in other layouts by {best} or more" if best is not first else ""
         raise UserError(
-            f"{where}: its body poses differ from the figure's at its joint angles, by up to {first}{others}; "
+            f"{where}: its body poses differ from the figure's at its joint angles [rad], by up to {first}{others}; "
             "name the model that it was recorded with"
         )
-    out = [candidate for candidate, one in zip(verified, off, strict=True) if one.share <= best.share + EQUAL]
-    simplest = min(out, key=lambda each: len(each[1].layout))
-    if not simplest[1].layout:
-        return out, ()
-    before = "" if verified[0][1].layout else f"; as documented {first}"
-    return out, (f"read as {_layout_name(*simplest)}: its body poses differ from the figure's by up to {best}{before}",)
+    layout = min((one for one, each in off.items() if each.share <= best.share + EQUAL), key=len)
+    note = f"read with {' and '.join(layout)}: its body poses differ from the figure's by up to {off[layout]}"
+    notes = (f"{note}; as documented {first}",) if layout else ()
+    return Recording(time, candidates[layout], fps=fps, notes=notes, assumed_quaternions=assumed)
 
 
-def _most_plausible(
-    candidates: Sequence[Candidate], model: mujoco.MjModel, where: object, *, is_named: bool
-) -> tuple[Recording, tuple[str, ...]]:
-    """Return the layout to use with a note: the documented one, unless another refutes it."""
-    least = min(len(variant.layout) for _, variant in candidates)
-    documented = _judged([candidate for candidate in candidates if len(candidate[1].layout) == least], model)
-    first = documented[0]
-    rivals = _doubts(first, candidates, model, least)
-    if rivals:
-        best = _best(rivals)
-        is_refuted = first[0].is_refuted_by(best[0][0])
-        if is_refuted and len(best) == 1:
-            return best[0][1][1], (_decided(best[0], first),)
-        if not is_named:
-            raise UserError(f"{where}: {_doubted(first, best)}")
-        return first[1][1], (_decided(first, best[0]),)
-    if len(documented) == 1:
-        return first[1][1], ()
-    best = _best(documented)
-    if len(best) > 1:
-        raise UserError(f"{where}: {_equally(best)}")
-    other = next(entry for entry in documented if entry is not best[0])
-    return best[0][1][1], (_decided(best[0], other),)
+def check_radians(model: mujoco.MjModel, qpos: Array, where: object) -> None:
+    """Raise UserError if a hinge is often more than a turn beyond its range, as are angles in degrees."""
+    low, high = model.jnt_range.T
+    hinges = np.flatnonzero((model.jnt_type == JointKind.HINGE) & (model.jnt_limited == 1) & (high - low < TURN))
+    values = qpos[:, model.jnt_qposadr[hinges]]
+    is_beyond = (values < low[hinges] - TURN) | (values > high[hinges] + TURN)
+    for column, joint in enumerate(hinges.tolist()):
+        if is_beyond[:, column].mean() > OFTEN:
+            name, most = model.joint(joint).name, np.abs(values[:, column]).max()
+            raise UserError(
+                f"{where}: '{name}' goes to {most:.0f} rad, more than a turn beyond its range; convert degrees to "
+                f"radians, or give the unit in the heading of a table, '{name} [deg]'"
+            )
 
 
-def _doubts(first: Judged, candidates: Sequence[Candidate], model: mujoco.MjModel, least: int) -> list[Judged]:
-    """Return the clearly more plausible layouts that deviate more from the documented one, the most plausible first."""
-    if first[0].is_evident:
-        return []
-    axes = [other for candidate in candidates for other in _axes(model, candidate)]
-    others = _judged([entry for entry in (*candidates, *axes) if len(entry[1].layout) > least], model)
-    return [judged for judged in others if first[0].is_doubted_by(judged[0])]
+def check_upright(model: mujoco.MjModel, recorded: Recording, form: str, where: object) -> None:
+    """Raise UserError if only the documentation of a format states the order of the root's quaternions, and the root
+    is far from upright in most samples."""
+    root = root_of(model)
+    if recorded.assumed_quaternions is None or root is None or not root.is_free:
+        return
+    start = int(model.jnt_qposadr[root.joints[0]]) + 3
+    turned = quat.product(recorded.qpos[:, start : start + 4], quat.conjugate(model.qpos0[start : start + 4]))
+    tilt = float(np.median(np.arccos(np.clip(quat.rotated(turned, np.array([0, 0, 1.0]))[:, 2], -1, 1))))
+    if tilt > FALLEN:
+        raise UserError(
+            f"{where}: the root is tilted by {np.degrees(tilt):.0f}° with quaternions {recorded.assumed_quaternions} "
+            f"and z up, as the format {form} has them; convert the file, or give --from {form} if that is right"
+        )
 
 
-def _best(ranked: Sequence[Judged]) -> list[Judged]:
-    """Return the layouts of fewest deviations that the most plausible one does not exclude. If in one of these the feet
-    slide evidently less than in the others, it is the only result."""
-    near = [ranked[0], *(judged for judged in ranked[1:] if not judged[0].is_doubted_by(ranked[0][0]))]
-    fewest = min(len(variant.layout) for _, (_, variant) in near)
-    near = [judged for judged in near if len(judged[1][1].layout) == fewest]
-    at_rest = [one for one in near if all(one is other or one[0].slides_less_than(other[0]) for other in near)]
-    return at_rest or near
+def disagreement(model: mujoco.MjModel, qpos: Array, bodies: BodyPoses) -> Disagreement:
+    """Return how far recorded body poses are from those of the figure at configurations (T, nq).
+
+    Each recorded body is compared with the figure's body that is nearest to it over all samples. So the order of the
+    bodies does not matter, nor whether the world is among them. If the figure has fewer bodies, each of them is
+    compared with its nearest recorded body instead.
+    """
+    rows = spread(len(qpos), LOOKED_AT)
+    poses = ((data.xpos.copy(), data.xquat.copy()) for data in posed(model, qpos[rows]))
+    position, rotation = (np.array(part) for part in zip(*poses, strict=True))
+    root = root_of(model)
+    if bodies.is_local and root is not None:
+        back = quat.inverse(rotation[:, root.body])[:, None]
+        position = quat.rotated(back, position - position[:, [root.body]])
+        rotation = quat.product(back, rotation)
+    columns = _matching_bodies(model, bodies)
+    away = np.linalg.norm(bodies.position[rows][:, columns, None] - position[:, None], axis=-1).max(axis=0)
+    angles = [np.zeros_like(away)]
+    if bodies.rotation is not None:
+        shifts = (0,) if bodies.is_wxyz else (0, 1)
+        recorded = bodies.rotation[rows][:, columns, None]
+        angles = [quat.angle_between(np.roll(recorded, n, -1), rotation[:, None]).max(axis=0) for n in shifts]
+    return min((_nearest(away, angle) for angle in angles), key=lambda each: each.share)
 
 
-def _decided(used: Judged, other: Judged) -> str:
-    return f"read as {_layout_name(*used[1])}: {used[0]}; as {_layout_name(*other[1])} it would be: {other[0]}"
+def _matching_bodies(model: mujoco.MjModel, bodies: BodyPoses) -> Index:
+    """Return the recorded bodies whose names the figure has, or all of them if these are less than half."""
+    everything = np.arange(bodies.position.shape[1])
+    if bodies.names is None or len(bodies.names) != everything.size:
+        return everything
+    names = {model.body(body).name for body in range(model.nbody)}
+    matching = np.flatnonzero([name in names for name in bodies.names])
+    return matching if 2 * matching.size > everything.size else everything
 
 
-def _doubted(first: Judged, best: Sequence[Judged]) -> str:
-    """Return the error for a doubtful documented layout that no single other one replaces."""
-    form = first[1][0]
-    do = f"convert the file, or {missing_input.FORMAT}: {form} reads it as documented"
-    if len(best) > 1:
-        names = " and ".join(_layout_name(*candidate) for _, candidate in best)
-        return f"as {form} it is implausible ({first[0]}); {names} are equally plausible ({best[0][0]}); {do}"
-    return f"as {form} it is doubtful ({first[0]}); as {_layout_name(*best[0][1])} it would be: {best[0][0]}; {do}"
+def _nearest(distance: Array, angle: Array) -> Disagreement:
+    """Return the largest distance and angle (b, nbody) after assigning each body of the smaller set to its nearest."""
+    if distance.shape[0] > distance.shape[1]:
+        distance, angle = distance.T, angle.T
+    partner = np.argmin(np.maximum(distance / CLOSE, angle / ALIGNED), axis=1)
+    rows = np.arange(len(partner))
+    return Disagreement(float(distance[rows, partner].max()), float(angle[rows, partner].max()))
 
 
-def _equally(rivals: Sequence[Judged]) -> str:
-    names = " and ".join(_layout_name(*candidate) for _, candidate in rivals)
-    forms = list(dict.fromkeys(form for _, (form, _) in rivals))
-    do = f"{missing_input.FORMAT}, one of: {', '.join(forms)}" if len(forms) > 1 else "convert the file to one of these"
-    return f"{names} are equally plausible ({rivals[0][0]}), and differ; {do}"
-
-
-def _judged(candidates: Sequence[Candidate], model: mujoco.MjModel) -> list[Judged]:
-    """Return layouts, the most plausible first; of equivalent ones only that of fewest deviations."""
-    out: list[Judged] = []
-    for form, variant in sorted(candidates, key=lambda each: len(each[1].layout)):
-        if not any(_is_same(model, variant, other) for _, (_, other) in out):
-            out.append((Plausibility.of(model, variant), (form, variant)))
-    return sorted(out, key=lambda each: -each[0].score)
-
-
-def _is_same(model: mujoco.MjModel, one: Recording, other: Recording) -> bool:
-    """Return whether two layouts result in the same motion, up to the signs of quaternions."""
-    if one.qpos.shape != other.qpos.shape:
-        return False
-    apart = one.qpos - other.qpos
-    for columns in quaternions(model).values():
-        a, b = one.qpos[:, columns], other.qpos[:, columns]
-        apart[:, columns] = np.where(np.sum(a * b, axis=1, keepdims=True) < 0, a + b, a - b)
-    return not np.any(np.abs(apart) > SAME)
-
-
-def _layout_name(form: str, recorded: Recording) -> str:
-    return f"{form} with {_layout_text(recorded)}" if recorded.layout else form
-
-
-def _layout_text(recorded: Recording) -> str:
-    return " and ".join(recorded.layout)
-
-
-def _variants(
-    model: mujoco.MjModel, base: Recording, scalar_last: bool | None, *, has_names: bool
-) -> Iterator[Recording]:
-    """Yield the layouts that deviate from one by the order of quaternions and joints, the smallest deviation first."""
-    changes: list[Change] = []
-    if scalar_last is not None and quaternions(model):
-        shift = -1 if scalar_last else 1
-        changes.append((f"quaternions {'wxyz' if scalar_last else 'xyzw'}", lambda qpos: _rolled(model, qpos, shift)))
-    order = None if has_names else breadth_first(model)
-    if order is not None:
-        columns = model.jnt_qposadr
-        changes.append(("joints breadth first", lambda qpos: _moved(qpos, columns[np.sort(order)], columns[order])))
-    for count in range(1, len(changes) + 1):
+def _variants(model: mujoco.MjModel, qpos: Array, scalar_last: bool, has_names: bool) -> Iterator[tuple[Layout, Array]]:
+    """Yield configurations as they are, and with other orders of quaternions and joints, by their deviations."""
+    changes: list[tuple[str, Index, Index]] = []
+    if turned := list(quaternions(model).values()):
+        columns = np.concatenate([np.arange(model.nq)[each] for each in turned])
+        rolled = np.roll(columns.reshape(-1, 4), -1 if scalar_last else 1, axis=1).ravel()
+        changes.append((f"quaternions {'wxyz' if scalar_last else 'xyzw'}", columns, rolled))
+    if not has_names and (order := breadth_first(model)) is not None:
+        changes.append(("joints breadth first", model.jnt_qposadr[order], model.jnt_qposadr[np.sort(order)]))
+    for count in range(len(changes) + 1):
         for combination in combinations(changes, count):
-            qpos = base.qpos
-            for _, change in combination:
-                qpos = change(qpos)
-            yield replace(base, qpos=qpos, layout=(*base.layout, *(words for words, _ in combination)))
-
-
-def _rolled(model: mujoco.MjModel, qpos: Array, shift: int) -> Array:
-    out = qpos.copy()
-    for columns in quaternions(model).values():
-        out[:, columns] = np.roll(qpos[:, columns], shift, axis=1)
-    return out
-
-
-def _moved(qpos: Array, source: Index, target: Index) -> Array:
-    out = qpos.copy()
-    out[:, target] = qpos[:, source]
-    return out
-
-
-def _in_radians(model: mujoco.MjModel, recorded: Recording) -> Recording:
-    """Convert a recording whose hinges are evidently in degrees, with a note; return others unchanged."""
-    if not in_degrees(model, recorded.qpos, recorded.time):
-        return recorded
-    hinges = model.jnt_qposadr[model.jnt_type == JointKind.HINGE]
-    most = np.nanmax(np.abs(recorded.qpos[:, hinges]))
-    qpos = recorded.qpos.copy()
-    qpos[:, hinges] = np.radians(qpos[:, hinges])
-    return replace(recorded, qpos=qpos, notes=(*recorded.notes, f"angles go to {most:.0f}: read as degrees"))
+            out = qpos.copy()
+            for _, target, source in combination:
+                out[:, target] = out[:, source]
+            yield tuple(words for words, _, _ in combination), out
 
 
 def breadth_first(model: mujoco.MjModel) -> Index | None:
@@ -288,19 +241,3 @@ def breadth_first(model: mujoco.MjModel) -> Index | None:
         above.append(int(joint - model.body_jntadr[body]) + int(model.body_jntnum[carriers].sum()))
     order = np.argsort(above, kind="stable")
     return None if np.array_equal(order, np.arange(joints.size)) else joints[order]
-
-
-def _axes(model: mujoco.MjModel, candidate: Candidate) -> Iterator[Candidate]:
-    """Yield the same layouts with y up; in a file with body poses, the root's frame is that of the figure."""
-    form, base = candidate
-    if JointKind.FREE not in model.jnt_type:
-        return
-    for words, turn, turns_root in Y_UP:
-        if turns_root and base.bodies is not None:
-            continue
-        qpos = base.qpos.copy()
-        for start in model.jnt_qposadr[model.jnt_type == JointKind.FREE]:
-            qpos[:, start : start + 3] = quat.rotated(turn, qpos[:, start : start + 3])
-            rotation = quat.product(turn, qpos[:, start + 3 : start + 7])
-            qpos[:, start + 3 : start + 7] = quat.product(rotation, quat.conjugate(turn)) if turns_root else rotation
-        yield form, replace(base, qpos=qpos, layout=(*base.layout, words))

@@ -155,22 +155,6 @@ class Bodies:
 
 
 @dataclass(frozen=True)
-class BodyPoses:
-    """Body poses that a file stores in addition to joint angles; they are redundant and verify its layout.
-
-    position (T, b, 3) [m]; rotation (T, b, 4) or None; names (b,) or None
-    is_wxyz   whether rotations are certainly wxyz, else they may be xyzw
-    is_local  whether positions are relative to the root, as if it were unrotated at the origin
-    """
-
-    position: Array
-    rotation: Array | None = None
-    is_wxyz: bool = False
-    names: tuple[str, ...] | None = None
-    is_local: bool = False
-
-
-@dataclass(frozen=True)
 class Recording:
     """The content of a file that was read, in MuJoCo's order and units.
 
@@ -182,9 +166,7 @@ class Recording:
         notes: Lines for the user on how the file was read.
         loops: Whether the file is marked as a loop: its last sample is the first again, translated.
         assets: The files that `mjcf` refers to, by name.
-        bodies: Body poses that the file also contains, to verify `qpos`.
-        layout: How the file differs from the documented layout of its format, such as "quaternions xyzw".
-        others: The same file read in other layouts.
+        assumed_quaternions: The order of the root's quaternions, if only the documentation of the format states it.
     """
 
     time: Array
@@ -194,6 +176,4 @@ class Recording:
     notes: tuple[str, ...] = ()
     loops: bool = False
     assets: Assets = field(default_factory=dict)
-    bodies: BodyPoses | None = None
-    layout: tuple[str, ...] = ()
-    others: tuple[Recording, ...] = ()
+    assumed_quaternions: str | None = None

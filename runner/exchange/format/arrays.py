@@ -6,12 +6,11 @@ joint_names (njnt,), body_names (nbody,)
 mjcf ()                          the whole scene: mujoco.MjModel.from_xml_string(str(numpy.load(FILE)["mjcf"]))
 
 On import, `qpos` and `time` or `fps` are read, and `mjcf` where the user names no figure. `joint_names` must be the
-figure's if present. Body poses `xpos`, `xquat` verify qpos. An .npy file is read as qpos alone.
+figure's if present. Body poses `xpos`, `xquat` verify qpos. If the user names the format, an .npy file is read as qpos.
 """
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import mujoco
@@ -23,7 +22,7 @@ from ...scene.assets import Scene
 from ...scene.compose import compiled
 from ...scene.configuration import unlike_joints
 from .. import layouts, missing_input
-from ..array_reader import body_poses, names_in, read_npz, times
+from ..array_reader import names_in, read_npz, times
 from ..robot import needs_figure
 from ..trajectory import Recording, SampledTrajectory
 
@@ -46,8 +45,10 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 
 
 def recognises(path: Path) -> bool:
-    """Return whether an .npz is of this format; an .npy always is."""
-    return path.suffix.lower() == ".npy" or ("qpos" in names_in(path) and "split_points" not in names_in(path))
+    """Return whether an .npz is of this format; raises UserError for an .npy file, which has no names."""
+    if path.suffix.lower() == ".npy":
+        raise UserError(f"{path}: an array without a name; {missing_input.FORMAT}: npz reads it as qpos (wxyz)")
+    return "qpos" in names_in(path) and "split_points" not in names_in(path)
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
@@ -71,9 +72,9 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     if rate is None and "time" not in arrays:
         raise UserError(f"{path}: it has neither 'time' nor 'fps'; {missing_input.RATE}")
     time = arrays.numbers("time", "samples") if rate is None or "time" in arrays else times(len(qpos), rate)
-    result = layouts.recording(
-        figure, time, {(): lambda: qpos}, scalar_last=None if "mjcf" in arrays else False,
-        has_names="joint_names" in arrays,
-        bodies=body_poses(arrays), fps=rate,
+    if "mjcf" in arrays:  # written by this program
+        return Recording(time, qpos, mjcf, rate, assets={} if mjcf is None else assets)
+    return layouts.recording(
+        figure, path, time, {(): lambda: qpos}, layouts.body_poses(arrays),
+        scalar_last=False, has_names="joint_names" in arrays, fps=rate,
     )  # fmt: skip
-    return result if mjcf is None else replace(result, mjcf=mjcf, assets=assets, others=())

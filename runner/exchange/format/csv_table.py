@@ -16,7 +16,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 
 from ...errors import UserError
-from .. import layouts, missing_input, quantities
+from .. import missing_input, quantities
 from ..array_reader import times
 from ..tables import headings, table_text
 from ..trajectory import Recording, SampledTrajectory
@@ -51,22 +51,31 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
         rows.writerows(map(repr, row) for row in table.tolist())
 
 
+def recognises(path: Path) -> bool:
+    """Return whether a text is a table; raises UserError for one without a heading."""
+    if table_text.table(path).names is None:
+        raise UserError(
+            f"{path}: a table without a heading; add one with the names of the columns (an export to csv shows them), "
+            f"or {missing_input.FORMAT}: csv reads time and qpos (quaternions wxyz), mjlab-csv root position, "
+            "quaternion xyzw and hinges"
+        )
+    return True
+
+
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Read a table: with a heading, columns in any order; without one, nq columns, or the time and nq columns."""
     if model is None:
         raise UserError(f"{path}: a table of qpos is for a figure; {missing_input.FIGURE}")
     source = table_text.table(path)
-    notes, is_ordered = (), True
+    notes: tuple[str, ...] = ()
     if source.names is None:
         time, qpos = without_heading(path, source.numbers, model.nq, fps or source.fps)
     else:
         names = list(map(_named, source.names))
-        qpos, time, is_ordered, notes = headings.resolve(model, columns(model), names, source.numbers, path)
+        qpos, time, _, notes = headings.resolve(model, columns(model), names, source.numbers, path)
         if time is None:
             time = times(len(qpos), rate_of(path, fps or source.fps))
-    order = False if is_ordered else None
-    result = layouts.recording(model, time, {(): lambda: qpos}, scalar_last=order, has_names=not is_ordered)
-    return layouts.with_notes(result, (*source.notes, *notes))
+    return Recording(time, qpos, notes=(*source.notes, *notes))
 
 
 def without_heading(path: Path, numbers: Array, width: int, fps: float | None) -> tuple[Array, Array]:

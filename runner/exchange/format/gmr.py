@@ -31,7 +31,7 @@ from ...errors import UserError
 from .. import layouts, plain_pickle
 from ..array_reader import ArrayReader, times
 from ..robot import Robot, configurations, needs_figure
-from ..trajectory import Bodies, BodyPoses, Recording, SampledTrajectory
+from ..trajectory import Bodies, Recording, SampledTrajectory
 from .mjlab import companions as companions
 
 NAME = "gmr"
@@ -75,7 +75,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     joints = motion.numbers("dof_pos", "samples", "joints")
     reading = partial(configurations, model, NAME, path, position, rotation, joints)
     time, bodies = times(len(joints), rate), _bodies(motion)
-    return layouts.recording(model, time, {(): reading}, scalar_last=True, has_names=False, bodies=bodies, fps=rate)
+    return layouts.recording(model, path, time, {(): reading}, bodies, scalar_last=True, has_names=False, fps=rate)
 
 
 def _motion(reader: ArrayReader) -> ArrayReader:
@@ -99,12 +99,12 @@ def _root_turned(reader: ArrayReader) -> Array:
     return quat.aligned(quat.from_rotation_vector(reader.numbers("pose_aa", "samples", "bodies and axes", 3)[:, 0]))
 
 
-def _bodies(reader: ArrayReader) -> BodyPoses | None:
+def _bodies(reader: ArrayReader) -> layouts.BodyPoses | None:
     """Return body positions relative to the root, or the root's pose from its rotation vector, if the file has them."""
     if "local_body_pos" in reader:
         names = tuple(reader.texts("link_body_list")) if "link_body_list" in reader else None
-        return BodyPoses(reader.numbers("local_body_pos", "samples", "bodies", 3), names=names, is_local=True)
+        return layouts.BodyPoses(reader.numbers("local_body_pos", "samples", "bodies", 3), names=names, is_local=True)
     if "pose_aa" in reader and np.ndim(reader.of("pose_aa")) == 3:
         root = reader.numbers("root_pos", "samples", 3)
-        return BodyPoses(root[:, None], _root_turned(reader)[:, None], is_wxyz=True)
+        return layouts.BodyPoses(root[:, None], _root_turned(reader)[:, None], is_wxyz=True)
     return None

@@ -27,7 +27,7 @@ from dynsplines.solver.figure.figure import JointKind
 from ...errors import UserError
 from ...motion import write_arrays
 from .. import layouts
-from ..array_reader import ArrayReader, body_poses, names_in, read_npz, times, unit_quaternions
+from ..array_reader import ArrayReader, names_in, read_npz, times, unit_quaternions
 from ..robot import Robot, configurations, needs_figure
 from ..trajectory import Recording, SampledTrajectory
 from .mjlab import companions as companions
@@ -98,9 +98,8 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     joints, called = qpos[:, [starts[i] for i in hinges]], [names[i] for i in hinges]
     rate = arrays.rate("frequency", fps)
     reading = partial(configurations, model, NAME, path, qpos[:, root : root + 3], turned, joints, called)
-    return layouts.recording(
-        model, times(len(qpos), rate), {(): reading}, scalar_last=False, bodies=body_poses(arrays), fps=rate
-    )
+    time, bodies = times(len(qpos), rate), layouts.body_poses(arrays)
+    return layouts.recording(model, path, time, {(): reading}, bodies, scalar_last=False, has_names=True, fps=rate)
 
 
 def _declared(reader: ArrayReader, path: Path) -> int:

@@ -24,7 +24,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 
 from ...errors import UserError
-from .. import layouts, plain_pickle
+from .. import plain_pickle
 from ..array_reader import times
 from ..robot import needs_figure
 from ..skeleton.hinge_joints import HingeLayout, angles
@@ -146,5 +146,4 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         qpos[:, part.columns] = part.configuration(frames[:, start : start + part.width])
         start += part.width
     loops = "loop_mode" in content and content.number("loop_mode", -np.inf, np.inf, "a number") == WRAP
-    time = times(len(frames), rate)
-    return layouts.recording(figure, time, {(): lambda: qpos}, has_names=False, fps=rate, loops=loops)
+    return Recording(times(len(frames), rate), qpos, fps=rate, loops=loops)

@@ -28,7 +28,7 @@ from ...motion import write_arrays
 from .. import layouts
 from ..array_reader import names_in, read_npz, times, unit_quaternions
 from ..robot import Robot, configurations, needs_figure
-from ..trajectory import Bodies, BodyPoses, Recording, SampledTrajectory
+from ..trajectory import Bodies, Recording, SampledTrajectory
 
 NAME = "mjlab"
 
@@ -74,35 +74,24 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     rotation = arrays.quaternions("body_quat_w", "samples", "bodies", 4)
     names = arrays.texts("joint_names") if "joint_names" in arrays else None
     body_names = arrays.texts("body_names") if "body_names" in arrays else None
-    readings: dict[tuple[str, ...], layouts.Reading] = {}
-    for words, body in _roots(model, body_names, position.shape[1]).items():
-        root = position[:, body], rotation[:, body]
-        readings[words] = partial(configurations, model, NAME, path, *root, joints, names)
-        if names is not None:
-            ordered = partial(_in_order, model, path, *root, joints, names)
-            readings[*words, "joints in the figure's order, not that of joint_names"] = ordered
+    readings: dict[layouts.Layout, layouts.Reading] = {
+        words: partial(configurations, model, NAME, path, position[:, body], rotation[:, body], joints, names)
+        for words, body in _roots(model, body_names, position.shape[1]).items()
+    }
     readings["qpos in joint_pos",] = partial(_complete_qpos, model, path, joints, names)
-    poses = BodyPoses(position, rotation, names=None if body_names is None else tuple(body_names))
+    poses = layouts.BodyPoses(position, rotation, names=None if body_names is None else tuple(body_names))
     return layouts.recording(
-        model, times(len(joints), rate), readings, scalar_last=False, has_names=False, bodies=poses, fps=rate
+        model, path, times(len(joints), rate), readings, poses, scalar_last=False, has_names=names is not None, fps=rate
     )
 
 
-def _roots(model: mujoco.MjModel, names: list[str] | None, count: int) -> dict[tuple[str, ...], int]:
+def _roots(model: mujoco.MjModel, names: list[str] | None, count: int) -> dict[layouts.Layout, int]:
     """Return the recorded bodies that may be the root."""
     figure_root = root_of(model)
     root = "" if figure_root is None else model.body(figure_root.body).name
     if names is not None and root in names:
         return {(): names.index(root)}
     return {(): 0, ("the world first",): 1} if count > 1 else {(): 0}
-
-
-def _in_order(
-    model: mujoco.MjModel, path: Path, position: Array, rotation: Array, joints: Array, names: list[str]
-) -> Array:
-    """Return joints in the figure's order, ignoring that of the file's names; raises UserError for unknown names."""
-    configurations(model, NAME, path, position, rotation, joints, names)
-    return configurations(model, NAME, path, position, rotation, joints)
 
 
 def _complete_qpos(model: mujoco.MjModel, path: Path, numbers: Array, names: list[str] | None) -> Array:

@@ -9,14 +9,13 @@ ball joint is three of them (`hinge_joints`), and the model with these hinges is
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
 
 import mujoco
 import numpy as np
 
 from ...errors import UserError
-from .. import layouts, missing_input
+from .. import missing_input
 from ..array_reader import ArrayReader
 from ..robot import Robot, configurations, needs_figure, robot_joints
 from ..skeleton.hinge_joints import HingeLayout
@@ -39,14 +38,6 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
     trajectory.notes.append(f"the file contains no rate: {trajectory.fps:g} samples a second")
 
 
-def recognises(path: Path) -> bool:
-    """Return whether a table is of this format: without a heading."""
-    try:
-        return table_text.table(path).names is None
-    except UserError:
-        return False
-
-
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Read root and hinges, after an optional column of times; raises UserError for rows of another length."""
     model = needs_figure(model, path)
@@ -66,7 +57,6 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     arrays = ArrayReader(path, parts)
     position, joints = arrays.numbers("root", "T", 3), arrays.numbers("hinges", "T", "n")
     rotation = arrays.quaternions("quaternion (columns 4 to 7)", "T", 4, scalar_last=True)
-    reading = partial(configurations, model, NAME, path, position, rotation, joints)
     rate = fps if source.numbers.shape[1] == width else None
-    result = layouts.recording(model, time, {(): reading}, scalar_last=True, has_names=False, fps=rate)
-    return layouts.with_notes(result, source.notes)
+    qpos = configurations(model, NAME, path, position, rotation, joints)
+    return Recording(time, qpos, fps=rate, notes=source.notes)
