@@ -59,13 +59,11 @@ class Scene:
         return scene
 
     def model(self) -> mujoco.MjModel:
-        """Return the compiled model. Raises ValueError, and UserError if it would be too large."""
-        size_limit.check_mjcf(self.mjcf, "model", assets=self.assets)
+        """Return the compiled model. Raises ValueError."""
         return mujoco.MjModel.from_xml_string(self.mjcf, dict(self.assets))
 
     def spec(self) -> mujoco.MjSpec:
-        """Return the model for changes. Raises ValueError, and UserError if it would be too large."""
-        size_limit.check_mjcf(self.mjcf, "model", assets=self.assets)
+        """Return the model for changes. Raises ValueError."""
         spec = mujoco.MjSpec.from_string(self.mjcf, assets=dict(self.assets))
         spec.assets = dict(self.assets)  # MuJoCo 3.2.7 does not store them
         return spec

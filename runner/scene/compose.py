@@ -103,7 +103,7 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
         if Path(figure).suffix or "/" in figure:
             raise UserError(f"no file '{figure}'; a figure is a path to MJCF or one of: {', '.join(models.figures())}")
         raise UserError(unknown("figure", figure, models.figures()))
-    size_limit.check_mjcf_file(path)
+    size_limit.check_file(path)
     try:
         models_read = models_in(path)
         with quietly():

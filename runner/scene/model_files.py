@@ -6,6 +6,7 @@ of these are relative to their own folders.
 
 from __future__ import annotations
 
+import html
 import os
 import re
 from collections.abc import Iterator, Mapping
@@ -13,11 +14,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from xml.etree import ElementTree
 
-from ..system.size_limit import attributes_in
 from . import file_access
 
 FOLDERS = ("meshdir", "texturedir", "assetdir")
 TAG = re.compile(r"<\s*([\w:.-]+)([^<>]*)")
+ATTRIBUTE = re.compile(r"([\w:.-]+)\s*=\s*(?:\"([^\"]*)\"|'([^']*)')")
 
 
 @dataclass
@@ -95,4 +96,4 @@ def elements(text: str) -> Iterator[tuple[str, Mapping[str, str]]]:
         yield from [(element.tag, element.attrib) for element in ElementTree.fromstring(text).iter()]
     except ElementTree.ParseError:
         for tag, attributes in TAG.findall(text):
-            yield tag, attributes_in(attributes)
+            yield tag, {name: html.unescape(a or b) for name, a, b in ATTRIBUTE.findall(attributes)}

@@ -12,7 +12,6 @@ import numpy as np
 from dynsplines import models
 
 from ..errors import UserError, words_of
-from ..system import size_limit
 from ..system.mujoco_warnings import quietly
 from . import file_access
 from .compose import figure_spec
@@ -55,7 +54,6 @@ def spec_of(figure: object) -> tuple[mujoco.MjSpec, str]:
 
 def spec_of_text(text: str) -> mujoco.MjSpec:
     """Return the model of MJCF text, whose files are relative to the current folder."""
-    size_limit.check_mjcf(text, "figure", Path())
     for tag, attributes in elements(text):
         if tag in ("include", "model") and attributes.get("file"):
             file_access.check(Path(attributes["file"]), Path(), attributes["file"])
