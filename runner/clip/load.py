@@ -179,7 +179,7 @@ def _from_mjcf(path: Path, fps: float | None) -> Clip:
 def from_spec(name: str, spec: mujoco.MjSpec, fps: float | None, where: str) -> Clip:
     """Return the clip of a model whose <keyframe> elements, with their times, are the keyframes."""
     try:
-        spec.assets = dict(taken_along(spec))  # MuJoCo 3.2.7 caches meshes by these names
+        spec.assets = dict(taken_along(spec))
     except UserError as error:
         raise UserError(_placed(error, where)) from None
     model, time, qpos = compiled_keys(spec, where)

@@ -64,9 +64,7 @@ class Scene:
 
     def spec(self) -> mujoco.MjSpec:
         """Return the model for changes. Raises ValueError."""
-        spec = mujoco.MjSpec.from_string(self.mjcf, assets=dict(self.assets))
-        spec.assets = dict(self.assets)  # MuJoCo 3.2.7 does not store them
-        return spec
+        return mujoco.MjSpec.from_string(self.mjcf, assets=dict(self.assets))
 
 
 @dataclass(frozen=True)

@@ -26,16 +26,7 @@ from ..system.mujoco_warnings import quietly
 from .assets import Assets, Scene, check_places, taken_along
 from .framing import STANDING, is_of_people_size, rest_box, size_of
 from .model_files import is_there, models_in
-from .mujoco_versions import (
-    attach,
-    geom_named,
-    geoms_by_number,
-    keep_visuals,
-    lamp,
-    portable_text,
-    remove,
-    size_of_pictures,
-)
+from .mujoco_versions import geoms_by_number, lamp, portable_text, remove
 from .triangles import HIDDEN_GROUP
 
 PREFIX = "stage_"
@@ -109,7 +100,7 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
         with quietly():
             spec = mujoco.MjSpec.from_file(str(path))
         check_places(spec, models_read)
-        keep_visuals(spec)
+        spec.compiler.discardvisual = False  # URDF drops materials and visual geoms, also those of the stage
     except UserError as error:
         raise UserError(f"{figure}: {error}") from None
     except ValueError as error:
@@ -182,7 +173,7 @@ def compose(
     """
     assets = taken_along(spec)
     poses = {key.name: np.array(key.qpos) for key in spec.keys if key.name in keys}
-    keep_visuals(spec)
+    spec.compiler.discardvisual = False
     for key in list(spec.keys):
         remove(spec, key)
     bare = _compiled(spec, assets) if bare is None else bare
@@ -192,9 +183,9 @@ def compose(
     try:
         if not is_staged:
             _dress(spec, bare)
-            attach(spec, parts, PREFIX)
+            spec.attach(parts, frame=spec.worldbody.add_frame(), prefix=PREFIX)
         if not has_floor and all(geom.name != "floor" for geom in spec.geoms):
-            geom_named(spec, PREFIX + "floor").name = "floor"
+            spec.geom(PREFIX + "floor").name = "floor"
         _add_bodies(spec, obstacles)
         for obstacle in obstacles:
             obstacle.add_to(spec, PREFIX + "step")
@@ -246,8 +237,8 @@ def _stage(spec: mujoco.MjSpec, bare: mujoco.MjModel, *, has_floor: bool) -> muj
     if not has_floor and not np.any(bare.jnt_type == JointKind.FREE):
         low = float(rest_box(bare)[0][2])
         if low < -BURIED:  # a fixed figure may reach below its origin
-            geom_named(stage, "floor").pos = [0.0, 0.0, low - BELOW * size_of(bare)]
-    size, wanted = size_of_pictures(spec), size_of_pictures(stage)
+            stage.geom("floor").pos = [0.0, 0.0, low - BELOW * size_of(bare)]
+    size, wanted = spec.visual.global_, stage.visual.global_
     size.offwidth, size.offheight = wanted.offwidth, wanted.offheight
     return stage
 

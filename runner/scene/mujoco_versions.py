@@ -1,4 +1,4 @@
-"""Names that differ in MuJoCo 3.2.7 to 3.3. Only this file checks MuJoCo's version."""
+"""Names that differ between MuJoCo 3.3 and 4. Only this file checks MuJoCo's version."""
 
 from __future__ import annotations
 
@@ -129,33 +129,6 @@ def texture_folder(spec: mujoco.MjSpec, texture: Any) -> str:
     return texture.compiler.texturedir if hasattr(texture, "compiler") else spec.texturedir
 
 
-def keep_visuals(spec: mujoco.MjSpec) -> None:
-    """Make the compiler retain materials and visual geoms, which it drops for URDF, including those of the stage."""
-    compiler = spec.compiler if hasattr(spec, "compiler") else spec
-    compiler.discardvisual = False
-
-
-def attach(spec: mujoco.MjSpec, other: mujoco.MjSpec, prefix: str) -> None:
-    """Attach a model of lights and geoms in the world to another one's world, with a prefix on its names."""
-    if hasattr(spec, "attach"):
-        spec.attach(other, frame=spec.worldbody.add_frame(), prefix=prefix)
-        return
-    frame = other.worldbody.add_frame()
-    for element in [*other.geoms, *other.lights]:
-        element.set_frame(frame)
-    spec.worldbody.attach_frame(frame, prefix, "")
-
-
 def geoms_by_number(spec: mujoco.MjSpec) -> list[Any]:
     """Return the geoms in the order of the compiled model, body by body."""
     return [geom for body in spec.bodies for geom in body.geoms]
-
-
-def geom_named(spec: mujoco.MjSpec, name: str) -> Any:
-    """Return an existing geom by name."""
-    return next(geom for geom in spec.geoms if geom.name == name)
-
-
-def size_of_pictures(spec: mujoco.MjSpec) -> Any:
-    """Return the object with `offwidth` and `offheight` [pixels]."""
-    return getattr(spec.visual, "global_" if hasattr(spec.visual, "global_") else "global")
