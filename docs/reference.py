@@ -49,6 +49,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "recording": "a recorded motion that the clip follows",
             "penalty": "changes to soft constraints",
             "solve": "settings of the solver",
+            "mirror": "left and right of the figure, for `dynsplines mirror`",
         },
     ),
     "[[keyframe]]": (
@@ -130,6 +131,10 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "blend": "how long before and after a keyframe the motion may leave the recording, in seconds, at least "
             "0.01; default: 0.4, but contacts and collisions may change other times",
         },
+    ),
+    "[mirror]": (
+        table.MirrorTable,
+        {"pairs": "pairs of joints, bodies, sites or geoms of the two sides, if left and right are not in their names"},
     ),
     "[solve]": (
         table.SolveTable,

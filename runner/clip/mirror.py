@@ -12,12 +12,12 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.mirror import AXIAL, POLAR, TURN, Mirror
-from dynsplines.solver.curve.symmetry import WORLD, other_side
+from dynsplines.solver.curve.symmetry import UNPAIRED, WORLD, MirrorError
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.posing import rest_rotation
 from dynsplines.solver.surface.points import Point
 
-from ..errors import UserError
+from ..errors import UserError, unknown
 from .posing.places import Places, sole_points
 from .table import (
     KEY,
@@ -65,21 +65,24 @@ class _Sides:
         return next(i for i, link in enumerate(self.figure.links) if i and link.name == name)
 
     def other(self, name: str) -> str:
-        """Return the site, foot, geom, body or joint on the other side, or the same name if there is none."""
-        body, other = self.places.body(name), other_side(name)
+        """Return the site, foot, geom, body or joint on the other side, or the same name in the mirror plane."""
+        body, alike, links = self.places.body(name), self.places.alike(name), self.figure.links
         if body is None:
             return name
-        partner = self.mirror.partner[self.figure.body_link[body]]
+        if not alike:
+            return links[self.mirror.partner[self.link(name)]].name  # of a joint
+        link = links[self.figure.body_link[body]]
+        partner, other = self.mirror.partner[self.figure.body_link[body]], self.mirror.other(name)
+        if alike == list(self.places.soles):  # their numbers do not depend on the side
+            other = self._nearest(name, alike) or other
+        elif other == name and alike == self.places.bodies_listed and body == link.body:
+            other = str(self.figure.model.body(links[partner].body).name)
+        elif other == name:
+            other = self._nearest(name, [name]) or ""
         there = self.places.body(other)
-        if other != name and there is not None and self.figure.body_link[there] == partner:
-            is_sole = name in self.places.soles and self.places.point(name) is self.places.soles[name]
-            return self._nearest(name, list(self.places.soles)) or other if is_sole else other
-        if not self.places.alike(name):  # the name of a joint
-            return self.figure.links[self.mirror.partner[self.link(name)]].name
-        counterpart = self._nearest(name, self.places.alike(name))
-        if counterpart is None:
-            raise UserError(f"'{name}': it has no counterpart on the other side; mirror the solved motion instead")
-        return counterpart
+        if there is None or self.figure.body_link[there] != partner:
+            raise UserError(f"no partner on the other side for: '{name}'; {UNPAIRED}")
+        return other
 
     def _nearest(self, name: str, names: list[str]) -> str | None:
         """Return the name of the point nearest to a point's mirror image on its partner link; None if there is none."""
@@ -107,6 +110,18 @@ class _Sides:
     def rest(self, body: int, other: int) -> Array:
         """Return the orientations (2, 4) of a body and of the body on the other side in the rest pose."""
         return np.stack([rest_rotation(self.figure.model, body), rest_rotation(self.figure.model, other)])
+
+
+def figure_mirror(figure: Figure, table: ClipTable, where: str) -> Mirror:
+    """Return the mirror map of a clip's figure; raises UserError for a figure without left and right sides."""
+    for name in (name for pair in table.mirror.pairs for name in pair):
+        if Places(figure).body(name) is None:
+            joints = [link.name for link in figure.links[1:]]
+            raise UserError(f"{where}: mirror.pairs: {unknown('joint', name, joints)}")
+    try:
+        return Mirror.of(figure, table.mirror.pairs)
+    except MirrorError as error:
+        raise UserError(f"{where}: {error}") from None
 
 
 def mirrored_tables(clip: ClipTable, figure: Figure, mirror: Mirror) -> ClipTable:

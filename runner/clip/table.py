@@ -394,6 +394,12 @@ class MapTable(Table):
     recording: dict[str, str] = {}
 
 
+class MirrorTable(Table):
+    """Partners of the mirror symmetry whose names do not contain left and right."""
+
+    pairs: Annotated[list[tuple[Name, Name]], Expected('a list of pairs of names, such as [["arm_1", "arm_2"]]')] = []
+
+
 class ClipTable(Table):
     """The whole file of a clip."""
 
@@ -405,4 +411,5 @@ class ClipTable(Table):
     contact: Annotated[list[ContactTable], Expected("[[contact]] tables")] = []
     grasp: Annotated[list[GraspTable], Expected("[[grasp]] tables")] = []
     recording: RecordingTable | None = None
+    mirror: MirrorTable = MirrorTable()
     keyframe: Annotated[list[KeyframeTable], Expected("[[keyframe]] tables")] = []

@@ -14,7 +14,6 @@ from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.curve.symmetry import MirrorError
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.edit import join, retime
 from dynsplines.solver.figure.figure import Figure
@@ -25,7 +24,7 @@ from ..clip.build import AROUND, Clip, around
 from ..clip.contacts import grasps_of
 from ..clip.file import standalone
 from ..clip.load import of_motion
-from ..clip.mirror import mirrored_tables
+from ..clip.mirror import figure_mirror, mirrored_tables
 from ..clip.parse import LONGEST, SHORTEST, check_times, is_too_near, table_of
 from ..clip.table import ClipTable, ContactTable, GraspTable, KeyframeTable, PenaltyTable, SolveTable
 from ..clip.text import keyframe_tables, written
@@ -48,14 +47,13 @@ def _with_name(name: str) -> Iterator[None]:
     """Raise errors of impossible edits as UserError in one line with the motion's name."""
     try:
         yield
-    except (TimelineError, MirrorError) as error:
+    except TimelineError as error:
         raise UserError(f"{name}: {error}") from None
 
 
 def mirror_of(source: Clip | Saved) -> Mirror:
     """Return the mirror symmetry of a figure. Raises UserError for a figure without left and right sides."""
-    with _with_name(source.name):
-        return Mirror.of(source.figure)
+    return figure_mirror(source.figure, _table(source), source.name)
 
 
 def mirrored(saved: Saved) -> Saved:
@@ -350,8 +348,8 @@ def _flights(saved: Saved) -> list[Span] | None:
     return [(first, last) for intervals in listed for first, last in intervals] if any(listed) else None
 
 
-def _table(saved: Saved) -> ClipTable:
-    return table_of(saved.text, saved.name) if saved.text else ClipTable(figure="")
+def _table(source: Clip | Saved) -> ClipTable:
+    return table_of(source.text, source.name) if source.text else ClipTable(figure="")
 
 
 def _later(rows: Sequence[Row], shift: float) -> list[Row]:

@@ -204,20 +204,14 @@ class Actions:
 
     async def mirror(self, *, keys: Sequence[int], revision: int | None = None) -> str:
         """Swap left and right in keyframes."""
-        from dynsplines.solver.curve.mirror import Mirror
-        from dynsplines.solver.curve.symmetry import MirrorError
-
-        from ..clip.mirror import mirrored_keyframe
+        from ..clip.mirror import figure_mirror, mirrored_keyframe
         from ..clip.parse import table_of
         from ..clip.text import tables
 
         poser = await self.poser()
-        try:
-            mirror = Mirror.of(poser.figure)
-        except MirrorError as error:
-            raise UserError(str(error)) from None
         keys, revision = self._present_indices(revision, keys=keys)["keys"], self.session.document.revision
-        rows = table_of(self.session.document.text, self.session.document.place).keyframe
+        table = table_of(self.session.document.text, self.session.document.place)
+        mirror, rows = figure_mirror(poser.figure, table, self.session.document.place), table.keyframe
         entries = {str(index): tables(mirrored_keyframe(rows[index], poser.figure, mirror)) for index in keys}
         words = "mirror a keyframe" if len(keys) == 1 else f"mirror {len(keys)} keyframes"
         return await self.session.edit("replace_keys", {"keys": entries, "words": words}, revision)

@@ -122,7 +122,7 @@ class PoseVectors:
             heading = Heading.of(times, qpos[:, turn])
             qpos[:, turn] = quat.product(heading.turn(times, -1), qpos[:, turn])
         try:
-            poses = np.concatenate([qpos, Mirror.of(figure, LOPSIDED).configurations(qpos)])
+            poses = np.concatenate([qpos, Mirror.of(figure, middle=LOPSIDED).configurations(qpos)])
         except MirrorError:
             poses = qpos
         columns = tables.quaternion_columns

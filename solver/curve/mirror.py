@@ -20,7 +20,7 @@ from .. import quaternion as quat
 from ..array import Array, Index, Mask
 from ..figure.figure import Figure, JointKind, quaternion_columns
 from .frame import Frame, Timeline
-from .symmetry import MIDDLE, WORLD, rounded, symmetric
+from .symmetry import MIDDLE, WORLD, other_side, rounded, symmetric
 
 POLAR, AXIAL = (
     np.array([1.0, -1, 1]),
@@ -61,6 +61,7 @@ class Mirror:
         partner: The partner of each link on the other side, or the link itself in the middle, (L,).
         reflection: M, from each link's frame to its partner's, (L, 3, 3).
         size: The extent of the figure [m].
+        pairs: Names of partners without left and right in their names.
     """
 
     figure: Figure
@@ -70,18 +71,20 @@ class Mirror:
     partner: Index
     reflection: Array
     size: float
+    pairs: Sequence[tuple[str, str]] = ()
 
     @classmethod
-    def of(cls, figure: Figure, middle: float = MIDDLE) -> Mirror:
-        """Return the mirror map of a figure, its links paired by name, otherwise by geometry.
+    def of(cls, figure: Figure, pairs: Sequence[tuple[str, str]] = (), middle: float = MIDDLE) -> Mirror:
+        """Return the mirror map of a figure.
 
         Args:
-            middle: Tolerance of axes from their partners' images, relative to the figure's size.
+            pairs: Names of further partners, for joints without left and right in their names.
+            middle: Tolerance of axes in the mirror plane, relative to the figure's size.
 
         Raises:
             MirrorError: Links have no partner; the message names them.
         """
-        rest, partner, reflection = symmetric(figure, middle)
+        rest, partner, reflection = symmetric(figure, pairs, middle)
         source, sign, shift = np.arange(figure.width), np.ones(figure.width), np.zeros(figure.width)
         for i, link in enumerate(figure.links[1:], start=1):
             j = int(partner[i])
@@ -96,7 +99,7 @@ class Mirror:
         free = [link.kind is JointKind.FREE for link in figure.links]
         states = _with_quaternions(figure, source, sign, partner, reflection, figure.tables.in_world)
         qpos = _with_quaternions(figure, source, sign, partner, reflection, free)
-        return cls(figure, states, qpos, shift, partner, reflection, rest.size)
+        return cls(figure, states, qpos, shift, partner, reflection, rest.size, pairs)
 
     def states(self, states: Array) -> Array:
         """Return states (..., N) of the mirrored figure."""
@@ -126,6 +129,10 @@ class Mirror:
     def _moved(self, frame: Frame, state: Array) -> Frame:
         source = self.of_qpos.source
         return Frame(frame.time, state, frame.fixed[source], None if frame.posed is None else frame.posed[source])
+
+    def other(self, name: str) -> str:
+        """Return the name of the counterpart on the other side; a name without a side is returned unchanged."""
+        return other_side(name, self.pairs)
 
     def of_bodies(self, body: int, other: int) -> Array:
         """Return the reflection (3, 3) from one body's frame to another's, by MuJoCo's ids."""

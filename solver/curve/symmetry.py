@@ -1,9 +1,9 @@
 """The symmetry of a figure at rest: the partner of each link on the opposite side, and the map between their frames.
 
-Links are paired by left and right in their names, otherwise by geometry. In both cases the axis of a hinge must be the
-image of its partner's axis as a line, and that of a slide as a direction. The mirror plane passes through the middle of
-the figure. It is the x-z plane of the root's frame, that of the world at rest, or another plane of the root's axes: the
-first in which all links have partners.
+Links are paired by left and right in their names, or by a list of pairs. All others are in the mirror plane. The axis
+of a hinge must be the image of its partner's axis as a line, and that of a slide as a direction. The mirror plane
+passes through the middle of the figure. It is the x-z plane of the root's frame, that of the world at rest, or another
+plane of the root's axes: the one in which the links are the most symmetric.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ SIDE = re.compile(
 WORDS = {"left": "right", "Left": "Right", "LEFT": "RIGHT", "l": "r", "L": "R"}
 OTHER = WORDS | {right: word for word, right in WORDS.items()}
 
-
+UNPAIRED = 'joints are paired by left and right, l and r in their names, or by "pairs" of the table [mirror] of a clip'
 MISFITS = {
     "kinds": "'{}' and '{}' differ in kind of joint or in parent",
     "axes": "the axes of '{}' and '{}' are no mirror images",
@@ -46,11 +46,13 @@ class MirrorError(ValueError):
     """A figure without left and right sides to exchange."""
 
 
-def other_side(name: str) -> str:
-    """Return a name with left and right exchanged: left_knee -> right_knee, foot_l -> foot_r, FL_hip -> FR_hip.
-
-    Names without a side are returned unchanged.
+def other_side(name: str, pairs: Sequence[tuple[str, str]] = ()) -> str:
+    """Return the other name of a pair, or else the name with left and right exchanged: left_knee -> right_knee,
+    foot_l -> foot_r, FL_hip -> FR_hip. Names without a side are returned unchanged.
     """
+    for one, other in pairs:
+        if name in (one, other):
+            return other if name == one else one
     return SIDE.sub(lambda match: OTHER[match[0]], name)
 
 
@@ -133,49 +135,37 @@ class Rest:
         return self.turn[j] @ reflection @ self.turn[i].T
 
 
-def symmetric(figure: Figure, middle: float) -> tuple[Rest, Index, Array]:
+def symmetric(figure: Figure, pairs: Sequence[tuple[str, str]], middle: float) -> tuple[Rest, Index, Array]:
     """Pair the links of a figure.
 
     Args:
-        middle: Tolerance of axes from the images of their partners', relative to the figure's size.
+        pairs: Names of further partners, for joints without left and right in their names.
+        middle: Tolerance of axes in the mirror plane, relative to the figure's size.
 
     Returns:
         The figure at rest, the partner of each link (L,), and the reflections from each link's frame to its partner's
         (L, 3, 3).
 
     Raises:
-        MirrorError: Links have no partners.
+        MirrorError: Links have no partners, or are no mirror images of them.
     """
-    rest = Rest.of(figure)
-    partner = np.full(len(figure.links), -1, np.intp)
+    rest, partner = Rest.of(figure), _partners(figure, pairs)
     images = np.tile(WORLD, (len(figure.links), 1, 1))
-    partner[0] = 0
     for root in (0, *figure.tables.free_links.tolist()):
-        if root and partner[root] >= 0:
-            continue
-        other = _named(figure, root)
-        other = root if other is None or figure.links[other].kind is not JointKind.FREE else other
-        planes = _planes(figure, root) if other == root else [WORLD]
-        pairings = [_paired(rest, partner, (root, other), image, middle) for image in planes]
-        paired = [
-            (pairing, image)
-            for n, (pairing, image) in enumerate(zip(pairings, planes, strict=True))
-            if not pairing.complaint and (n < UPRIGHT_PLANES or _exchanges_sides(figure, pairing.partner))
-        ]
-        if not paired:
-            raise MirrorError(pairings[0].complaint)
-        best, images[root] = min(paired, key=lambda pair: (pair[0].misnamed, round(pair[0].unlike / rest.size, 3)))
-        partner, images[other] = best.partner, images[root]
+        links = np.flatnonzero(np.isin(rest.root, [root, partner[root]]))
+        planes = _planes(figure, root) if partner[root] == root else [WORLD]
+        if np.array_equal(partner[links], links):
+            planes = planes[:UPRIGHT_PLANES]  # others may exchange front and back
+        fits = [_misfits(rest, links, partner, image, middle) for image in planes]
+        costs = [(len(misfits), round(off / rest.size, 3)) for misfits, off in fits]
+        best = costs.index(min(costs))
+        if fits[best][0]:
+            raise MirrorError(fits[best][0][0])
+        images[root] = planes[best]
     reflection = np.array(
         [rest.turn[j].T @ images[r] @ rest.turn[i] for i, (j, r) in enumerate(zip(partner, rest.root, strict=True))]
     )
     return rest, partner, rounded(reflection)
-
-
-def _exchanges_sides(figure: Figure, partner: Index) -> bool:
-    """Return whether links named left and right are partners (L,); otherwise the plane may exchange front and back."""
-    names = [link.name for link in figure.links]
-    return any(j > i > 0 and other_side(names[i]) == names[j] != names[i] for i, j in enumerate(partner))
 
 
 def rounded(matrix: Array) -> Array:
@@ -193,82 +183,50 @@ def _planes(figure: Figure, root: int) -> list[Array]:
     return [rounded(np.eye(3) - 2 * np.outer(normal, normal)) for normal in normals]
 
 
-def _named(figure: Figure, link: int) -> int | None:
-    """Return the link named for the other side, or without a side (thigh_joint for thigh_left_joint), or None."""
-    name = figure.links[link].name
-    other, plain = other_side(name), _without_side(name)
-    for i, candidate in enumerate(figure.links):
-        if i and other != name and candidate.name == other:
-            return i
-    alike = [
-        i for i, candidate in enumerate(figure.links) if i and i != link and _without_side(candidate.name) == plain
-    ]
-    return alike[0] if len(alike) == 1 else None
+def _partners(figure: Figure, pairs: Sequence[tuple[str, str]]) -> Index:
+    """Return the partner of each link by its name, the link itself without one, (L,).
 
-
-def _without_side(name: str) -> str:
-    return re.sub(r"[\W_]", "", SIDE.sub("", name))
-
-
-@dataclass(frozen=True)
-class _Paired:
-    """The pairing of links for one plane.
-
-    Attributes:
-        partner: The partner of each link, (L,).
-        misnamed: The number of links whose partner is not the one of the other side by name.
-        unlike: The total distance of the subtrees' centres of mass from symmetry [m].
-        complaint: Why there is no pairing, or "".
+    A partner is that of `pairs`, the link named for the other side, or the only one whose name differs by a side alone
+    (thigh_joint for thigh_left_joint).
     """
+    names = [link.name for link in figure.links]
+    plain = [re.sub(r"[\W_]", "", SIDE.sub("", name)) for name in names]
+    partner = np.arange(len(names))
+    for i, name in enumerate(names[1:], start=1):
+        other = other_side(name, pairs)
+        alike = [j for j in range(1, len(names)) if j != i and plain[j] == plain[i]]
+        if other != name and other in names[1:]:
+            partner[i] = names.index(other, 1)
+        elif len(alike) == 1 and (other != name or other_side(names[alike[0]]) != names[alike[0]]):
+            partner[i] = alike[0]
+    return partner
 
-    partner: Index
-    misnamed: int
-    unlike: float
-    complaint: str
+
+def _misfits(rest: Rest, links: Index, partner: Index, image: Array, middle: float) -> tuple[list[str], float]:
+    """Return why links are not the images of their partners in a mirror (3, 3), and how asymmetric they are: the total
+    distance of the subtrees' centres of mass from the images of their partners' [m]."""
+    figure, total, pairs, alone = rest.figure, 0.0, list[str](), list[int]()
+    for i in links[links > 0].tolist():
+        j = int(partner[i])
+        one, two = figure.links[i], figure.links[j]
+        misfit = rest.misfit(i, j, image, middle if i == j else UNEVEN)
+        misfit = misfit if partner[one.parent] == two.parent and partner[j] == i else "kinds"
+        is_object = one.kind is JointKind.FREE and not figure.tables.children[i]
+        off = 0.0 if is_object else rest.unlike(i, j, image)
+        if misfit and i != j:
+            pairs.append(MISFITS[misfit].format(one.name, two.name))
+        elif misfit or (i == j and (off > UNEVEN * rest.size or _has_image(rest, links, partner, i, image, middle))):
+            alone.append(i)
+        total += off
+    alone = [i for i in alone if figure.links[i].kind is not JointKind.FREE] or alone
+    names = ", ".join(f"'{figure.links[i].name}'" for i in alone)
+    return pairs + [f"no partner on the other side for: {names}; {UNPAIRED}"] * len(alone), total
 
 
-def _paired(rest: Rest, partner: Index, top: tuple[int, int], image: Array, middle: float) -> _Paired:
-    """Return the pairing of all descendants of two links that are each other's partners."""
-    links, waiting, alone = rest.figure.links, [top], list[str]()
-    partner = np.array(partner)
-    partner[top[0]], partner[top[1]] = top[1], top[0]
-    misnamed, unlike = 0, rest.unlike(*top, image) if rest.figure.tables.children[top[0]] and top[0] else 0.0
-    is_level = unlike <= UNEVEN * rest.size
-    while waiting:
-        parent, other = waiting.pop(0)
-        for i in _children(rest.figure, parent):
-            if partner[i] >= 0:
-                continue
-            free = [j for j in _children(rest.figure, other) if partner[j] < 0]
-            chosen, complaint = _partner(rest, i, free, image, middle)
-            if chosen is None and complaint:
-                return _Paired(partner, misnamed, unlike, complaint)
-            if chosen is None:
-                alone.append(links[i].name)
-                continue
-            misnamed, unlike = misnamed + bool(complaint), unlike + rest.unlike(i, chosen, image)
-            partner[i], partner[chosen] = chosen, i
-            waiting += [(i, chosen)] if i == chosen else [(i, chosen), (chosen, i)]
-    names = ", ".join(f"'{name}'" for name in alone or [links[top[0]].name])
-    by = "joints are paired by left and right, l and r, or by their places"
-    return _Paired(
-        partner, misnamed, unlike, f"no partner on the other side for: {names}; {by}" if alone or not is_level else ""
+def _has_image(rest: Rest, links: Index, partner: Index, i: int, image: Array, middle: float) -> bool:
+    """Return whether another link without a partner is more like the image of a link i than the link itself."""
+    parent, off = rest.figure.links[i].parent, rest.unlike(i, i, image)
+    others = [j for j in links.tolist() if partner[j] == j != i and rest.figure.links[j].parent == parent]
+    return any(
+        not rest.misfit(i, j, image, middle) and rest.unlike(i, j, image) < off - EXACT * rest.size for j in others
     )
-
-
-def _children(figure: Figure, parent: int) -> list[int]:
-    return [i for i, link in enumerate(figure.links) if i and link.parent == parent and link.kind is not JointKind.FREE]
-
-
-def _partner(rest: Rest, i: int, free: Sequence[int], image: Array, middle: float) -> tuple[int | None, str]:
-    """Return the partner of link i among unpaired links, by name or else by geometry; None without one. The second
-    value is the misfit of the link with the matching name, or ""."""
-    named, complaint = _named(rest.figure, i), ""
-    if named is not None:
-        misfit = rest.misfit(i, named, image, UNEVEN) if named in free else "kinds"
-        if not misfit:
-            return named, ""
-        complaint = MISFITS[misfit].format(rest.figure.links[i].name, rest.figure.links[named].name)
-    fits = {j: rest.unlike(i, j, image) for j in free if not rest.misfit(i, j, image, middle)}
-    best = min(fits, key=lambda j: (fits[j], j != i), default=None)
-    return (None if best is None or fits[best] > UNEVEN * rest.size else best), complaint

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import mujoco
 import numpy as np
 import pytest
@@ -9,7 +11,7 @@ from oracles import kinematics
 
 from dynsplines import recordings
 from dynsplines.clip import load as clips
-from dynsplines.clip.mirror import mirrored_tables
+from dynsplines.clip.mirror import figure_mirror, mirrored_tables
 from dynsplines.clip.parse import parse, table_of
 from dynsplines.clip.text import written
 from dynsplines.errors import UserError
@@ -36,6 +38,8 @@ def figure(text: str = TURNED) -> mujoco.MjSpec:
 
 
 CLIP = """figure = "turned.xml"
+[mirror]
+pairs = [["swing_1", "swing_2"], ["ankle_1", "ankle_2"], ["toe_1", "toe_2"]]
 [[keyframe]]
 time = 0
 root = {position = [0.1, 0.2, 0.8], rotation = {rotvec = [30, 80, 70]}}
@@ -54,7 +58,7 @@ others = "previous"
 def test_rotations_of_turned_frames_are_those_of_the_mirrored_motion():
     spec = figure()
     clip = recordings.from_text(CLIP, name="one", spec=spec.copy())
-    mirror = Mirror.of(clip.figure)
+    mirror = figure_mirror(clip.figure, table_of(CLIP, "one"), "one")
     names = [link.name for link in clip.figure.links]
     assert names[mirror.partner[names.index("swing_1")]] == "swing_2"
     text = written(mirrored_tables(table_of(CLIP, "one"), clip.figure, mirror))
@@ -68,8 +72,10 @@ def test_rotations_of_turned_frames_are_those_of_the_mirrored_motion():
         np.testing.assert_array_equal(one.fixed.all(), two.fixed.all())
 
 
-def test_sites_and_bodies_without_sides_in_their_names_are_exchanged_by_their_places():
+def test_bodies_are_exchanged_by_their_joints_and_sites_by_pairs():
     row = """figure = "turned.xml"
+[mirror]
+pairs = [["swing_1", "swing_2"], ["ankle_1", "ankle_2"], ["toe_1", "toe_2"]]
 [[keyframe]]
 time = 0
 others = "rest"
@@ -80,21 +86,35 @@ sites = {toe_1 = [0.3, 0.1, 0.4], badge = [0.1, 0.0, 0.8]}
 bodies.foot_2 = {rotvec = [0, 20, 0]}
 """
     clip = clips.from_parsed(parse(row, "one", "one.toml"), spec=figure(), unmet=[])
-    mirror = Mirror.of(clip.figure)
+    mirror = figure_mirror(clip.figure, table_of(row, "one"), "one")
     (_, last) = mirrored_tables(table_of(row, "one"), clip.figure, mirror).keyframe
     assert last.sites == {"toe_2": (0.3, -0.1, 0.4), "badge": (0.1, 0.0, 0.8)}
     assert list(last.bodies) == ["foot_1"]
 
 
-def test_a_site_that_has_nothing_on_the_other_side_is_refused():
-    text = TURNED.replace('<site name="toe_2" pos=".02688 .0193536 .0943552"/>', "")
-    clip = recordings.from_text(CLIP, name="one", spec=figure(text))
-    table = table_of(CLIP + "sites.toe_1 = [0.3, 0.1, 0.4]\n", "one")
-    with pytest.raises(UserError, match="'toe_1': it has no counterpart on the other side"):
-        mirrored_tables(table, clip.figure, Mirror.of(clip.figure))
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ('["toe_1", "toe_2"]', '["toe_1", "badge"]', "no partner on the other side for: 'toe_1'"),
+        (', ["toe_1", "toe_2"]', "", "no partner on the other side for: 'toe_1'; .*mirror"),
+        ('"ankle_2"]', '"ankl_2"]', "one: mirror.pairs: no joint 'ankl_2'; did you mean 'ankle_2'"),
+        (
+            ', ["ankle_1", "ankle_2"]',
+            "",
+            "one: no partner on the other side for: 'ankle_1', 'ankle_2'; joints are paired",
+        ),
+    ],
+)
+def test_what_has_no_partner_is_refused_with_the_key_that_names_it(old, new, words):
+    assert old in CLIP
+    table = table_of(CLIP.replace(old, new) + "sites.toe_1 = [0.3, 0.1, 0.4]\n", "one")
+    clip = recordings.from_text(CLIP, name="one", spec=figure())
+    with pytest.raises(UserError, match=words):
+        mirrored_tables(table, clip.figure, figure_mirror(clip.figure, table, "one"))
 
 
 def sided(text: str) -> str:
+    text = re.sub(r"\[mirror\]\n.*\n", "", text)
     return text.replace("_1", "_left").replace("_2", "_right")
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import mujoco
 import numpy as np
 import pytest
@@ -109,7 +111,10 @@ def changed(old: str, new: str, text: str = ROBOT) -> Figure:
         ),
         (changed('pos="0 -.2 0"', 'pos="0 -.2 .1"'), "'LeftPitch' at rest is no mirror image of 'RightPitch'"),
         (changed('"RightRoll" axis="1 0 0"', '"RightRoll" axis="1 0 1"'), "axes of .* are no mirror images"),
-        (figure_of(BALL_TREE), "no partner .* 'shoulder', 'hip';"),
+        (
+            figure_of(BALL_TREE),
+            "no partner .* 'shoulder', 'elbow', 'hip'; .*\\[mirror\\] of a clip",
+        ),
         (
             changed('"root"/><geom size=".1"', '"root"/><geom size=".1" pos="0 .3 0" mass="50"'),
             "no partner on the other side for: 'root'",
@@ -139,9 +144,9 @@ def other_part(part):
     return *swapped, (x, -y, z), kind, tuple(sign * np.array(axis) * [1, -1, 1])
 
 
-def turned_frames(rng, *, names: bool, root=None) -> tuple[mujoco.MjModel, list[int]]:
+def turned_frames(rng, *, names: bool, root=None) -> tuple[mujoco.MjModel, list[int], list[tuple[str, str]]]:
     """A symmetric figure whose bodies' frames are turned at random, and whose axes point either way; the body on the
-    other side of each."""
+    other side of each, and the pairs of joints whose names do not tell."""
     parts = [*PARTS, *(other_part(part) for part in PARTS if "left" in part[0])]
     turns = {name: quat.normalised(rng.normal(size=4)) for name, *_ in parts}
     turns["trunk"] = np.array([1.0, 0, 0, 0]) if root is None else quat.normalised(root)
@@ -166,7 +171,9 @@ def turned_frames(rng, *, names: bool, root=None) -> tuple[mujoco.MjModel, list[
             joint.axis, joint.ref = quat.rotated(quat.inverse(turns[name]), sign * np.array(axis, float)), rng.normal()
     model = spec.compile()
     ids = {name: model.body(called[name]).id for name in called}
-    return model, [0, *(ids[other_side(name)] for name in sorted(ids, key=ids.__getitem__))]
+    left = [name for name, *_ in parts if "left" in name and not names]
+    pairs = [(f"{called[name]}_joint", f"{called[other_side(name)]}_joint") for name in left]
+    return model, [0, *(ids[other_side(name)] for name in sorted(ids, key=ids.__getitem__))], pairs
 
 
 @pytest.mark.parametrize(
@@ -174,9 +181,9 @@ def turned_frames(rng, *, names: bool, root=None) -> tuple[mujoco.MjModel, list[
 )
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
 def test_frames_turned_at_random_have_mirrored_places_and_come_back(rng, names, root, coordinates):
-    model, partner = turned_frames(rng, names=names, root=root)
+    model, partner, pairs = turned_frames(rng, names=names, root=root)
     figure = Figure(model, coordinates)
-    mirror = Mirror.of(figure)
+    mirror = Mirror.of(figure, pairs)
     for _ in range(3):
         qpos = random_qpos(figure, rng)
         state, slope = figure.to_state(qpos), rng.normal(size=qpos.shape)
@@ -193,21 +200,38 @@ def test_frames_turned_at_random_have_mirrored_places_and_come_back(rng, names, 
 
 
 @pytest.mark.parametrize("size", [0.1, 1.0, 10.0])
-def test_unnamed_sides_are_paired_by_their_mass_wherever_hinges_are_on_their_axes(size):
+def test_joints_without_sides_are_in_the_mirror_plane_by_their_place_and_mass(size):
     """Masses may be off by a twentieth of the figure's size, axes by a hundredth: 60 cm times `size`."""
 
-    def mirror(trunk: float, axis: float) -> Mirror:
-        arm = '<body pos="{} {} 0"><joint axis="0 1 0"/><geom size=".1" pos="0 {} 0" mass="1"/></body>'
-        arms = arm.format(axis * size, 0.2 * size, 0.1 * size) + arm.format(0, -0.1 * size, -0.2 * size)
-        body = f'<freejoint/><geom size=".1" pos="0 {trunk * size} 0" mass="8"/>{arms}'
-        text = f"<mujoco><worldbody><body>{body}</body></worldbody></mujoco>"
-        return Mirror.of(figure_of(text))
+    def mirror(mass: float, place: float, axis: str, pairs: Sequence[tuple[str, str]] = ()) -> Mirror:
+        other = f'<geom size=".1" pos="0 0 {0.6 * size}" mass="8"/>'
+        part = f'<joint name="a" axis="{axis}"/><geom size=".1" pos="0 {mass * size} 0" mass="1"/>'
+        body = f'<freejoint name="root"/>{other}<body pos="0 {place * size} 0">{part}</body>'
+        return Mirror.of(figure_of(f"<mujoco><worldbody><body>{body}</body></worldbody></mujoco>"), pairs)
 
+    qpos = np.array([0, 0, 0, 1, 0, 0, 0, 0.3])
+    np.testing.assert_allclose(mirror(0.005, 0.002, "0 1 0").configurations(qpos), qpos)
+    np.testing.assert_allclose(mirror(0.005, 0.002, "0 0 1").configurations(qpos)[7:], -qpos[7:])
+    for off in ((0.05, 0.0, "0 1 0"), (0.0, 0.02, "0 0 1")):
+        with pytest.raises(MirrorError, match="no partner on the other side for: 'a'"):
+            mirror(*off)
+
+
+@pytest.mark.parametrize("place", [0.2, 0.02], ids=["arms", "fingers"])
+@pytest.mark.parametrize("joint", ['axis="0 1 0"', 'type="slide" axis="1 0 0"'])
+def test_pairs_name_the_sides_of_names_without_any(joint, place):
+    parts = "".join(
+        f'<body pos="0 {y} 0"><joint name="part_{n}" {joint}/><geom size=".1"/></body>'
+        for n, y in ((1, place), (2, -place))
+    )
+    figure = figure_of(f'<mujoco><worldbody><body><freejoint/><geom size=".5"/>{parts}</body></worldbody></mujoco>')
+    with pytest.raises(MirrorError, match="no partner on the other side for: 'part_1', 'part_2'"):
+        Mirror.of(figure)
     qpos = np.array([0, 0, 0, 1, 0, 0, 0, 0.3, 0.1])
-    np.testing.assert_allclose(mirror(0.005, 0.002).configurations(qpos)[7:], [0.1, 0.3])
-    for trunk, axis in ((0.03, 0.0), (0.0, 0.02)):
-        with pytest.raises(MirrorError, match="no partner on the other side"):
-            mirror(trunk, axis)
+    for pair in (("part_1", "part_2"), ("part_2", "part_1")):
+        np.testing.assert_allclose(Mirror.of(figure, [pair, ("x", "y")]).configurations(qpos)[7:], [0.1, 0.3])
+    with pytest.raises(MirrorError, match="'part_2' and 'part_1' differ"):
+        Mirror.of(figure, [("part_1", "part_1"), ("part_1", "part_2")])
 
 
 def test_names_that_lack_a_side_are_paired_with_the_side_that_the_other_has():
