@@ -14,7 +14,7 @@ from dynsplines.solver.array import Array
 from ..errors import UserError
 from ..motion import FARTHEST, read_entries
 from ..system import size_limit
-from .gaps import UnequalSamples, bridged, samples_used
+from .gaps import bridged
 
 NUMBER = 8  # [bytes] of a number in double precision
 SAMPLES = "samples"  # name of the first axis of arrays with one row per sample
@@ -42,7 +42,7 @@ class ArrayReader:
         """Return an array of finite numbers; raises UserError for any other.
 
         A text in `shape` names a size: arrays with the same name must have the same size there. An array whose first
-        axis is SAMPLES must have as many samples as those read before; else UnequalSamples is raised.
+        axis is SAMPLES must have as many samples as those read before.
         """
         array = self._array(name, len(shape))
         if array.dtype.kind not in "fiu":
@@ -55,7 +55,7 @@ class ArrayReader:
             expected = ", ".join(map(str, wanted)) + ("," if len(wanted) == 1 else "")
             raise UserError(f"{self.where}: '{name}' has the shape {array.shape}, not ({expected})")
         if is_sampled:
-            array = array[: self.check_samples(name, array.shape)]
+            self.check_samples(name, array.shape)
         self.sizes |= {size: n for size, n in zip(shape, array.shape, strict=True) if isinstance(size, str)}
         array = array.astype(float)
         if not np.all(np.isfinite(array)) and (mended := bridged(array)) is not None:
@@ -65,13 +65,12 @@ class ArrayReader:
             raise UserError(f"{self.where}: '{name}': an entry {what}")
         return array
 
-    def check_samples(self, name: str, shape: tuple[int, ...]) -> int:
-        """Return the number of samples to use; raises UnequalSamples if an earlier array has another number."""
+    def check_samples(self, name: str, shape: tuple[int, ...]) -> None:
+        """Raise UserError if an earlier array has another number of samples."""
         self.sampled[name] = shape
-        count = samples_used(shape[0])
-        if count != self.sizes.get(SAMPLES, count):
-            raise UnequalSamples(self.where, self.sampled)
-        return count
+        if shape[0] != self.sizes.get(SAMPLES, shape[0]):
+            shapes = ", ".join(f"'{name}' {shape}" for name, shape in self.sampled.items())
+            raise UserError(f"{self.where}: its arrays differ in their number of samples, the first axis: {shapes}")
 
     def quaternions(self, name: str, *shape: int | str, scalar_last: bool = False) -> Array:
         """Return unit quaternions wxyz, from an array in this order or, with `scalar_last`, in the order xyzw."""

@@ -14,7 +14,7 @@ from ..errors import UserError, unknown
 from ..motion import Saved
 from ..system import size_limit
 from ..system.output import Replacement, check_target
-from . import gaps, layouts, missing_input
+from . import layouts, missing_input
 from .array_reader import names_in
 from .trajectory import ExportOptions, Recording, SampledTrajectory
 
@@ -295,10 +295,10 @@ def _read(
 ) -> Recording:
     read = _module(form).read
     if form.scales:
-        return gaps.as_far_as_it_goes(lambda: read(source, model, fps, scale=scale))
+        return read(source, model, fps, scale=scale)
     if scale is not None:
         raise UserError(f"{source}: lengths of the format '{form.name}' are metres; --scale does not apply")
-    return gaps.as_far_as_it_goes(lambda: read(source, model, fps))
+    return read(source, model, fps)
 
 
 def read_by(custom: Reader, source: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:

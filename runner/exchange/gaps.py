@@ -1,12 +1,11 @@
-"""Samples that are not finite, and truncated files: errors by default, tolerated in recordings to be cleaned.
+"""Samples that are not finite: errors by default, tolerated in recordings to be cleaned.
 
-A sample that is not finite is replaced by the sample before it, so that readers need no special case, and removed at
-the end. A file whose arrays differ in their number of samples is read again, up to the smallest number.
+Such a sample is replaced by the sample before it, so that readers need no special case, and removed at the end.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, replace
@@ -18,32 +17,12 @@ from dynsplines.solver.array import Array, Mask
 from ..errors import UserError
 from .trajectory import Recording
 
-FEWEST = 2  # least number of samples of a motion
-
-
-class UnequalSamples(UserError):
-    """The error of files whose arrays differ in their number of samples; shapes: of the arrays, by name."""
-
-    def __init__(self, where: object, shapes: Mapping[str, tuple[int, ...]]) -> None:
-        self.count = min(shape[0] for shape in shapes.values())
-        self.counts = ", ".join(f"'{name}' {shape[0]}" for name, shape in shapes.items())
-        called = ", ".join(f"'{name}' {shape}" for name, shape in shapes.items())
-        remedy = f"`dynsplines clean` uses the first {self.count}"
-        if self.count < FEWEST:
-            remedy = f"a motion has at least {FEWEST}"
-        super().__init__(f"{where}: its arrays differ in their number of samples, the first axis: {called}; {remedy}")
-
 
 @dataclass
 class Gaps:
-    """Defects of the file being read.
-
-    missing  (T,) the samples that are not finite in any array
-    most     number of samples to use of each array; None for all
-    """
+    """Mask (T,) of the samples of the file being read that are not finite in any array; None for a file without."""
 
     missing: Mask | None = None
-    most: int | None = None
 
 
 _now: ContextVar[Gaps | None] = ContextVar("gaps", default=None)
@@ -60,7 +39,7 @@ def allowed() -> Iterator[None]:
 
 
 def are_allowed() -> bool:
-    """Return whether recordings with gaps and truncated ones are read as far as possible."""
+    """Return whether samples may be missing."""
     return _now.get() is not None
 
 
@@ -104,32 +83,3 @@ def median_step(time: Array) -> float:
     """Return the median distance of successive samples at different times (T,), [s]; 0 if all times are equal."""
     steps = np.diff(time)
     return float(np.median(steps[steps > 0])) if (steps > 0).any() else 0.0
-
-
-def samples_used(count: int) -> int:
-    """Return how many samples of an array are used: the smallest number of the file's arrays, as far as known."""
-    gaps = _now.get()
-    return count if gaps is None or gaps.most is None else min(count, gaps.most)
-
-
-def as_far_as_it_goes(read: Callable[[], Recording]) -> Recording:
-    """Return the result of a reader, with a note if the file's arrays differ in their number of samples.
-
-    Raises UnequalSamples for such a file unless gaps are allowed.
-    """
-    gaps, unequal = _now.get(), None
-    if gaps is not None:
-        gaps.most = None
-    while True:
-        try:
-            result = read()
-        except UnequalSamples as error:
-            if gaps is None or error.count < FEWEST:
-                raise
-            gaps.most, gaps.missing, unequal = error.count, None, error
-        else:
-            break
-    if unequal is None:
-        return result
-    note = f"the file is cut short, samples of its arrays: {unequal.counts}; the first {unequal.count} are used"
-    return replace(result, notes=(*result.notes, note))

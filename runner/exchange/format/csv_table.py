@@ -1,12 +1,14 @@
 """CSV: a row per sample with the time and MuJoCo's qpos; a heading names joint and component.
 
 Columns of `quantities` may follow; they are not read. A name that a spreadsheet would take for a formula is preceded
-by '. `tables` reads tables of other programs, and resolves their column names in `headings`.
+by '. On import, columns may have units in brackets, such as `left_knee [deg]`.
 """
 
 from __future__ import annotations
 
 import csv
+import re
+from collections.abc import Sequence
 from pathlib import Path
 
 import mujoco
@@ -15,14 +17,14 @@ import numpy as np
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 
-from ...errors import UserError
-from .. import missing_input, quantities
+from ...errors import UserError, listed
+from .. import missing_input, quantities, table_text
 from ..array_reader import times
-from ..tables import headings, table_text
 from ..trajectory import Recording, SampledTrajectory
 
 FORMULA = "=+-@\t\r"  # first characters of cells that spreadsheets execute as formulas
 QUOTE = "'"
+UNITS = {"": 1.0, "m": 1.0, "cm": 1e-2, "mm": 1e-3, "s": 1.0, "ms": 1e-3, "rad": 1.0, "deg": np.pi / 180}
 FREE = ("x", "y", "z", "qw", "qx", "qy", "qz")
 
 
@@ -52,7 +54,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 
 
 def recognises(path: Path) -> bool:
-    """Return whether a text is a table; raises UserError for one without a heading."""
+    """Return True; raises UserError for a table without a heading, which several formats have."""
     if table_text.table(path).names is None:
         raise UserError(
             f"{path}: a table without a heading; add one with the names of the columns (an export to csv shows them), "
@@ -66,16 +68,43 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     """Read a table: with a heading, columns in any order; without one, nq columns, or the time and nq columns."""
     if model is None:
         raise UserError(f"{path}: a table of qpos is for a figure; {missing_input.FIGURE}")
-    source = table_text.table(path)
-    notes: tuple[str, ...] = ()
+    source, names = table_text.table(path), columns(model)
     if source.names is None:
-        time, qpos = without_heading(path, source.numbers, model.nq, fps or source.fps)
-    else:
-        names = list(map(_named, source.names))
-        qpos, time, _, notes = headings.resolve(model, columns(model), names, source.numbers, path)
-        if time is None:
-            time = times(len(qpos), rate_of(path, fps or source.fps))
-    return Recording(time, qpos, notes=(*source.notes, *notes))
+        return Recording(*without_heading(path, source.numbers, model.nq, fps))
+    named = _by_name(source.names, source.numbers, {"time", *names}, path)
+    missing = [name for name in names if name not in named]
+    if missing:
+        lacking = listed((f"'{name}'" for name in missing), 1)
+        raise UserError(
+            f"{path}: no column {lacking}; the figure's columns: {', '.join(names)}; "
+            f"the file's: {', '.join(source.names)}"
+        )
+    qpos = np.column_stack([named[name] for name in names])
+    return Recording(named["time"] if "time" in named else times(len(qpos), rate_of(path, fps)), qpos)
+
+
+def _by_name(headings: Sequence[str], numbers: Array, wanted: set[str], path: Path) -> dict[str, Array]:
+    """Return the columns (T,) of wanted names in metres, radians and seconds.
+
+    Raises UserError for unknown units, and for columns of one name with different numbers.
+    """
+    out: dict[str, Array] = {}
+    for heading, column in zip(map(_named, headings), numbers.T, strict=True):
+        name, unit = (heading, "") if heading in wanted else _with_unit(heading)
+        if name not in wanted:
+            continue
+        if unit not in UNITS:
+            raise UserError(f"{path}: column '{heading}': no unit '{unit}'; units: {', '.join(UNITS)[2:]}")
+        values = column * UNITS[unit]
+        if not np.array_equal(out.setdefault(name, values), values, equal_nan=True):
+            raise UserError(f"{path}: two columns '{name}' with different numbers; remove or rename one of them")
+    return out
+
+
+def _with_unit(heading: str) -> tuple[str, str]:
+    """Return name and unit of a heading such as `knee [deg]`."""
+    match = re.fullmatch(r"(.*?)\s*[\[(]\s*(.*?)\s*[\])]", heading)
+    return (match[1], match[2]) if match else (heading, "")
 
 
 def without_heading(path: Path, numbers: Array, width: int, fps: float | None) -> tuple[Array, Array]:

@@ -15,11 +15,10 @@ import mujoco
 import numpy as np
 
 from ...errors import UserError
-from .. import missing_input
+from .. import missing_input, table_text
 from ..array_reader import ArrayReader
 from ..robot import Robot, configurations, needs_figure, robot_joints
 from ..skeleton.hinge_joints import HingeLayout
-from ..tables import table_text
 from ..trajectory import Recording, SampledTrajectory
 from .csv_table import without_heading
 from .mjlab import companions as companions
@@ -42,7 +41,8 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     """Read root and hinges, after an optional column of times; raises UserError for rows of another length."""
     model = needs_figure(model, path)
     source = table_text.table(path)
-    fps = fps or source.fps
+    if source.names is not None:
+        raise UserError(f"{path}: a table with a heading; the format has none; give --from csv")
     figure_joints = robot_joints(model)
     width = 7 + sum(len(names) for joint, names in HingeLayout(model).joints if joint in figure_joints)
     if source.numbers.shape[1] != width + 1 and fps is None:
@@ -59,4 +59,4 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     rotation = arrays.quaternions("quaternion (columns 4 to 7)", "T", 4, scalar_last=True)
     rate = fps if source.numbers.shape[1] == width else None
     qpos = configurations(model, NAME, path, position, rotation, joints)
-    return Recording(time, qpos, fps=rate, notes=source.notes)
+    return Recording(time, qpos, fps=rate)

@@ -21,7 +21,6 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError, listed
 from .. import gaps
-from ..tables.table_text import is_cut as is_number_cut
 from .roles import lineage, roles
 
 AXES = "XYZ"
@@ -181,9 +180,8 @@ def read(path: Path) -> Skeleton:
     joints = _hierarchy(lines)
     width = sum(len(joint.channels) for joint in joints)
     count, fps = _heading(lines)
-    values, notes = _values(lines, count, width)
-    values, more = _with_numbers(lines, joints, values)
-    return Skeleton(tuple(joints), fps, values, (*notes, *more))
+    values, notes = _with_numbers(lines, joints, _values(lines, count, width))
+    return Skeleton(tuple(joints), fps, values, notes)
 
 
 def _text(content: bytes) -> str:
@@ -270,53 +268,36 @@ def _heading(lines: _Lines) -> tuple[int, float]:
     return count, fps_of(frame_time, len(words[2].partition(".")[2]))
 
 
-def _values(lines: _Lines, count: int, width: int) -> tuple[Array, tuple[str, ...]]:
-    """Return the rest of the file (T, width), nan for missing numbers, and a note if T is not the declared count.
-    Raises UserError for another number of samples unless gaps are allowed; then the samples present are used."""
-    is_strict, rest, rows = not gaps.are_allowed(), list(lines.rest()), list[Array]()
-    for i, (number, line) in enumerate(rest):
+def _values(lines: _Lines, count: int, width: int) -> Array:
+    """Return the rest of the file (count, width); raises UserError for any other number of frames or channels."""
+    rows: list[list[float]] = []
+    last_words: list[str] = []
+    for number, line in lines.rest():
         lines.number = number
+        if len(rows) == count:
+            raise lines.wrong(f"more frames than the {count} of 'Frames:'")
         words = line.split()
-        is_last = i == len(rest) - 1 and len(words) <= width
-        is_cut = not is_strict and is_last and i < count
-        if is_strict and i == count:
-            raise lines.wrong(f"more images than the {count} of 'Frames:'; `dynsplines clean` uses all {len(rest)}")
-        row = [_number(word, is_strict=is_strict) for word in words]
-        if is_cut and (None in row or len(row) < width or (i + 1 < count and not lines.is_ended)):
-            break  # the file ends within this line
-        hint = "; `dynsplines clean` uses the frames before it" if is_last and 1 < i < count else ""
-        if is_last and i + 1 == count and not lines.is_ended and _is_last_number_cut(words, row, rest):
-            if is_strict:
-                raise lines.wrong(f"the file ends within the number {words[-1]}{hint}; if it is complete, end its line")
-            break
-        if None in row:
-            raise lines.wrong(f"'{shown(words[row.index(None)])}' is no number{hint if row[-1] is None else ''}")
+        row = [value for word in words if (value := _number(word)) is not None]
+        if len(row) < len(words):
+            word = next(word for word in words if _number(word) is None)
+            raise lines.wrong(f"'{shown(word)}' is no number")
         if len(row) != width:
-            raise lines.wrong(f"{len(row)} numbers for the {width} channels of the joints{hint}")
-        rows.append(np.array(row, float))
-    if not rows or (is_strict and len(rows) < count) or len(rows) < min(count, gaps.FEWEST):
-        hint = "; `dynsplines clean` uses those that there are" if len(rows) >= gaps.FEWEST else ""
-        raise lines.wrong(f"the file ends after {len(rows)} images; 'Frames:' declares {count}{hint}")
-    few = f"{len(rows)} of the {count} frames that 'Frames:' declares are complete in the file: they are used"
-    many = f"the file has {len(rows)} frames, 'Frames:' declares {count}: all are used"
-    notes = () if len(rows) == count else (few if len(rows) < count else many,)
-    return np.array(rows), notes
+            raise lines.wrong(f"{len(row)} numbers for the {width} channels of the joints")
+        rows.append(row)
+        last_words.append(words[-1])
+    if not rows or len(rows) < count:
+        raise lines.wrong(f"the file ends after {len(rows)} frames; 'Frames:' declares {count}")
+    if not lines.is_ended and all(len(word) > len(last_words[-1]) for word in last_words[:-1]):
+        raise lines.wrong(f"the file ends within the number {last_words[-1]}; if it is complete, end its line")
+    return np.array(rows)
 
 
-def _is_last_number_cut(words: list[str], row: list[float | None], rest: Sequence[tuple[int, str]]) -> bool:
-    above = [line.split()[-1] for _, line in rest[:-1]]
-    last = row[-1]
-    return last is not None and is_number_cut(
-        words[-1], last, [(word, _number(word, is_strict=False)) for word in above]
-    )
-
-
-def _number(word: str, *, is_strict: bool) -> float | None:
+def _number(word: str) -> float | None:
     """Return the number in a word, nan for one that is not finite; None for other words."""
     try:
         return float(word)
     except ValueError:
-        return float("nan") if not is_strict and NO_NUMBER.fullmatch(word) else None
+        return float("nan") if NO_NUMBER.fullmatch(word) else None
 
 
 def _with_numbers(lines: _Lines, joints: Sequence[Joint], values: Array) -> tuple[Array, tuple[str, ...]]:

@@ -111,20 +111,6 @@ def test_what_came_in_a_format_goes_out_in_it_unasked(command, squats, tmp_path,
 
 
 @pytest.mark.slow
-def test_a_truncated_table_is_cleaned_up_to_its_last_complete_row(command, squats, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    (tmp_path / "cut.csv").write_bytes((squats / "bobs.csv").read_bytes()[:-30])
-    refused = command("import", "cut.csv", "--figure", "human")
-    assert refused.code == 2
-    assert "cut.csv: the file is cut short: row 46, the last" in refused.last
-    assert "`dynsplines clean` uses the 44 rows before it" in refused.last
-    done = command("clean", "cut.csv", "--figure", "human", "-o", "clean.npz")
-    assert done.code == 0, done.err
-    assert "44 of 45 rows are used" in done.err
-    assert load_motion("clean.npz").duration == pytest.approx(TIMES[43], abs=1e-6)
-
-
-@pytest.mark.slow
 def test_stances_are_those_of_a_file_and_how_far_what_moved_is_told(command, squats, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "c.toml").write_text('[[contact]]\npoint = "left_heel"\nfrom = 0.2\nto = 1.0\n', encoding="utf-8")

@@ -193,3 +193,36 @@ def test_a_file_of_two_formats_needs_one(tmp_path):
     with pytest.raises(UserError, match=r"may be of several formats; give --from, .* one of: npz, mjlab"):
         read(path)
     biped.assert_same(read(path, "mjlab")[0].qpos, QPOS, 1e-6)
+
+
+UNEQUAL = {
+    "a.mjlab.npz": {"fps": 50, "joint_pos": QPOS[:, 7:], "joint_vel": QPOS[1:, 7:], "body_pos_w": PLACE[:, 1:],
+                    "body_quat_w": TURN[:, 1:], "joint_names": NAMES},
+    "a.qpos.npz": {"fps": 50, "qpos": QPOS, "qvel": QPOS[1:, :13], "xpos": PLACE},
+    "b.qpos.npz": {"time": np.arange(100) / 50, "qpos": QPOS},
+    "a.loco.npz": {"frequency": 50, "qpos": QPOS, "split_points": [0, 100], "joint_names": ["root", *NAMES],
+                   "jnt_type": [0, *[3] * 7], "xpos": PLACE},
+    "a.gmr.pkl": {"fps": 50, "root_pos": QPOS[:, :3], "root_rot": QPOS[:, [4, 5, 6, 3]], "dof_pos": QPOS[:, 7:]},
+}  # fmt: skip
+OF_SAMPLES = {"joint_pos", "body_pos_w", "body_quat_w", "qpos", "xpos", "time", "root_pos", "root_rot", "dof_pos"}
+
+
+def stored(path, entries):
+    if path.suffix == ".pkl":
+        path.write_bytes(pickle.dumps(entries))
+        return path
+    return arrays(path, **entries)
+
+
+@pytest.mark.parametrize("file", UNEQUAL)
+def test_arrays_of_samples_must_be_equally_long(file, tmp_path):
+    entries: dict[str, Any] = UNEQUAL[file]
+    found, _ = read(stored(tmp_path / file, entries | {"gains": np.ones(3)}))
+    biped.assert_same(found.qpos, QPOS, 1e-6)
+    for name in OF_SAMPLES.intersection(entries):
+        path = stored(tmp_path / file, entries | {name: entries[name][:90]})
+        with pytest.raises(
+            UserError, match=rf"{file}: its arrays differ in their number of samples.*'{name}' \(90,"
+        ) as error:
+            read(path)
+        assert "100," in str(error.value)

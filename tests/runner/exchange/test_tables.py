@@ -1,4 +1,4 @@
-"""Tables as other programs write them: separators, decimal commas, comments, names of columns, units."""
+"""Tables of other programs: separators, decimal commas, comments, units in headings, and wrong tables."""
 
 import numpy as np
 import pytest
@@ -10,6 +10,7 @@ from dynsplines.exchange.formats import recording
 QPOS = biped.walk(60)
 TIME = np.arange(60) / biped.FPS
 OURS = [*(f"root.{part}" for part in ("x", "y", "z", "qw", "qx", "qy", "qz")), "waist_yaw", *biped.JOINTS]
+TIMED = np.column_stack([TIME, QPOS])
 
 
 def written(path, names, rows, *, separator=",", decimal=".", head="", end="\n", encoding="utf-8"):
@@ -21,8 +22,7 @@ def written(path, names, rows, *, separator=",", decimal=".", head="", end="\n",
 
 
 def read(path, fps=None, kind="csv"):
-    found = recording(path, kind, model=biped.model(), fps=fps)
-    return found, " | ".join(found.notes)
+    return recording(path, kind, model=biped.model(), fps=fps)
 
 
 def is_walk(found, tolerance=1e-8):
@@ -30,134 +30,109 @@ def is_walk(found, tolerance=1e-8):
     np.testing.assert_allclose(found.time, TIME, atol=1e-9)
 
 
-TIMED = np.column_stack([TIME, QPOS])
+SEPARATED = [
+    {"separator": separator, "decimal": decimal}
+    for decimal in ".,"
+    for separator in (",", ";", "\t", " ", "  ", ", ", "; ")
+    if separator[0] != decimal
+]
+STYLES = [
+    {"end": "\r\n"},
+    {"end": "\r\n", "encoding": "utf-8-sig"},
+    {"head": "# made by a robot\n# 2 s\n\n"},
+    {"head": "// made by a robot\n"},
+    {"head": "% made, by, a, robot\n"},
+    {"end": ",\n"},
+    {"end": "\n\n"},
+]
 
 
-WRITTEN = [(separator, decimal) for decimal in ".," for separator in (",", ";", "\t", " ", "  ", ", ", "; ")]
-
-
-@pytest.mark.parametrize(("separator", "decimal"), [each for each in WRITTEN if each[0][0] != each[1]])
+@pytest.mark.parametrize("style", [*SEPARATED, *STYLES], ids=repr)
 @pytest.mark.parametrize("names", [["time", *OURS], None])
-def test_separator_and_decimal_sign_are_detected(separator, decimal, names, tmp_path):
-    found, notes = read(written(tmp_path / "a.csv", names, TIMED, separator=separator, decimal=decimal))
-    is_walk(found)
-    assert ("decimal commas" in notes) == (decimal == ",")
-
-
-@pytest.mark.parametrize(
-    "style",
-    [
-        {"end": "\r\n"},
-        {"end": "\r\n", "encoding": "utf-8-sig"},
-        {"encoding": "utf-16", "separator": "\t"},
-        {"head": "sep=;\n", "separator": ";"},
-        {"head": "# made by a robot\n# 2 s\n\n"},
-        {"head": "// made by a robot\n"},
-        {"head": "% made, by, a, robot\n"},
-        {"end": ",\n"},
-        {"end": "\n\n"},
-    ],
-)
-@pytest.mark.parametrize("names", [["time", *OURS], None])
-def test_line_ends_marks_and_comments(style, names, tmp_path):
-    is_walk(read(written(tmp_path / "a.csv", names, TIMED, **style))[0])
+def test_separators_decimal_signs_ends_and_comments(style, names, tmp_path):
+    is_walk(read(written(tmp_path / "a.csv", names, TIMED, **style)))
 
 
 @pytest.mark.parametrize("ending", ["csv", "tsv", "txt", "CSV"])
-def test_endings_of_tables(ending, tmp_path):
-    is_walk(read(written(tmp_path / f"a.{ending}", ["time", *OURS], TIMED, separator="\t"))[0])
-    is_walk(read(written(tmp_path / f"b.{ending}", None, QPOS, separator=" "), 50.0)[0])
+def test_a_heading_states_the_format_and_the_order_of_columns(ending, tmp_path):
+    names, order = ["time", *OURS], np.random.default_rng(2).permutation(15)
+    path = written(tmp_path / f"a.{ending}", [names[i] for i in order], TIMED[:, order], separator="\t")
+    is_walk(read(path, kind=None))
 
 
-def test_names_in_a_comment_and_a_rate_in_a_comment(tmp_path):
-    is_walk(read(written(tmp_path / "a.csv", None, TIMED, head=f"# {','.join(['time', *OURS])}\n"))[0])
+def test_names_in_a_comment(tmp_path):
+    is_walk(read(written(tmp_path / "a.csv", None, TIMED, head=f"# {','.join(['time', *OURS])}\n"), kind=None))
     np.savetxt(tmp_path / "b.txt", TIMED, header=" ".join(["time", *OURS]))
-    is_walk(read(tmp_path / "b.txt")[0])
-    for comment in ("# fps: 50\n", "# frame_rate=50\n", "# Frequency (50 Hz)\n"):
-        is_walk(read(written(tmp_path / "c.csv", None, QPOS, head=comment))[0])
-
-
-VOCABULARIES = {
-    "snake": ("root_pos_x root_pos_y root_pos_z root_quat_w root_quat_x root_quat_y root_quat_z", "{}"),
-    "base": ("base_x base_y base_z base_qw base_qx base_qy base_qz", "{}_joint"),
-    "body": ("pelvis.px pelvis.py pelvis.pz pelvis.rot.w pelvis.rot.x pelvis.rot.y pelvis.rot.z", "dof_{}"),
-    "bare": ("x y z qw qx qy qz", "joint_{}"),
-    "camel": ("RootPosX RootPosY RootPosZ RootRotW RootRotX RootRotY RootRotZ", "{}"),
-    "units": ("root_x[m] root_y[m] root_z[m] quat_w quat_x quat_y quat_z", "{} (rad)"),
-    "world": ("base_pos_w_x base_pos_w_y base_pos_w_z base_quat_w base_quat_x base_quat_y base_quat_z", "{}_pos"),
-}
-
-
-@pytest.mark.parametrize("vocabulary", VOCABULARIES)
-def test_names_of_other_programs(vocabulary, tmp_path):
-    root, joint = VOCABULARIES[vocabulary]
-    names = ["Time", *root.split(), "WAIST_YAW", *(joint.format(name) for name in biped.JOINTS)]
-    order = np.random.default_rng(2).permutation(15)
-    table = written(tmp_path / "a.csv", [names[i] for i in order], TIMED[:, order])
-    found, notes = read(table)
-    is_walk(found)
-    assert "columns by other names" in notes
-
-
-def test_columns_that_are_numbered_are_taken_in_their_order(tmp_path):
-    names = ["frame", "x", "y", "z", "qw", "qx", "qy", "qz", *(f"dof_{i}" for i in range(7))]
-    rows = np.column_stack([np.arange(60), QPOS])
-    is_walk(read(written(tmp_path / "a.csv", names, rows), 50.0)[0])
+    is_walk(read(tmp_path / "b.txt", kind=None))
 
 
 def test_a_column_that_counts_samples_is_no_time(tmp_path):
-    rows = np.column_stack([np.arange(60), QPOS])
-    is_walk(read(written(tmp_path / "a.csv", None, rows), 50.0)[0])
+    path = written(tmp_path / "a.csv", None, np.column_stack([np.arange(60), QPOS]))
+    is_walk(read(path, 50.0))
     with pytest.raises(UserError, match="give the rate"):
-        read(written(tmp_path / "a.csv", None, rows))
+        read(path)
 
 
-def test_milliseconds_centimetres_and_degrees_by_the_names_of_columns(tmp_path):
-    names = ["time [ms]", *(f"{name} [cm]" for name in OURS[:3]), *OURS[3:7], *(f"{name} [deg]" for name in OURS[7:])]
+def test_units_in_headings(tmp_path):
+    names = ["time [ms]", *(f"{name} [cm]" for name in OURS[:3]), *OURS[3:7], *(f"{name} (deg)" for name in OURS[7:])]
     rows = TIMED * [1000, *[100] * 3, *[1] * 4, *[180 / np.pi] * 7]
-    found, notes = read(written(tmp_path / "a.csv", names, rows))
-    is_walk(found, 1e-7)
-    assert "angles in degrees, by their columns' names" in notes
-    lines = (tmp_path / "a.csv").read_text().splitlines()
-    units = ["ms", "cm", "cm", "cm", "", "", "", "", *["deg"] * 7]
-    (tmp_path / "b.csv").write_text("\n".join([",".join(["time", *OURS]), ",".join(units), *lines[1:]]))
-    is_walk(read(tmp_path / "b.csv")[0], 1e-7)
+    is_walk(read(written(tmp_path / "a.csv", names, rows)), 1e-7)
 
 
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("", "the file is empty"),
-        ("# nothing\n", "the file is empty"),
-        ("time;root\na;b\n", "a table with no numbers"),
-        ("1;2;3\n4;5\n6;7;8\n", "row 2 does not hold 3 numbers, separated by semicolons"),
-        ("1,5;2,5\n1,5;x\n", "row 2 does not hold 2 numbers, separated by semicolons, with decimal commas"),
-        ("a,b\n1,2,3\n1,2,3\n", "2 names for 3 columns, separated by commas"),
-        ("1|2|3\n4|5|6\n", "whose cells commas, semicolons, tabs or spaces separate"),
-        (b"time,x\n\xff\xfe1", "not a table of text"),
-        ("1,2,3\n4,5,6\n", "3 columns without a heading; the figure's qpos has 14"),
-    ],
-)
-def test_tables_that_cannot_be_read_are_refused_in_one_line(text, message, tmp_path):
+def test_two_columns_of_one_name_must_agree(tmp_path):
+    for name in ("root.x", "time"):
+        names = ["time", *OURS, name]
+        column = TIMED[:, [names.index(name)]]
+        is_walk(read(written(tmp_path / "a.csv", names, np.hstack([TIMED, column]))))
+        with pytest.raises(UserError, match=rf"a\.csv: two columns '{name}' with different numbers; remove"):
+            read(written(tmp_path / "a.csv", names, np.hstack([TIMED, 2 * column + 1])))
+
+
+HEADING = ",".join(["time", *OURS])
+ROW = ",".join("0" * 15)
+WRONG = {
+    "": "the file is empty",
+    "# nothing\n": "the file is empty",
+    "time;root\na;b\n": "no table of numbers, with one heading",
+    "time,x\ns,m\n1,2\n": "no table of numbers, with one heading",
+    "1;2;3\n4;5\n6;7;8\n": "line 2 does not hold 3 numbers, separated by semicolons; complete or delete it$",
+    "1;2;3\n\n4;5\n6;7\n": "line 3 does not hold 3 numbers, .*; complete or delete it and 1 more such$",
+    "1,5;2,5\n1,5;x\n": "line 2 does not hold 2 numbers, separated by semicolons, with decimal commas",
+    "1,2,3\n1,2,3\n1,2": "line 3, the last, has no end: the file may be cut short",
+    "1,2,3\n1,2,3\n1,2,4.5": "line 3, the last, has no end: the file may be cut short; if not, end the line",
+    "1,2,3\n1,2,3\n1,2\n": "line 3 does not hold 3 numbers",
+    "a,b\n1,2,3\n1,2,3\n": "2 names for 3 columns, separated by commas",
+    "1|2|3\n4|5|6\n": "separated by commas, semicolons, tabs or spaces",
+    b"time,x\n\xff\xfe1": "not a table of text",
+    b"1,2\n\x001,2\n": "not a table of text",
+    "1,2,3\n4,5,6\n": "3 columns without a heading; the figure's qpos has 14",
+    f"{HEADING.replace('knee', 'kn')}\n{ROW}\n": "no column 'left_knee' and 1 more; the figure's columns: root.x",
+    f"{HEADING.replace('root.x', 'root_pos_x')}\n{ROW}\n": "no column 'root.x'; .* the file's: time, root_pos_x",
+    f"{HEADING.replace('left_knee', 'left_knee [°]')}\n{ROW}\n": r"'left_knee \[°\]': no unit '°'; units: m, cm, .*deg",
+}
+
+
+@pytest.mark.parametrize(("text", "message"), WRONG.items())
+def test_wrong_tables_are_refused_in_one_line(text, message, tmp_path):
     (tmp_path / "a.csv").write_bytes(text if isinstance(text, bytes) else text.encode())
     with pytest.raises(UserError, match=message) as error:
         read(tmp_path / "a.csv", 50.0)
     assert "\n" not in str(error.value)
 
 
-def test_columns_that_are_missing_or_could_both_be_one_are_named(tmp_path):
-    with pytest.raises(UserError, match=r"no column 'left_knee'; the figure's columns: root.x, .* the file's: time"):
-        read(written(tmp_path / "a.csv", ["time", *OURS[:9], "kn", *OURS[10:]], TIMED))
-    names = ["time", "root_x", "base_x", "y", "z", *OURS[3:]]
-    with pytest.raises(UserError, match=r"the columns 'root_x' and 'base_x' could both be 'root.x'"):
-        read(written(tmp_path / "a.csv", names, np.insert(TIMED, 1, 0, axis=1)))
+@pytest.mark.parametrize("names", [["time", *OURS], None])
+def test_a_table_cut_at_any_byte_is_refused_or_has_its_first_rows(names, tmp_path):
+    text = written(tmp_path / "a.csv", names, TIMED[:4]).read_text()
+    for end in range(1, len(text)):
+        (tmp_path / "a.csv").write_text(text[:end])
+        try:
+            found = read(tmp_path / "a.csv")
+        except UserError:
+            continue
+        assert text[end - 1] == "\n"
+        np.testing.assert_allclose(found.qpos, QPOS[: len(found.qpos)], atol=1e-8)
 
 
-@pytest.mark.parametrize("name", ["root.x", "time"])
-def test_two_columns_of_one_name_must_agree(name, tmp_path):
-    names = ["time", *OURS, name]
-    column = TIMED[:, [names.index(name)]]
-    is_walk(read(written(tmp_path / "a.csv", names, np.hstack([TIMED, column])))[0])
-    message = rf"a\.csv: columns {names.index(name) + 1} and 16 are both '{name}', with different numbers; remove"
-    with pytest.raises(UserError, match=message):
-        read(written(tmp_path / "a.csv", names, np.hstack([TIMED, 2 * column + 1])))
+def test_a_heading_is_no_input_of_mjlab(tmp_path):
+    with pytest.raises(UserError, match="a table with a heading; the format has none; give --from csv"):
+        read(written(tmp_path / "a.csv", OURS, QPOS), 50.0, "mjlab-csv")
