@@ -267,7 +267,7 @@ def tried(name: str, file: Path, walks: bool, walk: Path, output: Path) -> Resul
                     f"{kind} {value:.0f}" + " SILENT" * (not _is_reported(kind, reported))
                     for kind, value in beyond.items()
                 )
-            if result.run(folder, "export", "squat.npz", "--to", "mjcf", "--simulate", "-o", "squat.simulate.xml"):
+            if result.run(folder, "export", "squat.npz", "--to", "simulate", "-o", "squat.simulate.xml"):
                 result.cells["simulated"] = simulated(folder / "squat.simulate.xml")
             result.run(folder, "render", "squat.npz", "--only", "after", "-o", "squat.png", "--size", "960x540")
             if (folder / "squat.png").exists():

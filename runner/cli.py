@@ -43,7 +43,7 @@ if TYPE_CHECKING:
     from .clean import command as clean_command
     from .clip import kinds, starter
     from .edit import files, thin_files
-    from .exchange import formats, motion_import, quantities, trajectory
+    from .exchange import formats, motion_import, quantities
     from .exchange.skeleton import maps
     from .measure import chart, violation
     from .measure import report as reports
@@ -59,9 +59,7 @@ else:
     batches, kinds, starter = _lazy("", "batch clip.kinds clip.starter")
     files, thin_files = _lazy(".edit", "files thin_files")
     (clean_command,) = _lazy(".clean", "command")
-    formats, motion_import, quantities, trajectory, maps = _lazy(
-        ".exchange", "formats motion_import quantities trajectory skeleton.maps"
-    )
+    formats, motion_import, quantities, maps = _lazy(".exchange", "formats motion_import quantities skeleton.maps")
     chart, violation, reports = _lazy(".measure", "chart violation report")
     film, show = _lazy(".picture", "film show")
     launch, sources = _lazy(".studio", "launch sources")
@@ -382,22 +380,21 @@ def export(
     output: Annotated[Path | None, option.output("name of the input with the extension of the format")] = None,
     fps: option.Rate = None,
     columns: option.Columns = "",
-    simulate: option.Simulate = False,
     repeat: option.Repeat = None,
     overwrite: option.Overwrite = False,
     allow_outside: option.Outside = False,
 ) -> None:
     """Write a motion in the format of another program.
     A clip is solved first."""
-    form, options = formats.chosen(to, output), trajectory.ExportOptions(simulate, quantities.named(columns))
-    formats.check_options(form, options)
-    target = output or formats.target_of(formats.stem(Path(source)), form, options)
+    groups = quantities.named(columns)
+    form = formats.chosen(to, output, groups)
+    target = output or formats.target_of(formats.stem(Path(source)), form)
     outputs.check_target(target, overwrite=overwrite)
     with terminal.Progress() as progress:
         clip = inputs.load(source)
         inputs.span(clip, repeat)
         saved, violations = inputs.solved(clip, progress, repeat)
-        formats.export(saved, form.name, target, fps=fps, options=options, overwrite=overwrite, report=progress.report)
+        formats.export(saved, form.name, target, fps=fps, columns=groups, overwrite=overwrite, report=progress.report)
         _conclude(progress, target, violations, source)
 
 

@@ -283,9 +283,6 @@ Columns = Annotated[
         "--with",
     ),
 ]
-Simulate = Annotated[
-    bool, flag("--simulate", "Only for the format mjcf: add actuators that follow the motion in a simulation")
-]
 ImportSource = Annotated[
     Path, typer.Argument(metavar="FILE", help="Recording in a format that `dynsplines formats` lists")
 ]

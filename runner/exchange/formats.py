@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 from typing import Any, Protocol
@@ -16,12 +16,10 @@ from ..system import size_limit
 from ..system.output import Replacement, check_target
 from . import layouts, missing_input
 from .array_reader import names_in
-from .trajectory import ExportOptions, Recording, SampledTrajectory
+from .trajectory import Recording, SampledTrajectory
 
 OF_MOTIONS = {"format_version", "frame_state"}  # names of arrays that only this program's motions have
-SIMULATED = ".simulate.xml"  # extension of a scene with actuators and contacts
 CONVERTIBLE = (".glb", ".gltf", ".vrm", ".fbx", ".usd", ".usda", ".usdc")  # animations that Blender converts to BVH
-WISHES = {"simulate": "a scene to simulate", "columns": "columns of forces or velocities"}
 
 
 class Writer(Protocol):
@@ -69,9 +67,7 @@ class Format:
     functions are optional. `companions(trajectory)` returns more files, such as a hinge model, by extension or by name
     without a leading dot. `recognises(path)` decides between formats that share an extension.
 
-    variants    further extensions of the format, read and written
     containers  extensions of other files with the same content, only read
-    options     fields of `ExportOptions` that the format supports
     scales      whether files lack a unit of length, so that `read` takes `scale` [m]; None infers it
     """
 
@@ -82,32 +78,33 @@ class Format:
     writes: bool = True
     reads: bool = False
     scales: bool = False
-    variants: tuple[str, ...] = ()
     containers: tuple[str, ...] = ()
-    options: tuple[str, ...] = ()
 
     @property
-    def write_endings(self) -> tuple[str, ...]:
-        return self.ending, *self.variants
+    def plain_ending(self) -> str:
+        """The last part of the extension: .npz for .mjlab.npz."""
+        return "." + self.ending.rpartition(".")[2]
 
     @property
     def read_endings(self) -> tuple[str, ...]:
-        return "." + self.ending.rpartition(".")[2], *self.containers
+        return self.plain_ending, *self.containers
 
     def check_name(self, target: Path) -> None:
-        """Raise UserError unless a file's name fits the format; plain .npz also fits .mjlab.npz."""
-        endings = dict.fromkeys((*self.write_endings, Path(f"_{self.ending}").suffix))
-        if not target.name.lower().endswith(tuple(endings)):
+        """Raise UserError unless a file has the extension, or the last part of it without that of another format."""
+        other = by_ending(target)
+        is_plain = target.name.lower().endswith(self.plain_ending)
+        if other is not self and not (is_plain and (other is None or other.ending == self.plain_ending)):
+            endings = dict.fromkeys((self.ending, self.plain_ending))
             raise UserError(f"'{target}': the name of a file of the format {self.name} ends in {' or '.join(endings)}")
 
 
 FORMATS = (
     Format("csv", ".csv", "table: time and qpos, a column per joint coordinate", "csv_table", reads=True,
-           options=("columns",), containers=(".tsv", ".txt")),
+           containers=(".tsv", ".txt")),
     Format("npz", ".qpos.npz", "plain arrays: time, qpos, qvel, qacc, names, figure", "arrays", reads=True,
            containers=(".npy",)),
-    Format("mjcf", ".keys.xml", "MJCF of figure and scene, a <key> per sample", "mjcf_keys", reads=True,
-           variants=(SIMULATED,), options=("simulate",)),
+    Format("mjcf", ".keys.xml", "MJCF of figure and scene, a <key> per sample", "mjcf_keys", reads=True),
+    Format("simulate", ".simulate.xml", "the same with actuators that follow the motion, for mj_step", "simulate"),
     Format("mjlab", ".mjlab.npz", "mjlab, BeyondMimic: hinge angles and body poses", "mjlab", reads=True),
     Format("mjlab-csv", ".mjlab.csv", "input of mjlab, BeyondMimic: root pose (xyzw) and hinge angles, without names",
            "mjlab_csv", reads=True),
@@ -150,29 +147,34 @@ def writer(name: str) -> Format:
     return available[name]
 
 
-def chosen(name: str | None, target: Path | None) -> Format:
-    """Return the format for export by its name or a file's extension; raises UserError if unknown or contradictory."""
+def chosen(name: str | None, target: Path | None, columns: Sequence[str] = ()) -> Format:
+    """Return the format for export by its name or a file's extension.
+
+    Raises UserError for an unknown format, a name that contradicts the extension, and columns for another format than
+    csv.
+    """
+    available = ", ".join(writers())
     if name is not None:
         form = writer(name)
-        if target is not None:
-            form.check_name(target)
-        return form
-    available = writers()
-    if target is None:
-        raise UserError(f"name the format, --to, or a file with its ending, -o; formats: {', '.join(available)}")
-    form = by_ending(target)
-    if form is None:
+    elif target is None:
+        raise UserError(f"name the format, --to, or a file with its ending, -o; formats: {available}")
+    elif (by_name := by_ending(target)) is None:
         raise UserError(
-            f"'{target}': its ending is of no known format; give --to, or to= in Python, one of: {', '.join(available)}"
+            f"'{target}': its ending is of no known format; give --to, or to= in Python, one of: {available}"
         )
-    return writer(form.name)
+    else:
+        form = writer(by_name.name)
+    if target is not None:
+        form.check_name(target)
+    if columns and form.name != "csv":
+        raise UserError(f"the format '{form.name}' cannot hold columns of forces or velocities; csv can")
+    return form
 
 
 def by_ending(path: Path) -> Format | None:
     """Return the format of a complete extension such as .loco.npz; None for plain .npz, which is a motion."""
-    endings = {ending: form for form in FORMATS for ending in form.write_endings}
-    fitting = [ending for ending in endings if path.name.lower().endswith(ending)]
-    return endings[max(fitting, key=len)] if fitting else None
+    fitting = [form for form in FORMATS if path.name.lower().endswith(form.ending)]
+    return max(fitting, key=lambda form: len(form.ending), default=None)
 
 
 def is_foreign(path: Path) -> bool:
@@ -184,24 +186,10 @@ def is_foreign(path: Path) -> bool:
     return any(_recognises(form, path) for form in readers().values() if path.name.lower().endswith(form.read_endings))
 
 
-def target_of(name: str, form: Format, options: ExportOptions) -> Path:
+def target_of(name: str, form: Format) -> Path:
     """Return the default export path of a motion: in the current folder, whatever characters its name contains."""
     plain = Path(name.replace("\\", "/")).name or "motion"
-    return Path(f"{plain}{SIMULATED if options.simulate else form.ending}")
-
-
-def read_options(target: Path | None, options: ExportOptions) -> ExportOptions:
-    """Return the options that apply to a file's name: .simulate.xml requests a scene to simulate."""
-    is_scene = target is not None and target.name.lower().endswith(SIMULATED)
-    return replace(options, simulate=True) if is_scene else options
-
-
-def check_options(form: Format, options: ExportOptions) -> None:
-    """Raise UserError for options that a format does not support."""
-    for name, is_requested in (("simulate", options.simulate), ("columns", bool(options.columns))):
-        if is_requested and name not in form.options:
-            able = ", ".join(other.name for other in FORMATS if name in other.options)
-            raise UserError(f"the format '{form.name}' cannot hold {WISHES[name]}; those that can: {able}")
+    return Path(f"{plain}{form.ending}")
 
 
 def export(
@@ -210,24 +198,23 @@ def export(
     target: Path | None = None,
     *,
     fps: float | None = None,
-    options: ExportOptions | None = None,
+    columns: Sequence[str] = (),
     overwrite: bool = True,
     report: Callable[[str], None] | None = None,
 ) -> Path:
     """Write a motion in another format, atomically; the default path is its name with the format's extension.
 
-    options    optional content
+    columns    groups of further columns of a table
     overwrite  replace existing files, the main one and its companions, unless their content is identical
     report     receives lines for the user: further files written, and data that the format cannot represent
 
     Raises UserError for an unknown format, the extension of another one, and a motion that the format cannot represent.
     """
-    form, options = chosen(kind, target), read_options(target, options or ExportOptions())
-    check_options(form, options)
-    target = target or target_of(saved.name, form, options)
+    form = chosen(kind, target, columns)
+    target = target or target_of(saved.name, form)
     check_target(target, overwrite=overwrite)
     module = _module(form)
-    trajectory = SampledTrajectory.of(saved, fps, options)
+    trajectory = SampledTrajectory.of(saved, fps, columns)
     others = _companions(module, trajectory, target)
     for other, content in others.items():
         if other == target:

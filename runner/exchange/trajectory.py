@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -20,18 +21,6 @@ from .skeleton.hinge_joints import HingeModel
 
 
 @dataclass(frozen=True)
-class ExportOptions:
-    """Optional content of a file.
-
-    simulate  whether figure and scene collide and joints have actuators
-    columns   groups of a table's columns
-    """
-
-    simulate: bool = False
-    columns: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True)
 class SampledTrajectory:
     """A motion at equal time steps, to be written to a file, in MuJoCo's order and units.
 
@@ -43,7 +32,7 @@ class SampledTrajectory:
         qvel: Velocities (T, nv).
         qacc: Accelerations (T, nv).
         notes: Lines for the user, which the writer extends.
-        options: Requested optional content.
+        columns: Groups of further columns of a table.
     """
 
     saved: Saved
@@ -53,17 +42,17 @@ class SampledTrajectory:
     qvel: Array
     qacc: Array
     notes: list[str] = field(default_factory=list)
-    options: ExportOptions = ExportOptions()
+    columns: Sequence[str] = ()
 
     @classmethod
-    def of(cls, saved: Saved, fps: float | None = None, options: ExportOptions | None = None) -> SampledTrajectory:
+    def of(cls, saved: Saved, fps: float | None = None, columns: Sequence[str] = ()) -> SampledTrajectory:
         """Return a saved motion at its rate or at another.
 
         Raises UserError for an invalid rate, and for more samples than memory allows.
         """
         rate = saved.fps if fps is None else positive(fps, "fps =")
         at = sampled(saved.figure, saved.timeline, rate)
-        return cls(saved, rate, at.time, at.qpos, at.qvel, at.qacc, options=options or ExportOptions())
+        return cls(saved, rate, at.time, at.qpos, at.qvel, at.qacc, columns=columns)
 
     @property
     def figure(self) -> Figure:

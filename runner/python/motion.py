@@ -337,7 +337,6 @@ class Motion:
         *,
         fps: float | None = None,
         columns: str | Sequence[str] = (),
-        simulate: bool = False,
     ) -> Path:
         """Export the motion to the format of another program. An existing file is overwritten.
 
@@ -348,8 +347,6 @@ class Motion:
             fps: Samples per second [1/s]; default: the motion's.
             columns: Only for tables: additional columns, "velocities", "torques", "wrench" (at the root), "ground"
                 (force at each foot), several of these, or "all": those for which the motion has values.
-            simulate: Only for MJCF: write a scene for simulation, with collisions. Every joint has an actuator, and
-                the target of the actuator follows the motion. A path that ends in .simulate.xml implies it.
 
         Returns:
             The path of the file.
@@ -358,13 +355,12 @@ class Motion:
             UserError: For an unknown format, or data that it cannot hold.
         """
         from ..exchange import formats, quantities
-        from ..exchange.trajectory import ExportOptions
 
         target = Path(path)
         if to is not None and not isinstance(to, str):
             return formats.written_by(to, self.saved, target, fps=fps)
-        options = ExportOptions(simulate, quantities.named(columns if isinstance(columns, str) else ",".join(columns)))
-        return formats.export(self.saved, formats.chosen(to, target).name, target, fps=fps, options=options)
+        groups = quantities.named(columns if isinstance(columns, str) else ",".join(columns))
+        return formats.export(self.saved, formats.chosen(to, target).name, target, fps=fps, columns=groups)
 
     def save(self, path: str | os.PathLike[str], *, exact: bool = False, overwrite: bool = False) -> Path:
         """Save the motion (.npz, for `load_motion`), or a clip of its keyframes (.toml).

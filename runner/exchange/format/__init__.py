@@ -3,6 +3,7 @@
 csv_table   CSV: a row per sample with the time and MuJoCo's qpos; a heading names joint and component
 arrays      NPZ of plain arrays for MuJoCo, sufficient for playback
 mjcf_keys   MJCF with <keyframe>: figure and scene, and a <key> with time, qpos and qvel for every sample
+simulate    the same with actuators and contacts, for `mj_step`
 mjlab       NPZ of mjlab and BeyondMimic (whole_body_tracking): hinges of a robot, and its bodies in the world
 mjlab_csv   CSV from which mjlab and BeyondMimic convert, without a heading
 locomujoco  NPZ of LocoMuJoCo: a Trajectory as its `save` writes it, with every array

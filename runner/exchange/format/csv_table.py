@@ -45,7 +45,7 @@ def columns(model: mujoco.MjModel) -> list[str]:
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
     """Write the table; every number has the digits that reproduce it exactly."""
-    more = quantities.table(trajectory, trajectory.options.columns)
+    more = quantities.table(trajectory, trajectory.columns)
     table = np.column_stack([trajectory.time, trajectory.qpos, *more.values()])
     with path.open("w", newline="", encoding="utf-8") as stream:
         rows = csv.writer(stream)

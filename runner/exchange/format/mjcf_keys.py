@@ -15,38 +15,34 @@ from xml.etree import ElementTree
 import mujoco
 import numpy as np
 
+from dynsplines.solver.array import Array
+
 from ...errors import UserError
 from ...scene.assets import taken_along
 from ...scene.compose import compiled, figure_spec
 from ...scene.mujoco_versions import portable_text, remove
 from ..array_reader import ArrayReader
-from ..simulation import scene, tracking
 from ..trajectory import Recording, SampledTrajectory
 
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """Append keys to the model, or to a scene of `simulation` if the options request one."""
-    simulation = scene.Simulation.of(trajectory) if trajectory.options.simulate else None
-    tracked = None
-    if simulation is not None and len(trajectory.time) > 1:
-        simulation, tracked = tracking.refined(simulation, trajectory)
-    root = ElementTree.fromstring(trajectory.saved.mjcf) if simulation is None else simulation.root
+    """Append keys to the model."""
+    write_keys(ElementTree.fromstring(trajectory.saved.mjcf), trajectory, path)
+
+
+def write_keys(
+    root: ElementTree.Element, trajectory: SampledTrajectory, path: Path, control: Array | None = None
+) -> None:
+    """Write a model with keys in place of its own; control (T, nu) of the model's actuators."""
     for keyframes in root.findall("keyframe"):
         root.remove(keyframes)
     keyframes = ElementTree.SubElement(root, "keyframe")
     stem = re.sub(r"\W+", "_", trajectory.name) or "key"
-    for i, (time, qpos, qvel) in enumerate(
-        zip(trajectory.time.tolist(), trajectory.qpos, trajectory.qvel, strict=True)
-    ):
-        values = {"name": f"{stem}_{i}", "time": repr(time), "qpos": _written(qpos), "qvel": _written(qvel)}
-        if simulation is not None:
-            values["ctrl"] = _written(simulation.control[i])
-        ElementTree.SubElement(keyframes, "key", values)
-    if simulation is not None:
-        trajectory.notes.append(f"{simulation.model.nu} position actuators; `ctrl` of the keys is what to aim them at")
-        trajectory.notes.extend(simulation.notes)
-        if tracked is not None:
-            trajectory.notes.append(tracking.note(tracked, simulation, trajectory))
+    for i, time in enumerate(trajectory.time.tolist()):
+        qpos, qvel = _written(trajectory.qpos[i]), _written(trajectory.qvel[i])
+        key = ElementTree.SubElement(keyframes, "key", name=f"{stem}_{i}", time=repr(time), qpos=qpos, qvel=qvel)
+        if control is not None:
+            key.set("ctrl", _written(control[i]))
     ElementTree.indent(root)
     ElementTree.ElementTree(root).write(path, encoding="unicode")
 
@@ -56,7 +52,7 @@ def companions(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
     return dict(trajectory.saved.scene.assets)
 
 
-def _written(row: np.ndarray) -> str:
+def _written(row: Array) -> str:
     return " ".join(map(repr, row.tolist()))
 
 

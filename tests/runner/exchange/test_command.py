@@ -43,7 +43,7 @@ def test_formats_are_listed_and_a_wrong_one_is_reported(run):
 def test_an_export_is_called_after_what_it_came_from(run, tmp_path):
     (tmp_path / "wild.npz").rename(tmp_path / "v1.npz")  # whose name inside is still wild
     assert run("export", "v1.npz", "--to", "csv").last == "wrote v1.csv"
-    assert run("export", "v1.npz", "--to", "mjcf", "--simulate").code == 0
+    assert run("export", "v1.npz", "--to", "simulate").code == 0
     assert {path.name for path in tmp_path.iterdir()} == {"robot.xml", "v1.npz", "v1.csv", "v1.simulate.xml"}
 
 
@@ -60,15 +60,11 @@ def test_what_lies_next_to_an_export_stays_too_unless_it_is_the_same(run, tmp_pa
 
 
 @pytest.mark.slow
-def test_more_columns_are_for_tables_and_a_scene_to_simulate_is_for_mjcf(run, tmp_path):
+def test_more_columns_are_for_tables(run, tmp_path):
     assert run("export", "wild.npz", "--to", "csv", "--with", "velocities,torques").code == 0
     assert "arm_pitch.t [N m]" in (tmp_path / "wild.csv").read_text().splitlines()[0]
-    assert "cannot hold columns of forces or velocities; those that can: csv" in refusal(
-        run("export", "wild.npz", "-o", "a.bvh", "--with", "all")
-    )
-    assert "cannot hold a scene to simulate; those that can: mjcf" in refusal(
-        run("export", "wild.npz", "-o", "a.bvh", "--simulate")
-    )
+    refused = refusal(run("export", "wild.npz", "-o", "a.bvh", "--with", "all"))
+    assert "'bvh' cannot hold columns of forces or velocities; csv can" in refused
     assert "did you mean 'torques'" in refusal(run("export", "wild.npz", "-o", "a.csv", "--with", "torqes"))
     assert not list(tmp_path.glob("a.*"))
 
@@ -91,6 +87,8 @@ def test_the_longest_ending_selects_the_format_and_is_dropped_and_one_that_fits_
             ["--to", "mjlab", "-o", "a.csv"],
             "'a.csv': the name of a file of the format mjlab ends in .mjlab.npz or .npz",
         ),
+        (["--to", "mjcf", "-o", "a.simulate.xml"], "of the format mjcf ends in .keys.xml or .xml"),
+        (["--to", "csv", "-o", "a.mjlab.csv"], "of the format csv ends in .csv"),
         (["-o", "a.amass.npz"], "the format 'amass' is read only"),
         (["-o", "a.foo"], "'a.foo': its ending is of no known format; give --to"),
         ([], "name the format, --to, or a file with its ending, -o; formats: csv"),

@@ -15,7 +15,7 @@ from dynsplines.errors import UserError
 from dynsplines.exchange import formats, quantities
 from dynsplines.exchange.forces import Forces
 from dynsplines.exchange.motion_import import import_recording
-from dynsplines.exchange.trajectory import ExportOptions, SampledTrajectory
+from dynsplines.exchange.trajectory import SampledTrajectory
 from dynsplines.system.progress import Progress
 
 ALL = tuple(quantities.GROUPS)
@@ -33,7 +33,7 @@ def walk():
 @pytest.fixture(scope="module")
 def table(walk, tmp_path_factory):
     """The file, and its columns by heading."""
-    path = formats.export(walk, "csv", tmp_path_factory.mktemp("walk") / "a.csv", options=ExportOptions(columns=ALL))
+    path = formats.export(walk, "csv", tmp_path_factory.mktemp("walk") / "a.csv", columns=ALL)
     with path.open(newline="") as stream:
         heading, *rows = csv.reader(stream)
     return path, dict(zip(heading, np.array(rows, float).T, strict=True))
@@ -96,9 +96,7 @@ def test_what_is_unknown_is_not_a_number_and_is_reported(tmp_path):
     for time, x in ((0, 0), (0.3, 0), (1.3, 0.8)):
         text += f'[[keyframe]]\ntime = {time}\nroot.position = [{x}, 0, 0.93]\nothers = "rest"\n'
     saved, said = solving.unsolved(recordings.from_text(text, name="away")).saved(Progress(), with_report=False), []
-    path = formats.export(
-        saved, "csv", tmp_path / "a.csv", options=ExportOptions(columns=("ground",)), report=said.append
-    )
+    path = formats.export(saved, "csv", tmp_path / "a.csv", columns=("ground",), report=said.append)
     forces = Forces.of(SampledTrajectory.of(saved))
     assert 0.1 < forces.has_known_support.mean() < 0.5
     assert any("the support of the figure is unknown" in line for line in said)
@@ -154,7 +152,7 @@ ARM = """
 
 
 def test_torques_include_every_passive_force_of_the_users_own_file_and_large_ones_of_limits_are_reported(tmp_path):
-    path, lines, options = tmp_path / "arm.xml", [], ExportOptions(columns=("torques",))
+    path, lines = tmp_path / "arm.xml", []
     path.write_text(ARM)
     saved = motion_of(path, 3)
     expected = inverse_dynamics(mujoco.MjModel.from_xml_path(str(path)), wild.samples(saved))
@@ -162,7 +160,7 @@ def test_torques_include_every_passive_force_of_the_users_own_file_and_large_one
     torques = np.array([columns["shoulder.t [N m]"], columns["elbow.t [N m]"]]).T
     np.testing.assert_allclose(torques, expected, rtol=0, atol=1e-9 * np.abs(expected).max())
     beyond = wild.through(str(path), 0.3 * np.arange(3), np.radians([[0, 0], [60, 10], [0, 0]]))
-    formats.export(beyond, "csv", tmp_path / "a.csv", options=options, report=lines.append)
+    formats.export(beyond, "csv", tmp_path / "a.csv", columns=("torques",), report=lines.append)
     assert any("forces of joint limits" in line and "N m at shoulder" in line for line in lines)
 
 
