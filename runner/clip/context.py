@@ -224,9 +224,6 @@ class Context:
     def leans(self) -> tuple[Lean, ...]:
         """The tilt of every root that is not grasped, in the keyframes posed with a free rotation."""
         roots = [link for link in self.figure.tables.free_links.tolist() if link not in self.schedule.grasped]
-        root = self.figure.root
-        if root is not None and not root.is_free:
-            roots.append(root.link)
         return leans(self.figure, self.keys, roots)
 
     def sites(self, names: Sequence[str]) -> tuple[Point, ...]:

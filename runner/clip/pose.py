@@ -145,7 +145,7 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequen
             fixed[quaternion_columns(named[name]) or named[name].qpos] = False
         else:
             _set_joint(qpos, fixed, named[name], value, f"{where}: joints.{name}")
-    set_roots(figure, qpos, fixed, row, where, None if before is None else before.state)
+    set_roots(figure, qpos, fixed, row, where)
     follow(figure, qpos, fixed, lambda name: name in row.joints)
     return Frame.key(row.time, qpos, fixed)
 

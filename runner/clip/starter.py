@@ -30,7 +30,6 @@ from ..scene.urdf import fixed_base
 from ..system.mujoco_warnings import quietly
 from .load import compiled_keys
 from .pose import follow
-from .posing.grounding import lifts
 from .posing.places import Places, posable_sites, rest_within_ranges, sole_points
 from .table import KEY, KeyframeTable
 from .text import keyframe_tables, tables, written
@@ -149,11 +148,11 @@ def _on_floor(figure: Figure, qpos: Array, *, lowers: bool) -> Array:
     """Return a pose (nq,) with free parts raised out of the floor, or with `lowers` also lowered onto it."""
     out, data = np.array(qpos), kinematics(figure.model)
     floor = max((float(data.geom_xpos[geom, 2]) for geom in grounds(figure.model)), default=None)
-    for root, column, up in lifts(figure) if floor is not None else ():
+    for root in figure.tables.free_links.tolist() if floor is not None else ():
         points = hanging(figure, root, body_points(figure))
         if points:
             low = float(bottoms_of(points, Samples.still(figure, figure.to_state(qpos[None]))).min())
-            out[column] += up * (floor - low if lowers else max(floor - low, 0.0))
+            out[figure.links[root].qpos + 2] += floor - low if lowers else max(floor - low, 0.0)
     return out
 
 
@@ -193,11 +192,6 @@ def _named(figure: Figure, qpos: Array, soles: Sequence[Point]) -> str:
     lines = ["# Joints, by their keys in keyframes:"]
     for link in figure.links[1:]:
         lines.append(f"#   {_joint_line(figure, link)}")
-    if figure.root is not None and not figure.root.is_free:
-        joints = ", ".join(figure.links[i].name for i in figure.root.links)
-        lines.append(
-            f"#   {'root.position, .rotation':40} of '{model.body(figure.root.body).name}', which sets {joints}"
-        )
     bodies = [model.body(i).name for i in range(1, model.nbody) if model.body(i).name]
     lines += _list("Bodies, for bodies.NAME = {flat = true}, a rotation or {position = [x, y, z]}", bodies)
     ground = "Sole points"

@@ -153,9 +153,9 @@ def check_upright(model: mujoco.MjModel, recorded: Recording, form: str, where: 
     """Raise UserError if only the documentation of a format states the order of the root's quaternions, and the root
     is far from upright in most samples."""
     root = root_of(model)
-    if recorded.assumed_quaternions is None or root is None or not root.is_free:
+    if recorded.assumed_quaternions is None or root is None:
         return
-    start = int(model.jnt_qposadr[root.joints[0]]) + 3
+    start = int(model.jnt_qposadr[root.joint]) + 3
     turned = quat.product(recorded.qpos[:, start : start + 4], quat.conjugate(model.qpos0[start : start + 4]))
     tilt = float(np.median(np.arccos(np.clip(quat.rotated(turned, np.array([0, 0, 1.0]))[:, 2], -1, 1))))
     if tilt > FALLEN:

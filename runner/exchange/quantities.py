@@ -55,7 +55,7 @@ class Unavailable(Exception):
 def wrench(trajectory: SampledTrajectory, forces: Forces) -> Columns:
     """Return the external wrench at the free root; raises Unavailable without a free root."""
     root_wrench, root = forces.wrench, trajectory.figure.root
-    if root_wrench is None or root is None or not root.is_free:
+    if root_wrench is None or root is None:
         raise Unavailable("the figure has no free root, so no wrench moves it from outside", "omit `wrench`")
     name = trajectory.figure.links[root_wrench.root].name
     return (

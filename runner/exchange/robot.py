@@ -15,7 +15,6 @@ from dynsplines.solver.figure.root import root_of, subtree
 from ..errors import UserError
 from . import missing_input
 from .skeleton.hinge_joints import HingeLayout
-from .skeleton.root_motion import placed
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,7 +83,7 @@ def configurations(
     """
     layout, root = HingeLayout(model), root_of(model)
     if root is None or root.is_ambiguous:
-        raise UserError(f"{where}: the format '{form}' is for one figure with a root that moves about")
+        raise UserError(f"{where}: the format '{form}' is for one figure with a free joint")
     figure_joints = robot_joints(model)
     expected = [name for joint, names_of in layout.joints if joint in figure_joints for name in names_of]
     if names is None and joints.shape[1] != len(expected):
@@ -98,12 +97,11 @@ def configurations(
         rest = layout.at_rest(joint)
         if joint in figure_joints:
             parts.append(np.stack([columns[name] for name in names_of], axis=1))
-        elif joint == root.joints[0] and root.is_free:
+        elif joint == root.joint:
             parts.append(np.concatenate([position, rotation], axis=1))
-        else:  # a separate object, or a root of slides and hinges
+        else:  # a separate object
             parts.append(np.tile(rest, (len(joints), 1)))
-    qpos = layout.back(np.concatenate(parts, 1))
-    return qpos if root.is_free else placed(model, root, qpos, position, rotation, where)
+    return layout.back(np.concatenate(parts, 1))
 
 
 def robot_joints(model: mujoco.MjModel) -> list[int]:
@@ -112,7 +110,7 @@ def robot_joints(model: mujoco.MjModel) -> list[int]:
     if root is None:
         return list(range(model.njnt))
     is_part = subtree(model, root.body)[model.jnt_bodyid]
-    return [joint for joint in np.flatnonzero(is_part).tolist() if joint not in root.joints]
+    return [joint for joint in np.flatnonzero(is_part).tolist() if joint != root.joint]
 
 
 def _order(names: list[str], joints: list[str], where: object) -> list[int]:

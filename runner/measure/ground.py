@@ -16,7 +16,6 @@ from dynsplines.solver.figure.root_wrench import RootWrench, weight
 from dynsplines.solver.surface.heights import heights
 from dynsplines.solver.surface.points import arrays_of, body_points, hanging, places_of
 
-from ..clip.posing.grounding import standing_trees
 from ..clip.posing.places import rounded
 from ..motion import samples_at
 from .bounds import BOUNDS, Bound
@@ -38,7 +37,7 @@ def floating_and_sliding(motion: Measurement) -> Iterator[Excess]:
     even = np.arange(0, motion.time.size, max(1, round(motion.time.size / (np.ptp(motion.time) * RATE + 1))))
     at = np.union1d(even, motion.key_at)
     samples = samples_at(figure, path_of(motion.timeline), motion.time[at])
-    for root in standing_trees(figure):
+    for root in figure.tables.free_links.tolist():
         points = hanging(figure, root, body_points(figure))
         if figure.tables.children[root] and points:
             height, _ = heights(context.surfaces, *places_of(points, samples))

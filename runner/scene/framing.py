@@ -6,9 +6,8 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.forward import boxes, kinematics
-from dynsplines.solver.figure.root import Root
 from dynsplines.solver.surface.touch import moves
 
 from .configuration import posed
@@ -67,30 +66,15 @@ def _camera_height(reach: Array) -> float:
 
 def middles(figure: Figure, qpos: Array) -> Array:
     """Return the positions of a figure along qpos (T, nq), (T, 3) [m]: its root, or the middle of its moving parts."""
-    if figure.root is not None and figure.root.is_free:
+    if figure.root is not None:
         return qpos[:, figure.tables.position_columns[:, 0]]
-    if figure.root is not None and _travels(figure, figure.root):
-        return root_places(figure.model, figure.root, qpos)
     low, high = _boxes(figure, qpos)
     return np.tile((low.min(axis=0) + high.max(axis=0)) / 2, (len(qpos), 1))
 
 
-def _travels(figure: Figure, root: Root) -> bool:
-    """Return whether a root of slides moves along two directions or more. A cart on a rail is shown with its rail."""
-    return sum(figure.links[i].kind is JointKind.SLIDE for i in root.links) > 1
-
-
-def root_places(model: mujoco.MjModel, root: Root, qpos: Array) -> Array:
-    """Return the positions of a root's body along qpos (T, nq), (T, 3) [m]."""
-    if root.is_free:
-        start = int(model.jnt_qposadr[root.joints[0]])
-        return qpos[:, start : start + 3]
-    return np.array([data.xpos[root.body].copy() for data in posed(model, qpos)]).reshape(-1, 3)
-
-
 def height(figure: Figure, qpos: Array) -> float:
     """Return the `height` [m] of a camera that follows `middles` and shows the whole figure along qpos (T, nq)."""
-    if figure.root is not None and figure.root.is_free and is_of_people_size(figure.model):
+    if figure.root is not None and is_of_people_size(figure.model):
         return STANDING
     low, high = _boxes(figure, qpos)
     middle = middles(figure, qpos)[spread(len(qpos), MOST_POSES)]

@@ -265,7 +265,7 @@ class Poser:
     def root(self) -> str | None:
         """The free joint that is the root of keyframes; None if there is none, or if it is ambiguous."""
         root = self.figure.root
-        if root is None or not root.is_free or root.is_ambiguous:
+        if root is None or root.is_ambiguous:
             return None
         return self.figure.links[root.link].name
 

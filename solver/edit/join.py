@@ -88,7 +88,7 @@ def _moves_freely(figure: Figure) -> bool:
     """Return whether the articulated tree has a free root, or everything that moves is a free object."""
     root = figure.root
     is_alone = all(link.kind is JointKind.FREE for link in figure.links[1:])
-    return root is not None and root.is_free and (root.limbs > 0 or is_alone)
+    return root is not None and (root.limbs > 0 or is_alone)
 
 
 def _heading_between(figure: Figure, start: Array, end: Array) -> float:

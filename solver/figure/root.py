@@ -1,25 +1,21 @@
-"""The root of a figure: the joints by which its articulated tree moves in the world, wherever a model lists it.
+"""The root of a figure: the free joint by which its articulated tree moves in the world, wherever a model lists it.
 
-A tree moves on a free joint, or on slides and hinges in any order (`rootx`, `rootz`, `rooty`; `pelvis_tx` ...), of one
-body or of several light ones in series. If there are several such trees, the root carries the one with legs: limbs of
-at least two joints that end lowest. Other objects, such as a box or a cart, have no legs. Among several trees with
-legs, the root carries the one with clearly the most joints. If there is none, the root is ambiguous, and `rivals` lists
-the others.
+If there are several such trees, the root carries the one with legs: limbs of at least two joints that end lowest. Other
+objects, such as a box or a cart, have no legs. Among several trees with legs, the root carries the one with clearly the
+most joints. If there is none, the root is ambiguous, and `rivals` lists the others. Slides and hinges are no root.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import mujoco
 import numpy as np
 
-from ..array import Array, Index, Mask
+from ..array import Array, Mask
 from .forward import boxes, kinematics
 
 FREE, SLIDE = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_SLIDE)
-LIGHT = 0.05  # [1] maximum mass of a body between the world and the root's body, relative to the tree's mass
 EVIDENT = 2.0  # [1] ratio of joint counts above which a tree has clearly the most joints
 LEG = 2  # minimum number of joints in a leg
 LOW = 0.15  # [1] maximum height of a leg's end above the tree's lowest point, relative to the tree's height
@@ -27,20 +23,18 @@ LOW = 0.15  # [1] maximum height of a leg's end above the tree's lowest point, r
 
 @dataclass(frozen=True)
 class Root:
-    """The joints that carry one tree of bodies.
+    """The free joint that carries one tree of bodies.
 
     Attributes:
-        joints: MuJoCo's ids from the world on: a free joint alone, or slides, hinges and balls.
-        body: MuJoCo's id of the body that they move.
-        is_free: Whether it is a free joint.
+        joint: MuJoCo's id of the joint.
+        body: MuJoCo's id of the body that it moves.
         limbs: The number of other joints of the tree; 0 for a rigid object.
         rivals: Root bodies of other trees that are equally plausible. The root is then the first in the model.
     """
 
-    joints: tuple[int, ...]
+    joint: int
     body: int
-    is_free: bool
-    limbs: int = 0
+    limbs: int
     rivals: tuple[int, ...] = ()
 
     @property
@@ -49,123 +43,87 @@ class Root:
         return bool(self.rivals and self.limbs)
 
     @property
-    def links(self) -> tuple[int, ...]:
-        """The indices of the joints' links in a `Figure`, from the world on."""
-        return tuple(joint + 1 for joint in self.joints)
-
-    @property
     def link(self) -> int:
-        return self.joints[-1] + 1
+        """The index of the joint's link in a `Figure`."""
+        return self.joint + 1
 
 
 def root_of(model: mujoco.MjModel) -> Root | None:
-    """Return the root of a model's articulated tree; None if no tree moves in the world."""
-    moving = _moving(model)
-    best = [tree for tree in moving if tree.limbs.size] or [tree for tree in moving if tree.root.is_free] or moving
-    if not best:
+    """Return the root of a model's articulated tree; None if it moves on slides, or if no tree has a free joint."""
+    roots = roots_of(model)
+    articulated = [root for root in roots if root.limbs]
+    if not roots or (not articulated and sliding_joints(model)):
         return None
+    best = articulated or roots
     if len(best) > 1:
-        best = _evident([tree for tree in best if tree.has_legs] or best)
-    return replace(best[0].root, rivals=tuple(tree.root.body for tree in best[1:]))
+        best = _evident([root for root in best if _has_legs(model, root)] or best)
+    return replace(best[0], rivals=tuple(root.body for root in best[1:]))
 
 
 def roots_of(model: mujoco.MjModel) -> list[Root]:
-    """Return the roots of all trees that move in the world, in the model's order."""
-    return [tree.root for tree in _moving(model)]
+    """Return the roots of all trees with a free joint, in the model's order."""
+    roots = []
+    for joint in np.flatnonzero(model.jnt_type == FREE).tolist():
+        body = int(model.jnt_bodyid[joint])
+        roots.append(Root(joint, body, _joints_of(model, body).size - 1))
+    return roots
+
+
+def sliding_joints(model: mujoco.MjModel) -> list[int]:
+    """Return MuJoCo's ids of the joints of the bodies by which articulated trees move on slides, such as `rootx`."""
+    out: list[int] = []
+    for top in _tops(model):
+        joints = np.flatnonzero(model.jnt_bodyid == top)
+        if (model.jnt_type[joints] == SLIDE).any() and _joints_of(model, top).size > joints.size:
+            out += joints.tolist()
+    return out
 
 
 def has_fixed_base(model: mujoco.MjModel) -> bool:
     """Return whether only rigid objects move about, and other bodies turn on a fixed base, like an arm."""
-    roots = roots_of(model)
-    return not any(root.limbs for root in roots) and sum(len(root.joints) for root in roots) < model.njnt
+    moves = [bool(np.isin(model.jnt_type[model.jnt_bodyid == top], (FREE, SLIDE)).any()) for top in _tops(model)]
+    return not any(root.limbs for root in roots_of(model)) and not sliding_joints(model) and not all(moves)
 
 
-def _moving(model: mujoco.MjModel) -> list[_Tree]:
-    """Return the mobile trees, without rigid objects on slides (a drawer) if there are articulated trees."""
-    trees = [_Tree(model, joint) for joint in _first_joints(model)]
-    has_limbs = any(tree.limbs.size for tree in trees)
-    return [tree for tree in trees if tree.moves_about and (tree.root.is_free or tree.limbs.size or not has_limbs)]
+def _tops(model: mujoco.MjModel) -> list[int]:
+    """Return the bodies with joints that are children of the world, or of bodies fixed to it."""
+    is_child = model.body_weldid[model.body_parentid] == 0
+    return np.flatnonzero((model.body_jntnum > 0) & is_child).tolist()
 
 
-def _evident(trees: list[_Tree]) -> list[_Tree]:
-    """Return the tree with clearly the most joints, or else all trees with nearly as many."""
-    counts = np.array([tree.limbs.size for tree in trees])
-    near = (counts * EVIDENT > counts.max()) | (counts == counts.max())
-    return [trees[i] for i in np.flatnonzero(near)]
+def _joints_of(model: mujoco.MjModel, top: int) -> Array:
+    """Return the joints of a body and of its descendants."""
+    return np.flatnonzero(subtree(model, top)[model.jnt_bodyid])
 
 
-def _first_joints(model: mujoco.MjModel) -> Iterator[int]:
-    for body in range(1, model.nbody):
-        above = int(model.body_parentid[body])
-        if model.body_jntnum[body] and model.body_weldid[above] == 0:
-            yield int(model.body_jntadr[body])
+def _evident(roots: list[Root]) -> list[Root]:
+    """Return the root of the tree with clearly the most joints, or else of all trees with nearly as many."""
+    most = max(root.limbs for root in roots)
+    return [root for root in roots if root.limbs * EVIDENT > most or root.limbs == most]
 
 
-class _Tree:
-    """The bodies below one joint of the world."""
+def _has_legs(model: mujoco.MjModel, root: Root) -> bool:
+    """Return whether limbs of two joints or more end lowest in the default pose, below the body that carries them."""
+    low, high = _heights(model)
+    bodies = subtree(model, root.body)
+    bottom = float(low[bodies].min())
+    height = float(high[bodies].max()) - bottom
+    if not np.isfinite(height):
+        return False
+    ground = bottom + LOW * height
+    if low[model.body_weldid == root.body].min() <= ground:
+        return False
+    ends = np.flatnonzero(bodies & (low <= ground)).tolist()
+    return any(_joints_above(model, end) - 1 >= LEG for end in ends)
 
-    def __init__(self, model: mujoco.MjModel, joint: int) -> None:
-        self.model = model
-        top = int(model.jnt_bodyid[joint])
-        self.bodies: Mask = subtree(model, top)
-        root = self._root(top)
-        is_limb = self.bodies[model.jnt_bodyid]
-        is_limb[list(root.joints)] = False
-        self.limbs: Index = np.flatnonzero(is_limb)
-        self.root = replace(root, limbs=self.limbs.size)
 
-    @property
-    def moves_about(self) -> bool:
-        """Whether its root translates it. A door, or an arm on a base, only turns in place."""
-        return bool(np.isin(self.model.jnt_type[list(self.root.joints)], (FREE, SLIDE)).any())
-
-    def _root(self, top: int) -> Root:
-        model, joints, body = self.model, list[int](), top
-        while True:
-            first = int(model.body_jntadr[body])
-            joints += range(first, first + int(model.body_jntnum[body]))
-            if model.jnt_type[first] == FREE:
-                return Root(tuple(joints), body, True)
-            onward = self._onward(body)
-            if onward is None:
-                return Root(tuple(joints), body, False)
-            body = onward
-
-    def _onward(self, body: int) -> int | None:
-        """Return the only child of a light body without collision geoms; None for any other body."""
-        model = self.model
-        rigid = np.flatnonzero(model.body_weldid == body)
-        hanging = [
-            child for child in np.flatnonzero(np.isin(model.body_parentid, rigid)).tolist() if model.body_jntnum[child]
-        ]
-        solid = (model.geom_contype | model.geom_conaffinity) > 0
-        is_light = model.body_mass[rigid].sum() <= LIGHT * model.body_mass[self.bodies].sum()
-        if len(hanging) != 1 or not is_light or np.isin(model.geom_bodyid[solid], rigid).any():
-            return None
-        return int(hanging[0])
-
-    @property
-    def has_legs(self) -> bool:
-        """Whether limbs of two joints or more end lowest in the default pose, below the body that carries them."""
-        model = self.model
-        low, high = _heights(model)
-        bottoms = low[self.bodies]
-        height = float(high[self.bodies].max() - bottoms.min())
-        if not np.isfinite(height):
-            return False
-        ground = float(bottoms.min()) + LOW * height
-        if low[model.body_weldid == self.root.body].min() <= ground:
-            return False
-        return any(low[end] <= ground and self._joints_to(end) >= LEG for end in np.flatnonzero(self.bodies).tolist())
-
-    def _joints_to(self, body: int) -> int:
-        """The number of limb joints between the root and a body."""
-        count, model = 0, self.model
-        while body:
-            first = int(model.body_jntadr[body])
-            count += int(np.isin(self.limbs, range(first, first + int(model.body_jntnum[body]))).sum())
-            body = int(model.body_parentid[body])
-        return count
+def _joints_above(model: mujoco.MjModel, body: int) -> int:
+    """Return the number of joints of a body and of its ancestors."""
+    count = 0
+    while body:
+        count += int(model.body_jntnum[body])
+        body = int(model.body_parentid[body])
+    return count
 
 
 def subtree(model: mujoco.MjModel, top: int) -> Mask:

@@ -9,7 +9,6 @@ bounds              joint ranges, and the bending of knees and elbows
 limits              the floor, and the support polygon of the centre of mass
 """
 
-from .bounds import WHOLE_TURNS as WHOLE_TURNS
 from .drag import Constraints as Constraints
 from .drag import dragged as dragged
 from .goals import BodyGoal as BodyGoal

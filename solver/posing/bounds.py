@@ -17,7 +17,6 @@ STRAIGHT = 3.0  # [1] weight of sideways and twist angles of knees and elbows, r
 ONE_SIDED = 0.25  # [1] a hinge bends one way if its rest value is within this share of its range from an end
 INSIDE = 1e-5  # [rad, m] margin of joints from the ends of their ranges
 NARROW = 1e-9  # [rad, m] smallest range or rotation angle in a division
-WHOLE_TURNS = 1e3  # [rad] excess of a root's hinges over their ranges, to permit any number of turns
 Part = tuple[Array, Array]  # residuals (k,) and their Jacobian (k, n)
 
 

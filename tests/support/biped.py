@@ -1,4 +1,4 @@
-"""A small biped of six hinges on any root, and objects that stand about it, as MJCF."""
+"""A small biped of six hinges, and objects that stand about it, as MJCF."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ AXES = {"x": "1 0 0", "y": "0 1 0", "z": "0 0 1"}
 
 
 def joints(names: Sequence[str]) -> str:
-    """The joints of a root: "tx" is a slide along x, "ry" a hinge about y."""
+    """The joints of a body: "tx" is a slide along x, "ry" a hinge about y."""
     kinds = {"t": "slide", "r": "hinge"}
     return "".join(f'<joint name="{name}" type="{kinds[name[0]]}" axis="{AXES[name[1]]}"/>' for name in names)
 
@@ -47,15 +47,6 @@ def biped(root: str = FREE, prefix: str = "", x: float = 0.0, scale: float = 1.0
     return (
         f'<body name="{prefix}pelvis" pos="{x} 0 .8">{root}<geom type="box" size=".08 .12 .08" mass="8"/>{legs}</body>'
     )
-
-
-def nested(names: Sequence[str]) -> str:
-    """The biped on light bodies of one joint each."""
-    inner = biped(joints(names[-1:])).replace(' pos="0.0 0 .8"', "")
-    light = '<inertial pos="0 0 0" mass=".001" diaginertia="1e-5 1e-5 1e-5"/>'
-    for name in reversed(names[:-1]):
-        inner = f'<body name="carries {name}">{light}{joints([name])}{inner}</body>'
-    return inner.replace(f'"carries {names[0]}"', f'"carries {names[0]}" pos="0 0 .8"')
 
 
 def scene(*bodies: str) -> str:

@@ -7,5 +7,5 @@ standing_feet  stances of feet in partial keyframes
 stepping       the initial guess of clips with footsteps
 grounding      placing of keyframes on the ground
 keyframe_notes notes on ambiguous roots, and on whole turns of keyframes that the motion omits
-root_entries   entries of a root, on a free joint or on slides and hinges
+root_entries   entries of roots
 """

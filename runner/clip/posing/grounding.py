@@ -18,8 +18,7 @@ from dynsplines.solver.contacts import ContactSchedule
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
-from dynsplines.solver.figure.figure import Figure, JointKind
-from dynsplines.solver.figure.forward import kinematics
+from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.root_wrench import height
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import DEEP, FAR, heights
@@ -27,12 +26,11 @@ from dynsplines.solver.surface.points import Point, body_points, free_root, hang
 
 HANGING = 0.15  # largest height above the ground, relative to the figure's, of a standing one, as in rest poses
 ROUNDS, MET = 30, 1e-9  # most steps of moving down; [m] largest remaining distance
-ALONG = 0.999  # least cosine between a slide's axis and a world axis
 
 
 @dataclass(frozen=True, eq=False)
 class Grounding:
-    """Places the tree of one root, on a free joint or on slides along world axes.
+    """Places the tree of one root.
 
     root   the link that carries the tree
     mine   (n,) indices of the figure's sole points on it
@@ -56,11 +54,9 @@ class Grounding:
         surfaces: Sequence[Surface],
         aloft: Sequence[tuple[float, float]] = (),
     ) -> Grounding | None:
-        """Return the grounding of the first root with feet; None without a root that can be lifted, or ground."""
-        root, slid = free_root(figure, soles), figure.root
-        if root is None and slid is not None and hanging(figure, slid.link, soles):
-            root = slid.link
-        if root is None or not surfaces or 2 not in _slides(figure, root):
+        """Return the grounding of the first root with feet; None without one, or without ground."""
+        root = free_root(figure, soles)
+        if root is None or not surfaces:
             return None
         mine = np.flatnonzero([figure.tables.path[point.link, root] for point in soles])
         soles_of_tree, body = hanging(figure, root, soles), hanging(figure, root, body_points(figure))
@@ -72,8 +68,6 @@ class Grounding:
 
     def leaping(self, timeline: Timeline) -> Grounding:
         """Return the grounding with the flights that keyframes with a height imply."""
-        if self.figure.links[self.root].kind is not JointKind.FREE:
-            return self
         schedule = ContactSchedule(self.figure, timeline, self.soles, self.surfaces)
         return replace(self, aloft=(*self.aloft, *schedule.flights))
 
@@ -102,9 +96,7 @@ class Grounding:
                 continue
             stay = self._across(centres[..., k] + down[:, None], radii, staying(k)[:, self.mine])
             if stay is not None:
-                loose = np.zeros(3, bool)
-                for axis, (column, _) in self._columns.items():
-                    loose[axis] = not timeline.known[k, column]
+                loose = ~timeline.known[k, self._columns]
                 beyond = [start + stay * loose for start in above]
                 drops = self._drops(centres[..., k], radii, beyond)
                 there = self._shallowest(centres[..., k], radii, [*drops, down])
@@ -113,14 +105,15 @@ class Grounding:
             moved[k] = self._placed(key, timeline.states[k], down, which)
         return moved
 
-    @cached_property
-    def _columns(self) -> dict[int, tuple[int, float]]:
-        """The entry of the state that moves the root along each world axis, and its sign, 1 or −1."""
-        return _slides(self.figure, self.root)
+    @property
+    def _columns(self) -> slice:
+        """The entries of the root's position."""
+        first = self.figure.links[self.root].qpos
+        return slice(first, first + 3)
 
     @property
     def _height(self) -> int:
-        return self._columns[2][0]
+        return self.figure.links[self.root].qpos + 2
 
     @property
     def _limits(self) -> Thresholds:
@@ -151,7 +144,7 @@ class Grounding:
     @property
     def _high(self) -> float:
         """The height above the ground [m] from which the figure is in the air."""
-        alone = self.figure.tables.free_links.size == int(self.figure.links[self.root].kind is JointKind.FREE)
+        alone = self.figure.tables.free_links.size == 1
         return max(HANGING * self._length, self._limits.touching) if alone else self._limits.touching
 
     def _stands(self, timeline: Timeline, k: int, low: Array, *, between: bool) -> bool:
@@ -168,7 +161,7 @@ class Grounding:
         if not between:
             return True
         mask = np.array(timeline.known[k : k + 1])
-        mask[:, [column for column, _ in self._columns.values()]] = True
+        mask[:, self._columns] = True
         return bool(placed(self.figure, mask, self.soles).all())
 
     def _drops(self, centres: Array, radii: Array, starts: Sequence[Array]) -> Iterator[Array]:
@@ -220,41 +213,9 @@ class Grounding:
     def _placed(self, key: Frame, there: Array, by: Array, which: Sequence[bool]) -> Frame:
         """Return a keyframe with the root moved from a state (N,) by (3,) [m] along some unspecified axes."""
         state, posed = np.array(key.state), np.zeros(key.fixed.shape, bool) if key.posed is None else key.posed.copy()
-        for axis, (column, sign) in self._columns.items():
-            posed[column] |= which[axis] and not key.fixed[column]
-            if posed[column]:
-                state[column] = there[column] + sign * by[axis]
+        posed[self._columns] |= np.array(which) & ~key.fixed[self._columns]
+        state[self._columns] = np.where(posed[self._columns], there[self._columns] + by, state[self._columns])
         return Frame(key.time, state, key.fixed, posed)
-
-
-def _slides(figure: Figure, root: int) -> dict[int, tuple[int, float]]:
-    """Return entries of qpos that move a root along world axes, with signs, without slides that a hinge rotates."""
-    first = figure.links[root].qpos
-    if figure.links[root].kind is JointKind.FREE:
-        return {axis: (first + axis, 1.0) for axis in range(3)}
-    data, out = kinematics(figure.model), dict[int, tuple[int, float]]()
-    chain = [i for i in range(1, root + 1) if figure.tables.path[root, i]]
-    for i in chain:
-        link = figure.links[i]
-        if link.kind is not JointKind.SLIDE:
-            break
-        axis = int(np.abs(data.xaxis[link.joint]).argmax())
-        if abs(data.xaxis[link.joint, axis]) > ALONG:
-            out[axis] = link.qpos, float(np.sign(data.xaxis[link.joint, axis]))
-    return out
-
-
-def lifts(figure: Figure) -> list[tuple[int, int, float]]:
-    """Return the links that can be lifted, with the column of qpos that does so and 1, or −1 for a slide down."""
-    root, links = figure.root, figure.tables.free_links.tolist()
-    links += [root.link] if root is not None and not root.is_free else []
-    return [(link, *slides[2]) for link in links if 2 in (slides := _slides(figure, link))]
-
-
-def standing_trees(figure: Figure) -> list[int]:
-    """Return the root links of articulated trees that can be lifted, else of the first free body."""
-    roots = [root for root, _, _ in lifts(figure)]
-    return [root for root in roots if figure.tables.children[root]] or roots[:1]
 
 
 def _beside(told: Mask, k: int, *, loop: bool) -> list[int]:

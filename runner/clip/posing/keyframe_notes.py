@@ -57,7 +57,7 @@ def _rotations(figure: Figure, row: KeyframeTable) -> dict[str, tuple[int | None
     placed = [("root", figure.root, row.root)]
     placed += [(f"roots.{name}", roots.get(name), table) for name, table in row.roots.items()]
     for key, root, table in placed:
-        if root is not None and root.is_free and isinstance(table.rotation, RotationTable):
+        if root is not None and isinstance(table.rotation, RotationTable):
             out[f"{key}.rotation"] = root.link, table.rotation
     for name, value in row.joints.items():
         if name in named and isinstance(value, RotationTable):

@@ -41,7 +41,7 @@ from dynsplines.solver.surface.points import Point, body_points, hanging, places
 from ...errors import UserError, unknown
 from ..table import BodyTable, KeyframeTable, SiteTable
 from .places import Places
-from .root_entries import posed_roots, root_links
+from .root_entries import root_links
 from .standing_feet import Stander
 from .unmet_goals import can_move, immovable
 
@@ -91,10 +91,6 @@ def wanted(places: Places, row: KeyframeTable, where: str) -> Wanted:
         body_goals = _body_goals(figure, name, body, table, f"{where}: bodies.{name}")
         _check_moves(figure, body_goals[0], f"{where}: body '{name}'")
         goals += body_goals
-    for root, position in posed_roots(figure, row):
-        name = str(figure.model.body(root.body).name)
-        target = _target(position, f"{where}: root.position", "it")
-        goals.append(PointGoal(name, root.body, np.zeros((1, 3)), target[None]))
     return Wanted(tuple(goals), tuple(placed))
 
 
@@ -154,7 +150,7 @@ def _root_above_feet(figure: Figure, home: Array, free: Mask, goals: Sequence[Go
     the root would lag behind, and the figure would crouch.
     """
     root, model = figure.root, figure.model
-    if root is None or not root.is_free:
+    if root is None:
         return home
     across = figure.links[root.link].qpos + np.arange(2)
     feet = {figure.links[point.link].body for point in hanging(figure, root.link, soles)}
@@ -207,7 +203,7 @@ def _raised(
     """Return a pose for the same goals with the soles out of the ground, if the keyframe leaves the root's height free
     and there is one."""
     root, surfaces, limit = figure.root, stander.surfaces, Thresholds.of(figure).same_place
-    if root is None or not root.is_free or not soles or not surfaces:
+    if root is None or not soles or not surfaces:
         return best
     column = figure.links[root.link].qpos + 2
     if key.fixed[column]:

@@ -5,7 +5,7 @@ points of the feet. Named sites count if at least one of them is as low as the f
 never do. Feet are the lowest ends of limbs in the pose in which the figure is tallest: the rest pose or one of its
 keyframes. The rest pose has precedence if it is nearly as tall, since a walking figure is tallest on its toes. If no
 such pose shows feet, the rest pose within the joints' ranges is examined. These figures have no feet: one whose trunk
-is as low, one with a single limb that can fall in any direction, and one fixed to the world by hinges alone.
+is as low, one with a single limb, and one without a free joint.
 """
 
 from __future__ import annotations
@@ -22,7 +22,6 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure, JointKind
-from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.naming import geom_name
 from dynsplines.solver.figure.root import Root, roots_of
@@ -45,8 +44,7 @@ LOW = 0.1  # largest height of a foot above the figure's lowest point, relative 
 THICK = 0.02  # largest height of points of a foot above its lowest, relative to the figure's height
 THIN, HALF = (0.0015, 0.003, 0.006), 0.45  # tried heights of supporting points; their least share of the extent
 SUNK = 0.005  # largest height of a named site on a figure with muscles, relative to the figure's height
-STEEP = 0.5  # least vertical component of a slide's axis that lifts the figure
-WHOLE = 6  # least number of joints of a root that moves like a free one
+FEWEST = 2  # least number of feet
 UPRIGHT = 0.8  # least height of a pose that is examined, relative to the tallest
 NEARLY = 0.9  # least height of the rest pose to have precedence, relative to the tallest
 CORNERS = 4  # most points per foot
@@ -229,34 +227,24 @@ def _lowest(figure: Figure, poses: Array) -> tuple[Point, ...]:
     """Return the lowest points of the feet in poses (K, nq), of which the first is at rest."""
     lowest: list[Point] = []
     body = body_points(figure)
-    for root in _roots(figure):
+    for root in roots_of(figure.model):
         tree_points = hanging(figure, root.link, body)
         if tree_points:
             lowest += _feet(figure, root, tree_points, poses)
     return tuple(lowest)
 
 
-def _roots(figure: Figure) -> list[Root]:
-    """Return the roots that carry a figure: free joints, and slides and hinges that lift it."""
-    data = kinematics(figure.model)
-    slides = {i for i, link in enumerate(figure.links) if link.kind is JointKind.SLIDE}
-    steep = {i for i in slides if abs(data.xaxis[figure.links[i].joint, 2]) > STEEP}
-    return [root for root in roots_of(figure.model) if root.is_free or steep.intersection(root.links)]
-
-
 def _feet(figure: Figure, root: Root, points: Sequence[Point], poses: Array) -> list[Point]:
-    """Return the lowest points of a tree's lowest ends, in the pose in which it stands tallest. A tree that can fall
-    sideways stands on at least two feet; otherwise, as in a kick, the next tallest pose is used."""
+    """Return the lowest points of a tree's lowest ends, in the tallest pose in which it stands on at least two feet."""
     samples = Samples.still(figure, figure.to_state(poses))
     places, radii = places_of(points, samples)
     bottom = places[2] - radii[:, None]
     tall = samples.links.x[2, root.link] - bottom.min(axis=0)
     tall[0] = max(tall[0], tall.max()) if tall[0] >= NEARLY * tall.max() else tall[0]
     order = np.argsort(-np.where(tall > tall.max() - Thresholds.of(figure).as_tall, np.inf, tall), kind="stable")
-    fewest = 2 if root.is_free or len(root.joints) >= WHOLE else 1
     for pose in order[tall[order] >= UPRIGHT * tall.max()]:
         feet = _feet_in(figure, root.link, points, places[:, :, pose], radii)
-        if len({point.link for point in feet}) >= fewest:
+        if len({point.link for point in feet}) >= FEWEST:
             return feet
     return []
 

@@ -21,7 +21,7 @@ from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import BendLimits, Placed
 from dynsplines.solver.posing import (
     BodyGoal,
@@ -90,9 +90,6 @@ def upright(figure: Figure, home: Array, free: Mask, goals: Sequence[Goal], bend
     trunk = np.zeros(figure.width, bool)
     for columns in figure.tables.quaternion_columns.T:
         trunk[columns] = True
-    if figure.root is not None:
-        for link in (figure.links[i] for i in figure.root.links):
-            trunk[link.columns] |= link.kind is JointKind.HINGE
     legs = {link for goal in goals for link in limb(figure, goal.bodies(figure.model)[0])}
     for link in legs:
         trunk[figure.links[link].columns] = False

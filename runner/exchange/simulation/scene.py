@@ -32,6 +32,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure import root_wrench
 from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.root import sliding_joints
 from dynsplines.solver.surface.touch import bolted, is_scenery, movers, solids
 
 from ...clip import load as clip
@@ -169,10 +170,9 @@ def _least(trajectory: SampledTrajectory) -> Array:
 def _standing(figure: Figure, feet: set[int]) -> set[int]:
     """Return the links from the feet up to the root, without it."""
     out: set[int] = set()
-    above = {0, *(figure.root.links if figure.root is not None else ())}
     for foot in feet:
         link = foot
-        while link not in above and figure.links[link].kind is not JointKind.FREE:
+        while link and figure.links[link].kind is not JointKind.FREE:
             out.add(link)
             link = figure.links[link].parent
     return out
@@ -204,9 +204,9 @@ def _scene(trajectory: SampledTrajectory, actuators: list[Drive]) -> tuple[Eleme
         overlaps = _exclude_overlaps(spec, spec.compile(), trajectory.qpos)
         if overlaps:
             spec.compile()
-    if trajectory.figure.root is not None and not trajectory.figure.root.is_free:
-        moved = ", ".join(names[joint] for joint in trajectory.figure.root.joints)
-        notes.append(f"the root's joints have actuators too, which carry the figure: {moved}")
+    if sliding := sliding_joints(model):
+        moved = ", ".join(names[joint] for joint in sliding)
+        notes.append(f"joints on which the figure slides have actuators too, which carry it: {moved}")
     notes += overlaps
     root = ElementTree.fromstring(portable_text(spec))
     _remove_actuators(root)

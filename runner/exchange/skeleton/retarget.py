@@ -41,8 +41,6 @@ BENT = 0.15  # least mean sine of an elbow's or knee's bend that determines its 
 LOWEST = 2.0  # [%] of the samples whose soles may be below the ground
 LEVEL = 0.001  # [m] largest distance of soles from the ground that is not corrected
 LISTED = 12
-ROOT_TURN = 5.0  # [degrees] least rotation beyond a root's slides and hinges that is reported
-ROOT_MOVE = 0.05  # [m] least translation beyond a root's slides and hinges that is reported
 LEG, ARM = ("thigh", "shin", "foot"), ("upper_arm", "forearm", "hand")
 ENDS = ("foot", "hand")
 HANGS_ON = {"forearm": "upper_arm", "shin": "thigh"}
@@ -142,8 +140,8 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
     root = carrying(model, standing.roles.get("pelvis", standing.roles["left_thigh"]))
     if root is None:
         top = names[model.body_rootid[standing.roles.get("pelvis", standing.roles["left_thigh"])]]
-        slides = "or slides on which it moves about; in URDF a joint of type 'floating' from a link 'world'"
-        raise UserError(f"{where}: the figure's root, '{top}', needs a free joint, {slides}")
+        floating = "in URDF a joint of type 'floating' from a link 'world'"
+        raise UserError(f"{where}: the figure's root, '{top}', needs a free joint; {floating}")
     shared = [role for role in standing.roles if role in captured.roles]
     upright = captured.stands
     alignment = _upright(captured, standing, shared) if upright else _by_bends(captured, standing, shared)
@@ -164,10 +162,9 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
     scale = _leg({role: _line_of(standing, role, standing.bracketed) for role in shared}) / leg
     for limb in _limbs(captured, standing, turns, scale):
         qpos = bend(model, qpos, limb, _orientation(model, qpos, model.body_parentid[limb.bodies[0]]))
-    qpos, missed = _placed(captured, standing, root, qpos, scale)
+    qpos = _placed(captured, standing, root, qpos, scale)
     qpos, lift = _on_ground(standing, root, qpos)
     notes = [*standing.notes, f"scaled by {scale:.3f}, the ratio of the legs"]
-    notes += _beyond_root(model, root, qpos, turns, missed)
     notes += (
         [f"{'raised' if lift > 0 else 'lowered'} by {abs(lift):.3f} m, so that soles meet the ground"] if lift else []
     )
@@ -473,40 +470,16 @@ def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, w
         qpos[rows[better]], short[rows[better]] = again[better], remainder[better]
 
 
-def _placed(
-    captured: CapturedSkeleton, standing: _Standing, root: Root, qpos: Array, scale: float
-) -> tuple[Array, Array]:
-    """Return qpos with the middle of the hips at the captured one's, scaled about the world's origin. Also return the
-    position error (T, 3) [m] of a root on slides, which is zero for a free joint."""
+def _placed(captured: CapturedSkeleton, standing: _Standing, root: Root, qpos: Array, scale: float) -> Array:
+    """Return qpos with the middle of the hips at the captured one's, scaled about the world's origin."""
     model = standing.model
     hips = captured.position[:, [captured.start_of(f"{side}_thigh") for side in SIDES]].mean(axis=1)
     middle = standing.at_zero[[standing.start_of(f"{side}_thigh") for side in SIDES]].mean(axis=0)
     pelvis = standing.roles["pelvis"]
     offset = quat.rotated(quat.conjugate(standing.turn[pelvis]), middle - standing.at_zero[pelvis])
 
-    def away(qpos: Array) -> Array:
-        places = [data.xpos[pelvis] + quat.rotated(data.xquat[pelvis], offset) for data in posed(model, qpos)]
-        return scale * hips - np.array(places)
-
-    there = shifted(model, root, qpos, away(qpos))
-    return there, np.zeros((len(qpos), 3)) if root.is_free else away(there)
-
-
-def _beyond_root(
-    model: mujoco.MjModel, root: Root, qpos: Array, turns: Mapping[int, Array], missed: Array
-) -> list[str]:
-    """Return a note on motion that a root of slides and hinges cannot follow; missed (T, 3) [m] of its position."""
-    if root.is_free:
-        return []
-    body = next((body for body in hierarchy.above(model, root.body, itself=True) if body in turns), None)
-    turned = 0.0
-    if body is not None:
-        turned = float(np.degrees(quat.angle_between(turns[body], _orientation(model, qpos, body)).max()))
-    far = float(np.linalg.norm(missed - missed[0], axis=1).max())
-    names = ", ".join(model.joint(joint).name for joint in root.joints)
-    if turned < ROOT_TURN and far < ROOT_MOVE:
-        return []
-    return [f"the root moves on {names} alone: {far:.2f} m and {turned:.0f} degrees of its motion are beyond them"]
+    places = [data.xpos[pelvis] + quat.rotated(data.xquat[pelvis], offset) for data in posed(model, qpos)]
+    return shifted(model, root, qpos, scale * hips - np.array(places))
 
 
 def _on_ground(standing: _Standing, root: Root, qpos: Array) -> tuple[Array, float]:

@@ -107,7 +107,7 @@ def limbs(figure: Figure) -> list[dict[str, Any]]:
 
 def _root(figure: Figure) -> int:
     """Return the link of the figure's free root; 0 if there is none."""
-    return figure.root.link if figure.root is not None and figure.root.is_free else 0
+    return figure.root.link if figure.root is not None else 0
 
 
 def _joint_names(figure: Figure, links: list[int]) -> str:

@@ -15,7 +15,7 @@ from ... import quaternion as quat
 from ...array import Array, Index, pairs_within
 from ...curve.frame import Timeline
 from ...figure.algebra import applied, cross
-from ...figure.figure import Figure, JointKind, quaternion_columns
+from ...figure.figure import Figure, quaternion_columns
 from ...figure.kinematics import Samples
 from ...figure.wrenches import along_axes, of_turn
 from ..block import Block
@@ -96,30 +96,15 @@ def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, .
     """Return the tilt of roots in the keyframes that were posed with free rotation.
 
     Args:
-        roots: Links with a quaternion, or the link of the figure's root of slides and hinges.
+        roots: Links with a free joint.
     """
     states = keys.states
     samples = Samples.still(figure, states)
     result = []
     for root in roots:
-        columns = _turning(figure, int(root))
-        if not columns:
-            continue
+        columns = quaternion_columns(figure.links[int(root)])
         posed = keys.known[:, columns].all(axis=1) & ~keys.fixed[:, columns].all(axis=1)
         for k in np.flatnonzero(posed):
             axis = samples.links.rotation[2, :, root, k].copy()
             result.append(Lean(int(root), axis, float(keys.times[k])))
     return tuple(result)
-
-
-def _turning(figure: Figure, root: int) -> list[int]:
-    main_root = figure.root
-    chain = main_root.links if main_root is not None and main_root.link == root else (root,)
-    out: list[int] = []
-    for i in chain:
-        columns, link = quaternion_columns(figure.links[i]), figure.links[i]
-        if columns is not None:
-            out += range(columns.start, columns.stop)
-        elif link.kind is JointKind.HINGE:
-            out.append(link.qpos)
-    return out

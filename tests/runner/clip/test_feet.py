@@ -66,7 +66,7 @@ FEET = {
     "sites called toe or heel first": (figure_of(TWO, SITE), ["l_toe", "r_toe"]),
     "a mark on top of a toe is no sole": (
         figure_of(TWO, SPHERE + '<site name="{name}_toe" pos="0 0 -.2"/>'), ["l_foot", "r_foot"]),
-    "sliding in a plane": (figure_of(TWO, SPHERE, PLANE), ["l_foot", "r_foot"]),
+    "sliding in a plane": (figure_of(TWO, SPHERE, PLANE), []),
     "hinged to the world": (figure_of(TWO, SPHERE, '<joint axis="0 1 0"/>'), []),
     "bolted to the world": (figure_of(TWO, SPHERE, ""), []),
     "a ball beside a robot": (figure_of(TWO, SPHERE, extra=BESIDE), ["l_foot", "r_foot"]),

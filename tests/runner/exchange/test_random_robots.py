@@ -47,13 +47,13 @@ def check_forces(saved: Saved, expected: Array) -> None:
     rows = forces.has_known_support & ~borne(forces)
     np.testing.assert_allclose(forces.torques[rows], expected[rows], rtol=0, atol=EXACT * np.abs(expected).max())
     root = saved.figure.root
-    if root is None or not root.is_free:
+    if root is None:
         with pytest.raises(UserError, match="no free root"):
             quantities.table(SampledTrajectory.of(saved), ("wrench",))
         return
     columns = quantities.wrench(SampledTrajectory.of(saved), forces)
     force, moment, centre = np.array(list(columns.values())).reshape(3, 3, -1).transpose(0, 2, 1)
-    q, dof, data = int(model.jnt_qposadr[root.joints[0]]), int(model.jnt_dofadr[root.joints[0]]), mujoco.MjData(model)
+    q, dof, data = int(model.jnt_qposadr[root.joint]), int(model.jnt_dofadr[root.joint]), mujoco.MjData(model)
     for qpos, row in zip(at.qpos, centre, strict=True):
         data.qpos = qpos
         mujoco.mj_fwdPosition(model, data)

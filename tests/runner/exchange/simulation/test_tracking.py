@@ -73,7 +73,7 @@ def test_joints_of_a_root_have_actuators_and_that_is_noted(tmp_path):
     qpos = [[0, 0, 0, 0], [0.1, 0.05, 0.1, 0.3], [0, 0, 0, 0]]
     simulation, tracking, _ = simulated(tmp_path, SLIDER, qpos)
     assert tracking.is_within
-    assert any("carry the figure: rootx, rootz, rooty" in line for line in simulation.notes)
+    assert any("which carry it: rootx, rootz, rooty" in line for line in simulation.notes)
 
 
 @pytest.mark.parametrize("top", [0.0, 0.02])
