@@ -11,7 +11,7 @@ import numpy as np
 from dynsplines import motion, solving
 from dynsplines.clip import load as clip
 from dynsplines.exchange import formats
-from dynsplines.exchange.motion_import import import_recording
+from dynsplines.exchange.motion_import import read_recording
 from dynsplines.motion import Sampled, Saved
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
@@ -101,8 +101,7 @@ def exported(saved: Saved, kind: str, folder: Path, **more: Any) -> tuple[Path, 
 
 def came_back(saved: Saved, target: Path, figure: str | None = "human", tolerance: float = 1e-9, **more: Any) -> None:
     """A file read again brings every body to where it was, at the same times from 0 on."""
-    back = import_recording(target, figure=figure, **more)
+    back, before = read_recording(target, figure=figure, **more), samples(saved)
     assert abs(back.fps - saved.fps) < 1e-6
-    before, after = samples(saved), samples(back)
-    np.testing.assert_allclose(after.time - after.time[0], before.time - before.time[0], atol=1e-9)
-    same_poses(saved.figure.model, before.qpos, after.qpos, tolerance)
+    np.testing.assert_allclose(back.time - back.time[0], before.time - before.time[0], atol=1e-9)
+    same_poses(saved.figure.model, before.qpos, back.qpos, tolerance)
