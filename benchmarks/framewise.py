@@ -31,18 +31,21 @@ from rich.console import Console
 from dynsplines import solving
 from dynsplines.clean import command
 from dynsplines.clean.cleaning import Cleaned
-from dynsplines.clean.comparison import Comparison, PathMeasurement
+from dynsplines.clean.displacement import slip
+from dynsplines.clean.penetration import RATE, depth
 from dynsplines.clip import load as clips
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import bvh_file, hierarchy
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 from dynsplines.exchange.skeleton.roles import roles
+from dynsplines.motion import even_times, samples_at
 from dynsplines.scene.assets import taken_along
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.curve.spline import Path as Curve
 from dynsplines.solver.curve.spline import natural_spline
+from dynsplines.solver.penalty import JointRange, Support, joint_ranges
 from dynsplines.system.progress import Progress
 
 STEPS, ROUNDS = 0.02, 10  # [s] of mink's integration, and how many for each sample
@@ -166,9 +169,18 @@ def framewise(mink: Any, goal: Goal) -> Array:
 
 def measured(result: Cleaned, path: Curve, goal: Goal) -> tuple[float, ...]:
     """Depth [mm], slip [mm], off the scaled recording in the median and 95 % [cm], beyond ranges [°], jerk, force."""
-    look = PathMeasurement(result, path, Comparison(result).times)
+    times = even_times(path.span, RATE)
+    samples = samples_at(result.figure, path, times)
     median, high = goal.deviation(result.figure.to_qpos(path.at(goal.t)))
-    return look.depth, look.slip, median, high, look.range, look.jerk, look.force
+    slips = [1000 * slip(result.figure, path, rest) for rest in result.rests]
+    joints = joint_ranges(result.figure)
+    beyond = float(np.degrees(np.sqrt(JointRange(joints).evaluate(samples).max()))) if joints else 0.0
+    jerk = np.linalg.norm(np.diff(samples.links.x[:, 1:], 3, axis=2), axis=0).mean() * RATE**3
+    support = next((penalty for penalty, _ in result.problem.penalties if isinstance(penalty, Support)), None)
+    rest = np.zeros((3, 1)) if support is None else support.rest(samples)[:3][:, support.known(times)]
+    force = float(np.linalg.norm(rest, axis=0).mean()) if rest.size else 0.0
+    deepest = 1000 * float(depth(result.ground, path, times).max())
+    return deepest, max(slips, default=0.0), median, high, beyond, float(jerk), force
 
 
 def reading(robot: str) -> float:

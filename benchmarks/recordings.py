@@ -3,8 +3,8 @@
 The true motions are the people's clips that ship, solved; or, with DYNSPLINES_TRUTH=FOLDER, those of a folder: NAME.npz
 with time (T,) and qpos (T, nq) beside NAME.xml. Faults, all at once and at 30 images a second: the root slides at
 5 cm/s, in a direction that goes round once in four seconds or (a second row) straight on, sinks and hovers by 2 cm for
-a second each, every axis of its place and of every rotation has white noise of 1 cm and 2°, two gaps of ten images, a
-T-pose of half a second in front. A true motion whose soles rest over its own floor, or in it, by the middle of their
+a second each, every axis of its place and of every rotation has white noise of 1 cm and 2°, and it has two gaps of ten
+images. A true motion whose soles rest over its own floor, or in it, by the middle of their
 heights when they are slow, is set down on it first: ten captured clips hover by up to 15 cm.
 
 Resting points and their skate are measured at the marks of the soles, where a figure has some; depth with all geoms of
@@ -26,13 +26,11 @@ from rich.console import Console
 
 from dynsplines import solving
 from dynsplines.clean.cleaning import Cleaned, cleaned
-from dynsplines.clean.comparison import PathMeasurement
+from dynsplines.clean.penetration import depth
 from dynsplines.clean.repairs import repaired
 from dynsplines.clip import load as clips
 from dynsplines.clip.posing.places import sole_points
 from dynsplines.clip.tracking.penalties import Ground, ground_of
-from dynsplines.exchange.skeleton import hierarchy
-from dynsplines.exchange.skeleton.roles import roles
 from dynsplines.motion import sampled, samples_at
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
@@ -51,7 +49,7 @@ FPS = 30.0
 SLIDE, ROUND_IN = 0.05, 4.0  # [m/s], [s]
 SINK, EVERY = 0.02, 1.0  # [m], [s]
 METRES, DEGREES = 0.01, 2.0  # of noise, an axis
-GAPS, GAP, TPOSE = 2, 10, 15  # how many, of so many images each; images
+GAPS, GAP = 2, 10  # how many, of so many images each
 STILL, LOW = 0.35, 0.06  # [m/s], [m] of a point that rests, in the truth
 LEAST, ABOUT = 4, 2  # images of a stance that counts; that one may be longer at either end
 NEAR, SKATE, DEPTH, HOVER, PEAK, FOUND, FALSE = 0.6, 4.0, 2.0, 5.0, 1.5, 0.9, 0.1
@@ -98,7 +96,7 @@ def marked(ground: Ground, qpos: Array) -> Ground:
 
 
 def faulty(truth: Truth, rng: np.random.Generator, *, straight: bool) -> tuple[Array, Array]:
-    """Times and qpos of the bad recording, the gaps left out, the T-pose before 0."""
+    """Times and qpos of the bad recording, the gaps left out."""
     qpos, since = truth.qpos.copy(), truth.time
     angle = 2 * np.pi / ROUND_IN * since + rng.uniform(0, 2 * np.pi)
     path = (
@@ -118,23 +116,7 @@ def faulty(truth: Truth, rng: np.random.Generator, *, straight: bool) -> tuple[A
     for k in range(GAPS if len(qpos) > 4 * GAP else 0):
         first = len(qpos) * (k + 1) // (GAPS + 1)
         keep[first : first + GAP] = False
-    spread = np.tile(t_pose(truth), (TPOSE, 1))
-    before = (np.arange(TPOSE) - TPOSE) / FPS
-    return np.concatenate([before, since[keep]]), np.vstack([spread, qpos[keep]])
-
-
-def t_pose(truth: Truth) -> Array:
-    """qpos (nq,) at rest, with the arms out."""
-    model, qpos = truth.figure.model, np.array(truth.figure.model.qpos0)
-    qpos[:2] = truth.qpos[0, :2]
-    bones = roles(hierarchy.names(model)[1:], [int(p) - 1 for p in model.body_parentid[1:]])
-    for side, turn in (("left", 90.0), ("right", -90.0)):
-        body = 1 + bones[f"{side}_upper_arm"]
-        link = truth.figure.links[truth.figure.body_link[body]]
-        columns = quaternion_columns(link)
-        if columns is not None:
-            qpos[columns] = quat.from_rotation_vector(np.radians([turn, 0.0, 0.0]))
-    return qpos
+    return since[keep], qpos[keep]
 
 
 def resting(truth: Truth, ground: Ground) -> Mask:
@@ -225,7 +207,7 @@ def scored(truth: Truth, rng: np.random.Generator, *, straight: bool) -> Score:
         skate=skates[0],
         detected_skate=skates[1],
         body_skate=skates[2],
-        depth=PathMeasurement(result, result.after, fine).depth / 1000,
+        depth=float(depth(ground, result.after, fine).max()),
         hover=hover,
         peak=peaks[0] / peaks[1],
         found=_hits(rests, stand, LEAST),

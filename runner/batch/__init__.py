@@ -37,6 +37,6 @@ def run(words: list[str], folder: Path, progress: Progress, options: Options) ->
             raise
         raise missing_package("dynsplines batch", error.name, "batch") from None
     tally = dispatch.run(words, folder, options, progress)
-    tally.report(progress, are_recordings=options.cleaning is not None)
+    tally.report(progress)
     progress.report(f"{folder}: {tally.line}")
     return tally

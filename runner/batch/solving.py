@@ -51,17 +51,17 @@ def _solved(task: Task, folder: Path) -> Outcome:
 
 def _cleaned(task: Task, cleaning: Source, folder: Path) -> Outcome:
     from ..clean import command
-    from ..clean.comparison import Comparison
+    from ..measure import violation
+    from ..solving import Solved
     from ..system.progress import silent
 
     options, others = task.options, {word: folder / path for word, path in task.others.items()}
     figure = str(others["figure"]) if "figure" in others else cleaning.figure
     files = {"file": folder / task.clip, "scene": others.get("scene"), "map": others.get("map")}
     source = replace(cleaning, figure=figure, fps=options.fps, **files)
-    result, saved = command.clean_recording(source, options.max_displacement, silent())
-    comparison = Comparison(result)
-    outcome = _written(saved, task, folder, None)
-    return replace(outcome, violations=tuple(comparison.violations), figures=comparison.figures)
+    saved = command.clean_recording(source, options.max_displacement, silent())[1]
+    violations = violation.plain(violation.by_name(Solved.of(saved).violations))
+    return replace(_written(saved, task, folder, None), violations=tuple(violations))
 
 
 def _written(saved: Saved, task: Task, folder: Path, fps: float | None) -> Outcome:

@@ -50,7 +50,7 @@ class Options:
         if self.workers is not None and self.scheduler is not None:
             raise UserError("--workers are of this machine and --scheduler is elsewhere; give one of them")
         if self.report and self.cleaning is not None:
-            raise UserError("--report is for clips; a recording is measured before and after as it is")
+            raise UserError("--report is for clips, not for recordings")
         assert self.suffix
 
     @property
@@ -112,7 +112,6 @@ class Result:
         bound: The limit of a failure by time [s] or memory [MB].
         seconds: The duration of the last attempt [s].
         violations: The violations, worst first, as tables.
-        figures: Values of a recording before and after cleaning, by quantity and unit.
         notes: Content that the output's format cannot store, and warnings.
     """
 
@@ -122,7 +121,6 @@ class Result:
     seconds: float = 0.0
     worker: str = ""
     violations: tuple[Annotated[Mapping[str, Any], AfterValidator(_violation)], ...] = ()
-    figures: Mapping[str, tuple[float, float]] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
 
 

@@ -3,6 +3,6 @@
 repairs    gaps, jumps, duplicate and invalid samples: detected, reported and interpolated
 cleaning   a repaired recording, its stances, and the motion near it that satisfies them
 penetration  depths in surfaces, and penetrations between the samples of a search
-comparison  before and after: depth, slip, ranges, accelerations, forces, and displacements
+displacement  the displacement of hands, feet and pelvis from the recording, and its limit
 command    the command `clean`: from a recording's file to a clean one
 """

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import numpy as np
 
-from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.solution import Improvement
@@ -26,13 +25,15 @@ from ..exchange import formats, gaps
 from ..exchange.motion_import import ImportedMotion, read_recording
 from ..exchange.skeleton import maps
 from ..measure import violation
+from ..measure.measurement import Measurement
+from ..measure.report import compare
 from ..motion import Saved
 from ..scene import file_access
 from ..solving import Solved
 from ..system.output import Replacement, check_target
 from ..system.progress import Progress, silent
 from .cleaning import Cleaned, cleaned
-from .comparison import Comparison, closer
+from .displacement import closer, displacements
 from .repairs import repaired
 
 NAMED = 6  # most stances of a point that are listed
@@ -84,22 +85,16 @@ def run(
     if target.exists() and source.file.exists() and target.samefile(source.file):
         raise UserError(f"'{target}' is what is read; give another -o")
     check_target(target, overwrite=overwrite)
-    result, saved = clean_recording(source, max_displacement, progress)
-    comparison = Comparison(result)
-    table = comparison.table()
-    further = (
-        _stance_doubts(comparison) if max_displacement is None else _displacement_notes(comparison, max_displacement)
-    )
-    notes = (*_raised_soles(comparison), *further)
-    del result, comparison  # they need as much memory as writing the files
+    saved = clean_recording(source, max_displacement, progress)[1]
     if form is None:
         motion.save(saved, target)
     else:
         formats.export(saved, form.name, target, overwrite=overwrite, report=progress.report)
-    progress.console.print(table)
-    for line in notes:
-        progress.report(line)
-    violations = violation.by_name(Solved.of(saved).violations)
+    solved = Solved.of(saved)
+    raw, timeline = solved.motion.raw, solved.motion.timeline
+    before, after = (Measurement.of(solved.clip, each, raw) for each in (raw, timeline))
+    progress.console.print(compare(before, after))
+    violations = violation.by_name(violation.violations_of(after))
     for line in (f"wrote {target}", *violation.lines(violations, None if form else target)):
         progress.report(line)
     return target
@@ -220,59 +215,37 @@ def _cleaned(
     result = cleaned(ground, repaired_recording, requested, improved=improved)
     if max_displacement is not None:
         result = closer(result, max_displacement, improved)
-    if not result.rests:
-        progress.report("note: no stance was detected, so feet may slip")
-    for line in _stances(result):
+    for line in _notes(result, max_displacement):
         progress.report(line)
     return result, _saved(result, recording)
 
 
-def _stances(result: Cleaned) -> Iterator[str]:
-    """Yield a note on the stances of every point: first those of soles."""
-    for name in dict.fromkeys(
-        [point.name for point in (*result.ground.points, *(rest.point for rest in result.rests))]
-    ):
+def _notes(result: Cleaned, max_displacement: float | None) -> Iterator[str]:
+    """Yield the stances of every point, first those of soles, and notes on stances and displacements to check."""
+    if not result.rests:
+        yield "note: no stance was detected, so feet may slip"
+    names = [point.name for point in (*result.ground.points, *(rest.point for rest in result.rests))]
+    for name in dict.fromkeys(names):
         spans = [f"{rest.first:.2f}-{rest.last:.2f}" for rest in result.rests if rest.point.name == name]
         if spans:
             yield f"{name} stands {listed(spans, NAMED)} s"
-
-
-def _displacement_notes(comparison: Comparison, max_displacement: float) -> Iterator[str]:
-    """Yield a note on every point that deviates from the recording by more than `max_displacement`, with the reason."""
-    for one in comparison.displacements:
-        if one.maximum <= max_displacement:
-            continue
-        held = {rest.point.name for rest in comparison.cleaned.rests if rest.first <= one.time <= rest.last}
-        why = f" while {' and '.join(sorted(held))} stand" + ("s" if len(held) == 1 else "") if held else ""
-        yield f"note: {one.name} is {1000 * one.maximum:.0f} mm off the recording at {one.time:.2f} s{why}"
-
-
-def _raised_soles(comparison: Comparison) -> Iterator[str]:
-    """Yield a note on every point that rests too high for a stance."""
-    for one in comparison.raised_soles:
+    longest = {rest.point.name: rest for rest in sorted(result.raised, key=lambda rest: rest.last - rest.first)}
+    for name, rest in longest.items():
         yield (
-            f"note: {one.rest.point.name} rests up to {1000 * one.height:.0f} mm above the ground at "
-            f"{one.rest.first:.2f}-{one.rest.last:.2f} s, which is not a stance; if it is one, give the surface by "
-            "--scene or the stances by --contacts"
+            f"note: {name} rests above the ground at {rest.first:.2f}-{rest.last:.2f} s, which is not a stance; if it "
+            "is one, give the surface by --scene or the stances by --contacts"
         )
-
-
-def _stance_doubts(comparison: Comparison) -> Iterator[str]:
-    """Yield a note on the stance with the highest sole, if that is off the ground, and one if a hand, a foot or the
-    pelvis is moved so far that the detected stances may be wrong."""
-    highest = comparison.highest_sole
-    if highest is not None and highest.height > Thresholds.of(comparison.cleaned.figure).swings:
-        rest, height = highest.rest, 1000 * highest.height
-        yield (
-            f"note: {rest.point.name} is recorded {height:.0f} mm above the ground at {highest.time:.2f} s, "
-            f"in its stance {rest.first:.2f}-{rest.last:.2f} s"
-        )
-    farthest = max(comparison.displacements, key=lambda one: one.percentile_95, default=None)
-    if comparison.cleaned.rests and farthest is not None and farthest.percentile_95 > FAR:
-        yield (
-            f"note: {farthest.name} is up to {1000 * farthest.maximum:.0f} mm off the recording; if a stance above is "
-            "wrong, give the stances by --contacts"
-        )
+    every = displacements(result)
+    for one in every:
+        if max_displacement is not None and one.maximum > max_displacement:
+            held = sorted({rest.point.name for rest in result.rests if rest.first <= one.time <= rest.last})
+            why = f" while {' and '.join(held)} stand" + ("s" if len(held) == 1 else "") if held else ""
+            yield f"note: {one.line}{why}"
+    far = max(every, key=lambda one: one.percentile_95)
+    if max_displacement is None and far.percentile_95 > FAR:
+        yield f"note: {far.line}; if a stance above is wrong, give the stances by --contacts"
+    elif max_displacement is None:
+        yield every[0].line
 
 
 def _saved(result: Cleaned, recording: ImportedMotion) -> Saved:

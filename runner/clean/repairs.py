@@ -52,6 +52,11 @@ def repaired(figure: Figure, time: Array, qpos: Array, where: str) -> Repaired:
         raise UserError(f"{where}: times go back: sample {i + 2} is at {time[i + 1]:g} s, after {time[i]:g} s")
     time, qpos = _without_duplicates(time, qpos, notes)
     known = _numbers(figure, qpos, time, notes)
+    whole = np.flatnonzero(known.all(axis=1))
+    if pose := gaps.initial_pose(figure.model, time[whole], qpos[whole]):
+        pose = int(whole[pose])
+        notes.append(f"{gaps.POSE} {time[pose]:.3f} s: the pose is left out")
+        time, qpos, known = time[pose:], qpos[pose:], known[pose:]
     time, qpos, known = _interpolated(time, qpos, known, notes, where)
     known &= ~_jumps(figure, time, qpos, known, notes)
     lost = [_name(figure, columns) for columns in groups(figure) if known[:, columns].all(axis=1).sum() < FEWEST]

@@ -10,12 +10,18 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, replace
 
+import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.figure.figure import JointKind
 
 from ..errors import UserError
 from .trajectory import Recording
+
+STILL, JUMP = 1.0, 20.0  # [rad/s] largest speed of a joint in a pose; least speed of a jump out of it
+SUDDEN = 4.0  # [1] least ratio of the speed of this jump to that of the next sample, as throws and kicks last longer
+POSE = "the recording starts with a pose and jumps to the motion at"  # start of a note
 
 
 @dataclass
@@ -77,6 +83,19 @@ def without_missing(recording: Recording, where: object) -> Recording:
     many = "samples lack" if count > 1 else "sample lacks"
     notes = (*recording.notes, f"{count} {many} some or all numbers, first at {first:.3f} s: left out as a whole")
     return replace(recording, time=recording.time[is_present], qpos=recording.qpos[is_present], notes=notes)
+
+
+def initial_pose(model: mujoco.MjModel, time: Array, qpos: Array) -> int:
+    """Return the number of samples of a calibration pose at the start, out of which a joint jumps; 0 without one."""
+    turns, velocity = np.isin(model.jnt_type[model.dof_jntid], (JointKind.BALL, JointKind.HINGE)), np.zeros(model.nv)
+    before = 0.0
+    for i, duration in enumerate(np.diff(time)):
+        mujoco.mj_differentiatePos(model, velocity, duration or np.inf, qpos[i], qpos[i + 1])
+        speed = float(np.abs(velocity[turns]).max(initial=0.0))
+        if before > STILL:
+            return i if before > JUMP and before >= SUDDEN * speed else 0
+        before = speed
+    return 0
 
 
 def median_step(time: Array) -> float:

@@ -27,8 +27,6 @@ from .formats import Reader, read_by, recording, stem
 TURN = 2 * np.pi  # [rad]
 NEAR = 1.0  # [rad] largest deviation of a jump from a whole turn that counts as a wrap in every recording
 EDGE = 1e-3  # [rad] tolerance at the bounds of a turn, as files contain rounded angles
-STILL, JUMP = 1.0, 20.0  # [rad/s] largest speed of a joint in a pose; least speed of a jump out of it
-SUDDEN = 4.0  # [1] least ratio of the speed of this jump to that of the next sample, as throws and kicks last longer
 
 
 @dataclass(frozen=True)
@@ -85,7 +83,7 @@ def read_recording(
         model = compiled(spec, source)
     assert spec is not None and model is not None, "a reader returns a figure or requires one"
     qpos, notes = _unwrapped(model, record.time, record.qpos)
-    for note in (*record.notes, *notes, *_initial_pose(model, record.time, qpos)):
+    for note in (*record.notes, *notes):
         progress.report(f"note: {note}")
     step = gaps.median_step(record.time)
     rate = record.fps or (float(np.round(1 / step, 6)) if step else 30.0)
@@ -110,6 +108,9 @@ def import_recording(
     progress = progress or Progress()
     record = read_recording(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
     clip = clips.from_qpos(record.name, record.scene, record.time, record.qpos, record.fps, source.name)
+    if pose := gaps.initial_pose(clip.figure.model, record.time, record.qpos):
+        start = np.ceil(1000 * record.time[pose] - 1e-6) / 1000
+        progress.report(f"note: {gaps.POSE} {record.time[pose]:.3f} s: `dynsplines trim --from {start:g}` removes it")
     if record.loops:
         try:
             return unsolved(clip.with_problem(ends="periodic")).saved(progress, with_report=False)
@@ -139,25 +140,6 @@ def _unwrapped(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, 
         return qpos, ()
     whose = listed(f"'{name}'" for name in names)
     return out, (f"{whose}: angles wrap at a whole turn, first at {first:.3f} s: unwrapped",)
-
-
-def _initial_pose(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[str, ...]:
-    """Return a note if a joint jumps out of a pose at the start, such as that of a calibration."""
-    if qpos.shape[1] != model.nq:  # reported where the keyframes are made
-        return ()
-    turns, velocity = np.isin(model.jnt_type[model.dof_jntid], (JointKind.BALL, JointKind.HINGE)), np.zeros(model.nv)
-    before = 0.0
-    for i, duration in enumerate(np.diff(time)):
-        mujoco.mj_differentiatePos(model, velocity, duration or np.inf, qpos[i], qpos[i + 1])
-        speed = float(np.abs(velocity[turns]).max(initial=0.0))
-        if before > JUMP and before >= SUDDEN * speed:
-            start = np.ceil(1000 * time[i] - 1e-6) / 1000
-            how = f"`dynsplines trim --from {start:g}` removes it"
-            return (f"the recording starts with a pose and jumps to the motion at {time[i]:.3f} s: {how}",)
-        if before > STILL:
-            break
-        before = speed
-    return ()
 
 
 def _whole_turns(angle: Array) -> Array:

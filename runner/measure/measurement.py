@@ -102,6 +102,17 @@ class Measurement:
         order = sorted(largest, key=lambda row: -largest[row][0])
         return [(check.row(row), *largest[row]) for row in order]
 
+    def by_kind(self) -> dict[str, Array]:
+        """Return the largest amount (T,) of every kind of violation at the times of the grid, at least 0."""
+        kinds: dict[str, Array] = {}
+        for check, hits in self.checks:
+            rows, which = np.unique(hits.row, return_inverse=True)
+            kind_of_row = np.array([check.row(row).kind for row in rows.tolist()])
+            for kind in np.unique(kind_of_row).tolist():
+                of_kind = hits.select(kind_of_row[which] == kind)
+                np.maximum.at(kinds.setdefault(kind, np.zeros(self.time.size)), of_kind.at, of_kind.amount)
+        return kinds
+
     @property
     def numbers(self) -> Index:
         """(K,) numbers of the keyframes as specified, from 1; 0 for a frame of the recording."""

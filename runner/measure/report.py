@@ -20,9 +20,11 @@ from dynsplines.solver.refine.subdivision import by_weak_form
 from dynsplines.solver.solution import Solution
 
 from ..clip.build import Clip
+from .bounds import BOUNDS
 from .formatting import rows
+from .measurement import Measurement
 from .quantities import Side
-from .violation import Violation, by_name, plain, violations_of
+from .violation import Violation, by_name, plain, violations_of, with_unit
 
 DRIFT = "centre of mass displacement, m"  # distance between the centres of mass before and after solving
 
@@ -57,6 +59,21 @@ def report(clip: Clip, motion: Solution, seconds: float | None) -> dict[str, Any
         "cycle": _cycle_report(clip),
         **sides,
     }
+
+
+def compare(before: Measurement, after: Measurement) -> Table:
+    """Return a table of the kinds of violations before or after, with the largest amount of each on both sides."""
+    table, sides = Table("", "before", "after", box=None, pad_edge=False), list[dict[str, float]]()
+    violations = [violations_of(side) for side in (before, after)]
+    for side, listed in zip((before, after), violations, strict=True):
+        amounts = {kind: float(values.max()) for kind, values in side.by_kind().items()}
+        for violation in listed:
+            amounts[violation.kind] = max(amounts.get(violation.kind, 0.0), violation.amount)
+        sides.append(amounts)
+    kinds = {violation.kind for listed in violations for violation in listed}
+    for kind in (kind for kind in BOUNDS if kind in kinds):
+        table.add_row(kind, *(with_unit(amounts.get(kind, 0.0), BOUNDS[kind].unit) for amounts in sides))
+    return table
 
 
 def _cycle_report(clip: Clip) -> dict[str, float]:

@@ -200,13 +200,14 @@ def _drifts(motion: Measurement) -> Iterator[Violation]:
 def _as_violation(row: Row, amount: float, time: float | None, keyframe: int = 0) -> Violation:
     """Return the violation of a row; keyframe: the number of the faulty keyframe, 0 if none is at fault."""
     unit = BOUNDS[row.kind].unit
-    text = row.text.format(_with_unit(amount, unit)) + ("" if time is None else f" at {time:.2f} s")
+    text = row.text.format(with_unit(amount, unit)) + ("" if time is None else f" at {time:.2f} s")
     if keyframe:
         text = f"keyframe {keyframe} itself: {text}"
     return Violation(row.kind, row.name, time, amount, unit, row.bound, keyframe or None, text)
 
 
-def _with_unit(amount: float, unit: str) -> str:
+def with_unit(amount: float, unit: str) -> str:
+    """Return an amount as text, lengths in millimetres below 1 m."""
     if unit == "m":
         return f"{1000 * amount:.0f} mm" if amount < 1 else f"{amount:.2f} m"
     if unit == "degrees":

@@ -1,6 +1,7 @@
 """`dynsplines clean`: a recording's file in, a clean one of its format or another out, bad input told."""
 
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -56,7 +57,7 @@ def test_a_motion_of_feet_that_slide_and_sink_comes_out_clean(command, squats, t
     done = command("clean", squats / "bobs.npz", "-o", "clean.npz")
     assert done.code == 0, done.err
     assert "left_heel stands" in done.err
-    assert "largest stance slip" in done.err
+    assert re.search(r"penetration +1\d mm +[01] mm", done.err), done.err
     assert done.last == "wrote clean.npz"
     before, after = soles(squats / "bobs.npz"), soles(tmp_path / "clean.npz")
     assert np.ptp(before[:, 0]) > 0.05
@@ -152,29 +153,11 @@ def test_a_heel_at_rest_in_the_air_is_named_and_does_not_stand(command, tmp_path
     motion.save(unsolved(found).saved(Progress(), with_report=False), tmp_path / "kneels.npz")
     done = command("clean", "kneels.npz", "-o", "a.npz")
     assert done.code == 0, done.err
-    (note,) = [line for line in done.err.splitlines() if "right_heel rests up to" in line]
-    assert float(note.split("up to ")[1].split()[0]) == pytest.approx(1000 * 0.225 * np.sin(np.radians(36)), abs=5)
+    (note,) = [line for line in done.err.splitlines() if "right_heel rests above the ground" in line]
     assert "--scene" in note
     (stands,) = [line for line in done.err.splitlines() if line.startswith("right_heel stands")]
     assert stands.startswith("right_heel stands 0.00-0.9")
     assert "," not in stands
-
-
-@pytest.mark.slow
-def test_a_stance_of_a_raised_sole_is_named(command, squats, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)
-    table = np.genfromtxt(squats / "bobs.csv", delimiter=",", names=True)
-    heading = (squats / "bobs.csv").read_text(encoding="utf-8").splitlines()[0]
-    rows = np.column_stack([table[name] for name in table.dtype.names or ()])
-    rows[:, 3] += 0.04 * np.exp(-(((rows[:, 0] - 0.7) / 0.1) ** 2))
-    np.savetxt("hop.csv", rows, delimiter=",", header=heading, comments="")
-    (tmp_path / "c.toml").write_text('[[contact]]\npoint = "left_heel"\nfrom = 0.2\nto = 1.0\n', encoding="utf-8")
-    done = command("clean", "hop.csv", "--figure", "human", "--contacts", "c.toml", "-o", "a.npz")
-    assert done.code == 0, done.err
-    (note,) = [line for line in done.err.splitlines() if "above the ground" in line]
-    assert note.startswith("note: left_heel is recorded ")
-    assert note.endswith("in its stance 0.20-1.00 s")
-    assert float(note.split(" at ")[1].split()[0]) == pytest.approx(0.7, abs=0.1)
 
 
 @pytest.mark.parametrize(

@@ -81,6 +81,17 @@ def test_a_sample_of_the_other_sign_jumps_nowhere():
     assert mended(TIMES, qpos).known.all()
 
 
+@pytest.mark.parametrize("count", [1, 9])
+def test_a_pose_at_the_start_that_ends_with_a_jump_is_left_out(count):
+    pose = motion()[0]
+    pose[ELBOW : ELBOW + 4] = np.sqrt(0.5), 0, 0, np.sqrt(0.5)
+    found = mended(np.arange(60 + count) / 30, np.vstack([np.tile(pose, (count, 1)), motion()]))
+    assert found.notes == (
+        f"the recording starts with a pose and jumps to the motion at {count / 30:.3f} s: the pose is left out",
+    )
+    np.testing.assert_array_equal(found.qpos, motion())
+
+
 @pytest.mark.parametrize(
     ("change", "told"),
     [
