@@ -64,8 +64,8 @@ class Format:
 
     The module has `write(trajectory, path)` if the format can be written, and `read(path, model, fps)`, which returns a
     Recording, if it can be read; `model` is None without a figure from the user. Both raise UserError. Two more
-    functions are optional. `companions(trajectory)` returns more files, such as a hinge model, by extension or by name
-    without a leading dot. `recognises(path)` decides between formats that share an extension.
+    functions are optional. `companions(trajectory)` returns more files, such as meshes, by extension or by name without
+    a leading dot. `recognises(path)` decides between formats that share an extension.
 
     containers  extensions of other files with the same content, only read
     scales      whether files lack a unit of length, so that `read` takes `scale` [m]; None infers it

@@ -14,7 +14,6 @@ from dynsplines.solver.figure.root import root_of, subtree
 
 from ..errors import UserError
 from . import missing_input
-from .skeleton.hinge_joints import HingeLayout
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,6 +39,7 @@ class Robot:
         root = int(model.jnt_bodyid[free])
         bodies = [body for body in range(model.nbody) if model.body_rootid[body] == root]
         joints = [joint for joint in range(model.njnt) if joint != free]
+        refuse_balls(model, joints, form)
         outside = next((joint for joint in joints if int(model.jnt_bodyid[joint]) not in bodies), None)
         if outside is not None:
             name = model.joint(outside).name
@@ -76,32 +76,36 @@ def configurations(
     joints: Array,
     names: Sequence[str] | None = None,
 ) -> Array:
-    """Return qpos (T, nq) of a figure, which may have ball joints, from a root pose and scalar joints.
+    """Return qpos (T, nq) of a figure without ball joints, from a root pose and scalar joints.
 
     position (T, 3), rotation (T, 4) wxyz of the root; joints (T, n) [rad, m], named by `names` or in the figure's
-    order. A ball joint is three hinges, named and ordered as in `hinge_joints`. where: label of the file in errors.
+    order. where: label of the file in errors.
     """
-    layout, root = HingeLayout(model), root_of(model)
+    root = root_of(model)
     if root is None or root.is_ambiguous:
         raise UserError(f"{where}: the format '{form}' is for one figure with a free joint")
     figure_joints = robot_joints(model)
-    expected = [name for joint, names_of in layout.joints if joint in figure_joints for name in names_of]
+    refuse_balls(model, figure_joints, form)
+    expected = [model.joint(joint).name or f"joint{joint}" for joint in figure_joints]
     if names is None and joints.shape[1] != len(expected):
         raise UserError(f"{where}: {joints.shape[1]} joints; the figure has {len(expected)}: {', '.join(expected)}")
     if names is not None and joints.shape[1] != len(names):
         raise UserError(f"{where}: {joints.shape[1]} columns of joints with {len(names)} names")
     order = list(range(len(expected))) if names is None else _order(list(names), expected, where)
-    columns = dict(zip(expected, joints[:, order].T, strict=True))
-    parts = []
-    for joint, names_of in layout.joints:
-        rest = layout.at_rest(joint)
-        if joint in figure_joints:
-            parts.append(np.stack([columns[name] for name in names_of], axis=1))
-        elif joint == root.joint:
-            parts.append(np.concatenate([position, rotation], axis=1))
-        else:  # a separate object
-            parts.append(np.tile(rest, (len(joints), 1)))
-    return layout.back(np.concatenate(parts, 1))
+    qpos, start = np.tile(model.qpos0, (len(joints), 1)), int(model.jnt_qposadr[root.joint])
+    qpos[:, start : start + 7] = np.concatenate([position, rotation], axis=1)
+    qpos[:, model.jnt_qposadr[figure_joints]] = joints[:, order]
+    return qpos
+
+
+def refuse_balls(model: mujoco.MjModel, joints: Sequence[int], form: str) -> None:
+    """Raise UserError if one of the joints is a ball joint."""
+    ball = next((joint for joint in joints if model.jnt_type[joint] == JointKind.BALL), None)
+    if ball is not None:
+        raise UserError(
+            f"the format '{form}' contains hinges and slides only; '{model.joint(ball).name or f'joint{ball}'}' is a "
+            "ball joint: use a figure of hinges, or one of the formats csv, npz, mjcf, mimickit and bvh"
+        )
 
 
 def robot_joints(model: mujoco.MjModel) -> list[int]:

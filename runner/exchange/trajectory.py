@@ -17,7 +17,6 @@ from dynsplines.solver.figure.figure import Figure
 from ..motion import Saved, sampled
 from ..scene.assets import Assets
 from ..system.quantity import positive
-from .skeleton.hinge_joints import HingeModel
 
 
 @dataclass(frozen=True)
@@ -97,14 +96,6 @@ class SampledTrajectory:
         times = self.saved.timeline.times
         lasts = float(times[-1] - times[0])
         return SampledTrajectory.of(self.saved, max(1, round(lasts * self.fps)) / lasts)
-
-    @cached_property
-    def hinged(self) -> HingeModel:
-        """The motion of the figure with three hinges in place of every ball joint."""
-        out = HingeModel.of(self.model, self.saved.scene, self.qpos, self.qvel)
-        if (warning := out.warning(self.time)) is not None:
-            self.notes.append(warning)
-        return out
 
     @cached_property
     def bodies(self) -> Bodies:

@@ -132,7 +132,7 @@ WRITING = {
     "table": ("export", "motion.npz", "-o", "out.csv", "--overwrite"),
     "page": ("export", "motion.npz", "-o", "out.html", "--overwrite"),
     "meshes": ("export", "motion.npz", "-o", "out.glb", "--overwrite"),
-    "pickle": ("export", "motion.npz", "-o", "out.gmr.pkl", "--overwrite"),
+    "pickle": ("export", "motion.npz", "-o", "out.mimickit.pkl", "--overwrite"),
     "clip": ("thin", "motion.npz", "-o", "out.toml", "--overwrite"),
     "film": ("render", "motion.npz", "--size", "64x48", "--fps", "2", "-o", "out.gif"),
 }

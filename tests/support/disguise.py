@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from dynsplines.exchange.skeleton.bvh_file import Joint, Skeleton
-from dynsplines.exchange.skeleton.hinge_joints import angles
+from dynsplines.exchange.skeleton.hierarchy import euler_angles
 from dynsplines.exchange.trajectory import SampledTrajectory
 from dynsplines.solver import quaternion as quat
 
@@ -78,5 +78,5 @@ def disguised(
         if places:
             root = larger / unit * theirs(take.bodies.position[:, body])
             columns.append(root if i == 0 else np.tile(offset, (len(root), 1)))
-        columns.append(np.degrees(angles(turned(local)[:, None], order.lower())[:, 0]))
+        columns.append(np.degrees(euler_angles(turned(local)[:, None], order.lower())[:, 0]))
     return Skeleton(tuple(joints), take.fps, np.concatenate(columns, axis=1))

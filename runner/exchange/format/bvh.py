@@ -21,7 +21,6 @@ from ..array_reader import times
 from ..skeleton import bvh_file, captured_figure, hierarchy, maps, retarget
 from ..skeleton.bvh_file import Joint, Skeleton, written
 from ..skeleton.captured_skeleton import CapturedSkeleton
-from ..skeleton.hinge_joints import angles
 from ..trajectory import Recording, SampledTrajectory
 
 CENTIMETRES = 100.0  # per metre
@@ -93,7 +92,7 @@ def skeleton(trajectory: SampledTrajectory) -> Skeleton:
             )
         )
         columns += [CENTIMETRES * moved] if moves else []
-        columns.append(np.degrees(angles(relative[:, None], order.lower())[:, 0]))
+        columns.append(np.degrees(hierarchy.euler_angles(relative[:, None], order.lower())[:, 0]))
     return Skeleton(tuple(joints), trajectory.fps, np.concatenate(columns, axis=1))
 
 

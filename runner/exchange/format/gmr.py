@@ -8,9 +8,8 @@ dof_pos (T, n) [rad]      hinges in MuJoCo's order
 local_body_pos (T, b, 3)  origins of bodies relative to an unrotated root at the origin; None in some files
 link_body_list            names of the bodies, depth first, the root first; None together with the former
 
-Source: GMR, scripts/smplx_to_robot_dataset.py and general_motion_retargeting/data_loader.py. A ball joint is three
-hinges (`hinge_joints`); the model with these hinges is written next to the file. `plain_pickle` reads pickles without
-executing them.
+Source: GMR, scripts/smplx_to_robot_dataset.py and general_motion_retargeting/data_loader.py. `plain_pickle` reads
+pickles without executing them.
 
 Files of ASAP and PHC are read, too. They are written by joblib, compressed or not, as a dict under the motion's name:
 root_trans_offset, root_rot, dof, and pose_aa (T, b, 3), rotation vectors of all bodies, the root's in the world.
@@ -32,7 +31,6 @@ from .. import layouts, plain_pickle
 from ..array_reader import ArrayReader, times
 from ..robot import Robot, configurations, needs_figure
 from ..trajectory import Bodies, Recording, SampledTrajectory
-from .mjlab import companions as companions
 
 NAME = "gmr"
 ASAP = {"root_trans_offset": "root_pos", "dof": "dof_pos"}  # GMR's names by those of ASAP and PHC
@@ -40,16 +38,15 @@ ASAP = {"root_trans_offset": "root_pos", "dof": "dof_pos"}  # GMR's names by tho
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
     """Write in double precision; raises UserError for a figure that is not a robot on a free root."""
-    hinged = trajectory.hinged
-    robot = Robot.of(hinged.model, NAME)
-    bodies = Bodies.of(hinged.model, hinged.qpos, hinged.qvel)
-    root = hinged.qpos[:, robot.root : robot.root + 7]
+    robot = Robot.of(trajectory.model, NAME)
+    bodies = Bodies.of(trajectory.model, trajectory.qpos, trajectory.qvel)
+    root = trajectory.qpos[:, robot.root : robot.root + 7]
     away = bodies.position[:, robot.bodies] - root[:, None, :3]
     entries = {
         "fps": trajectory.fps,
         "root_pos": np.ascontiguousarray(root[:, :3]),
         "root_rot": np.roll(root[:, 3:], -1, axis=1),
-        "dof_pos": hinged.qpos[:, robot.columns],
+        "dof_pos": trajectory.qpos[:, robot.columns],
         "local_body_pos": quat.rotated(quat.inverse(root[:, None, 3:]), away),
         "link_body_list": robot.body_names,
     }

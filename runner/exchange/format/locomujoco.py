@@ -8,9 +8,9 @@ joint_names, body_names, site_names, frequency [1/s]
 njnt, jnt_type, nbody, body_rootid, body_weldid, body_mocapid, body_pos, body_quat, body_ipos, body_iquat,
 nsite, site_bodyid, site_pos, site_quat        of mjModel
 
-Source: LocoMuJoCo 1.0, loco_mujoco/trajectory/dataclasses.py; its `load` rejects unknown names and ball joints. So a
-ball joint is three hinges (`hinge_joints`), and the model with these hinges is written next to the file. `metadata` is
-omitted, as None would be a pickled object. Files from before version 1.0, with an array for every joint, are not read.
+Source: LocoMuJoCo 1.0, loco_mujoco/trajectory/dataclasses.py; its `load` rejects unknown names and ball joints.
+`metadata` is omitted, as None would be a pickled object. Files from before version 1.0, with an array for every joint,
+are not read.
 """
 
 from __future__ import annotations
@@ -30,7 +30,6 @@ from .. import layouts
 from ..array_reader import ArrayReader, names_in, read_npz, times, unit_quaternions
 from ..robot import Robot, configurations, needs_figure
 from ..trajectory import Recording, SampledTrajectory
-from .mjlab import companions as companions
 
 NAME = "locomujoco"
 OF_MODEL = (
@@ -42,18 +41,17 @@ OF_DATA = ("xpos", "xquat", "cvel", "subtree_com", "site_xpos", "site_xmat")
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
     """Write in double precision."""
-    hinged = trajectory.hinged
-    model = Robot.of(hinged.model, NAME).model
+    model = Robot.of(trajectory.model, NAME).model
     arrays = {
-        "qpos": hinged.qpos,
-        "qvel": hinged.qvel,
-        "split_points": np.array([0, len(hinged.qpos)]),
+        "qpos": trajectory.qpos,
+        "qvel": trajectory.qvel,
+        "split_points": np.array([0, len(trajectory.qpos)]),
         "joint_names": np.array([model.joint(i).name or f"joint{i}" for i in range(model.njnt)]),
         "body_names": np.array([model.body(i).name or f"body{i}" for i in range(model.nbody)]),
         "site_names": np.array([model.site(i).name or f"site{i}" for i in range(model.nsite)], dtype=np.str_),
         "frequency": np.array(trajectory.fps),
         **{name: np.array(getattr(model, name)) for name in ("njnt", "nbody", "nsite", *OF_MODEL)},
-        **_of_data(model, hinged.qpos, hinged.qvel),
+        **_of_data(model, trajectory.qpos, trajectory.qvel),
     }
     write_arrays(path, arrays)
 

@@ -7,8 +7,7 @@ frames     T rows: root position (3) [m], root rotation (3) as rotation vector [
 
 Source: MimicKit, mimickit/anim/motion.py, motion_lib.extract_pose_data, kin_char_model.dof_to_rot and
 mjcf_char_model._parse_sphere_joint. Three hinges on one body, in any order, are a ball joint there; slides and pairs of
-hinges are refused. The last frame of a loop is its end, and the rate is the nearest for which this holds. For a figure
-with ball joints, a character file with three hinges x, y, z for each is written next to the motion.
+hinges are refused. The last frame of a loop is its end, and the rate is the nearest for which this holds.
 """
 
 from __future__ import annotations
@@ -27,11 +26,10 @@ from ...errors import UserError
 from .. import plain_pickle
 from ..array_reader import times
 from ..robot import needs_figure
-from ..skeleton.hinge_joints import HingeLayout, angles
+from ..skeleton.hierarchy import euler_angles
 from ..trajectory import Recording, SampledTrajectory
 
 CLAMP, WRAP = 0, 1  # values of loop_mode
-CHARACTER = "xyz"  # order of the hinges in character files
 
 
 @dataclass(frozen=True)
@@ -61,7 +59,7 @@ class Part:
         if self.width == 1:
             return numbers + self.rest
         rotation = quat.aligned(quat.from_rotation_vector(numbers))
-        return rotation if self.order is None else angles(rotation[:, None], self.order)[:, 0] + self.rest
+        return rotation if self.order is None else euler_angles(rotation[:, None], self.order)[:, 0] + self.rest
 
 
 def parts(model: mujoco.MjModel) -> tuple[int, list[Part]]:
@@ -110,14 +108,6 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
     plain_pickle.dump(entries, path)
     if abs(whole.fps - trajectory.fps) > 1e-9:
         trajectory.notes.append(f"{whole.fps:.6g} samples a second, so that the last is the end of the loop")
-
-
-def companions(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
-    """Return the character file and the files that it refers to, if the figure has ball joints."""
-    layout = HingeLayout(trajectory.model, CHARACTER)
-    return (
-        {".character.xml": layout.mjcf(trajectory.saved.mjcf), **trajectory.saved.scene.assets} if layout.balls else {}
-    )
 
 
 def recognises(path: Path) -> bool:

@@ -8,8 +8,7 @@ body_lin_vel_w (T, b, 3) [m/s]       of the origins
 body_ang_vel_w (T, b, 3) [rad/s]     all of them in the world's axes, z up
 joint_names (n,), body_names (b,)    an addition of this program, which other readers ignore
 
-Source: mjlab, src/mjlab/scripts/csv_to_npz.py, which records body_link_pos_w and related arrays. A ball joint is three
-hinges (`hinge_joints`); the model with these hinges is written next to the file.
+Source: mjlab, src/mjlab/scripts/csv_to_npz.py, which records body_link_pos_w and related arrays.
 """
 
 from __future__ import annotations
@@ -35,13 +34,12 @@ NAME = "mjlab"
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
     """Write in double precision; raises UserError for a figure that is not a robot on a free root."""
-    hinged = trajectory.hinged
-    robot = Robot.of(hinged.model, NAME)
-    bodies = Bodies.of(hinged.model, hinged.qpos, hinged.qvel)
+    robot = Robot.of(trajectory.model, NAME)
+    bodies = Bodies.of(trajectory.model, trajectory.qpos, trajectory.qvel)
     arrays = {
         "fps": np.array([trajectory.fps]),
-        "joint_pos": hinged.qpos[:, robot.columns],
-        "joint_vel": hinged.qvel[:, robot.dofs],
+        "joint_pos": trajectory.qpos[:, robot.columns],
+        "joint_vel": trajectory.qvel[:, robot.dofs],
         "body_pos_w": bodies.position[:, robot.bodies],
         "body_quat_w": bodies.rotation[:, robot.bodies],
         "body_lin_vel_w": bodies.velocity[:, robot.bodies],
@@ -50,13 +48,6 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
         "body_names": np.array(robot.body_names),
     }
     write_arrays(path, arrays)
-
-
-def companions(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
-    """Return the model of hinges, if it differs from the figure, and the files that it refers to."""
-    return (
-        {".hinges.xml": trajectory.hinged.mjcf, **trajectory.saved.scene.assets} if trajectory.hinged.is_other else {}
-    )
 
 
 def recognises(path: Path) -> bool:

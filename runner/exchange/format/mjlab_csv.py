@@ -3,8 +3,7 @@
 A row per sample: root xyz [m], root quaternion xyzw, hinges [rad].
 
 Source: mjlab, src/mjlab/scripts/csv_to_npz.py, MotionLoader._load_motion; LAFAN1 retargeted by Unitree has this format.
-The file does not contain the rate: mjlab takes it from `--input-fps`, 30 by default. Hinges are in MuJoCo's order; a
-ball joint is three of them (`hinge_joints`), and the model with these hinges is written next to the file.
+The file does not contain the rate: mjlab takes it from `--input-fps`, 30 by default. Hinges are in MuJoCo's order.
 """
 
 from __future__ import annotations
@@ -17,21 +16,18 @@ import numpy as np
 from ...errors import UserError
 from .. import missing_input, table_text
 from ..array_reader import ArrayReader
-from ..robot import Robot, configurations, needs_figure, robot_joints
-from ..skeleton.hinge_joints import HingeLayout
+from ..robot import Robot, configurations, needs_figure, refuse_balls, robot_joints
 from ..trajectory import Recording, SampledTrajectory
 from .csv_table import without_heading
-from .mjlab import companions as companions
 
 NAME = "mjlab-csv"
 
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
     """Write the table; every number has the digits that reproduce it exactly."""
-    hinged = trajectory.hinged
-    robot = Robot.of(hinged.model, NAME)
-    root = hinged.qpos[:, robot.root : robot.root + 7]
-    rows = np.column_stack([root[:, :3], np.roll(root[:, 3:], -1, axis=1), hinged.qpos[:, robot.columns]])
+    robot = Robot.of(trajectory.model, NAME)
+    root = trajectory.qpos[:, robot.root : robot.root + 7]
+    rows = np.column_stack([root[:, :3], np.roll(root[:, 3:], -1, axis=1), trajectory.qpos[:, robot.columns]])
     with path.open("w", encoding="utf-8") as stream:
         stream.writelines(",".join(map(repr, row)) + "\n" for row in rows.tolist())
     trajectory.notes.append(f"the file contains no rate: {trajectory.fps:g} samples a second")
@@ -44,7 +40,8 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     if source.names is not None:
         raise UserError(f"{path}: a table with a heading; the format has none; give --from csv")
     figure_joints = robot_joints(model)
-    width = 7 + sum(len(names) for joint, names in HingeLayout(model).joints if joint in figure_joints)
+    refuse_balls(model, figure_joints, NAME)
+    width = 7 + len(figure_joints)
     if source.numbers.shape[1] != width + 1 and fps is None:
         raise UserError(f"{path}: the format contains no rate; {missing_input.RATE}")
     if source.numbers.shape[1] not in (width, width + 1):

@@ -9,5 +9,4 @@ smpl             the SMPL body: 22 joints, their offsets in the mean shape, and 
 root_motion      the root of a figure, moved on a free joint or on slides
 up_axis          the vertical axis of rest poses and recordings
 retarget         a captured skeleton's motion on another figure
-hinge_joints     ball joints as three hinges each, for formats and simulators with hinges only
 """

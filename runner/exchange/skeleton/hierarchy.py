@@ -1,11 +1,13 @@
-"""Bodies in the convention of animation: unique names, poses in the parent's axes, and worlds with y up."""
+"""Bodies in the convention of animation: unique names, poses in the parent's axes, Euler angles, worlds with y up."""
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable
 
 import mujoco
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
@@ -13,6 +15,7 @@ from dynsplines.solver.array import Array
 from ..trajectory import Bodies
 from .roles import unique
 
+LOCKED = 1e-6  # [1] cosine of the middle of three angles below which the first and the last are not unique
 # Figures here face x, with y to their left and z up; in animation they face z, with x to their left and y up
 Y_UP = np.array([0.5, -0.5, -0.5, -0.5])  # wxyz rotation of x to z, y to x, z to y
 
@@ -39,6 +42,34 @@ def rest(model: mujoco.MjModel) -> Bodies:
 def xyzw(q: Array) -> Array:
     """Return quaternions (..., 4) with the scalar last."""
     return np.roll(q, -1, axis=-1)
+
+
+def euler_angles(q: Array, order: str) -> Array:
+    """Return intrinsic angles (T, n, 3) [rad] about axes in an order, continuous in time, of quaternions (T, n, 4).
+
+    Angles exceed ±180° where the motion does. A motion through gimbal lock passes it without a jump.
+    """
+    shape = (*q.shape[:-1], 3)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # in gimbal lock, the last angle is 0
+        solved = Rotation.from_quat(q.reshape(-1, 4), scalar_first=True).as_euler(order.upper()).reshape(shape)
+    is_locked = np.abs(np.cos(solved[..., 1])) < LOCKED
+    parity = 1 if order in "xyzxy" else -1
+    side = parity * np.sign(solved[..., 1])  # in gimbal lock, a + side * c determines the rotation
+    out, before = np.zeros(shape), np.zeros(shape[1:])
+    for t in range(len(out)):
+        a, b, c = solved[t].T
+        first = np.where(is_locked[t], before[:, 0], a)
+        one = np.stack([first, b, np.where(is_locked[t], c + side[t] * (a - first), c)], -1)
+        both = [_near(angle, before) for angle in (one, one * [1, -1, 1] + np.pi)]
+        far = [np.abs(candidate - before).sum(-1) for candidate in both]
+        before = out[t] = np.where((far[0] <= far[1])[:, None], *both)
+    return out
+
+
+def _near(angle: Array, other: Array) -> Array:
+    """Shift an angle by whole turns to within half a turn of another."""
+    return angle - 2 * np.pi * np.round((angle - other) / (2 * np.pi))
 
 
 def above(model: mujoco.MjModel, body: int, *, itself: bool = False) -> list[int]:

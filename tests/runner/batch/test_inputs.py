@@ -7,9 +7,8 @@ import sys
 from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
-import mujoco
 import pytest
-from tiny import CLIP, changed, written
+from tiny import CLIP, FIGURE, changed, written
 
 from dynsplines.batch import solving
 from dynsplines.batch.inputs import Source, sources, task_of, with_unique_names
@@ -207,12 +206,15 @@ def test_a_recording_that_lies_elsewhere_or_follows_itself_does_not_go_along(tmp
         assert sorted(files.files) == ["following.toml", "tiny.xml"]
 
 
-def test_what_a_format_writes_next_to_its_file_comes_back_with_what_it_could_not_hold(tmp_path: Path):
+def test_what_a_format_writes_next_to_its_file_comes_back(tmp_path: Path):
     there = tmp_path / "there"
     there.mkdir()
-    task = task_of(Source(written(tmp_path), PurePosixPath("tiny")), {}, Options(to="mjlab"))
-    made = solving.solved(replace(task, output="tiny.mjlab.npz"), there)
-    assert list(made.files) == ["tiny.mjlab.npz", "tiny.mjlab.hinges.xml"]
-    model = mujoco.MjModel.from_xml_string(made.files["tiny.mjlab.hinges.xml"].decode())
-    assert model.nq == 7 + 3
+    clip, mesh = written(tmp_path), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
+    asset = '<asset><mesh name="part" file="part.obj"/></asset>'
+    (tmp_path / "tiny.xml").write_text(changed("<worldbody>", f"{asset}<worldbody>", FIGURE), encoding="utf-8")
+    (tmp_path / "part.obj").write_text(mesh, encoding="utf-8")
+    task = task_of(Source(clip, PurePosixPath("tiny")), {}, Options(to="mjcf"))
+    made = solving.solved(replace(task, output="tiny.keys.xml"), there)
+    assert list(made.files) == ["tiny.keys.xml", "part.obj"]
+    assert made.files["part.obj"].decode() == mesh
     assert not any(note.startswith("wrote") for note in made.notes)

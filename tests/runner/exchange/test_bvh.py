@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import warnings
 from dataclasses import replace
-from itertools import pairwise
+from itertools import pairwise, permutations
 from pathlib import Path
 
 import disguise
@@ -549,3 +549,26 @@ def test_a_leg_without_numbers_makes_a_gap_and_one_without_any_is_refused(tmp_pa
 def test_names_in_shift_jis_are_read(tmp_path):
     (tmp_path / "a.bvh").write_bytes(text(rows()).replace("LeftUpLeg", "左足").encode("cp932"))
     assert "左足" in bvh_file.read(tmp_path / "a.bvh").names
+
+
+ORDERS = ["".join(order) for order in permutations("xyz")]
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_angles_of_every_order_are_intrinsic_rotations_in_it(order, rng):
+    q = rng.normal(size=(40, 2, 4))
+    angle = hierarchy.euler_angles(q, order)
+    own = Rotation.from_euler(order.upper(), angle.reshape(-1, 3)).as_matrix()
+    np.testing.assert_allclose(own, Rotation.from_quat(q.reshape(-1, 4), scalar_first=True).as_matrix(), atol=1e-12)
+    assert np.max(quat.angle_between(quat.from_euler(angle, order), q)) < 1e-12
+
+
+@pytest.mark.parametrize("order", ORDERS)
+def test_angles_continue_through_the_lock_and_beyond_whole_turns(order):
+    t = np.linspace(0, 1, 401)[:, None]
+    smooth = np.concatenate([8 * t, np.pi * t, 0.3 - 9 * t], 1)  # the middle one passes 90° in sample 200, exactly
+    found = hierarchy.euler_angles(quat.from_euler(smooth, order)[:, None], order)[:, 0]
+    assert np.max(quat.angle_between(quat.from_euler(found, order), quat.from_euler(smooth, order))) < 1e-7
+    np.testing.assert_allclose(found[:200], smooth[:200], atol=1e-7)
+    np.testing.assert_allclose(found[:, 1], smooth[:, 1], atol=1e-6)
+    assert np.max(np.abs(np.diff(found, axis=0))) < 0.06

@@ -48,18 +48,6 @@ def test_an_export_is_called_after_what_it_came_from(run, tmp_path):
 
 
 @pytest.mark.slow
-def test_what_lies_next_to_an_export_stays_too_unless_it_is_the_same(run, tmp_path):
-    motion.save(wild.motion_of("human"), tmp_path / "human.npz")
-    beside = tmp_path / "human.mjlab.hinges.xml"
-    beside.write_text("mine")
-    assert "'human.mjlab.hinges.xml' already exists" in refusal(run("export", "human.npz", "--to", "mjlab"))
-    assert beside.read_text() == "mine" and not (tmp_path / "human.mjlab.npz").exists()
-    assert run("export", "human.npz", "--to", "mjlab", "--overwrite").code == 0
-    (tmp_path / "human.mjlab.npz").unlink()
-    assert run("export", "human.npz", "--to", "mjlab").code == 0  # what is beside it is just what it would be
-
-
-@pytest.mark.slow
 def test_more_columns_are_for_tables(run, tmp_path):
     assert run("export", "wild.npz", "--to", "csv", "--with", "velocities,torques").code == 0
     assert "arm_pitch.t [N m]" in (tmp_path / "wild.csv").read_text().splitlines()[0]

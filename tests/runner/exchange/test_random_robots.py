@@ -66,7 +66,7 @@ def carriers(robot: RandomRobot) -> tuple[str, ...]:
     """The formats that can hold the motion of a robot."""
     is_alone = robot.root == "free" and not robot.has("objects")
     single = ("mimickit",) if is_alone and robot.is_single else ()
-    return (*EVERY, *(ROBOTICS if is_alone else ()), *single)
+    return (*EVERY, *(ROBOTICS if is_alone and not robot.has("balls") else ()), *single)
 
 
 def check_feed_forward(model: mujoco.MjModel, expected: Array, rows: Mask) -> None:

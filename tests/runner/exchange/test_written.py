@@ -237,3 +237,13 @@ def test_figures_without_a_free_root_are_refused(kind: str, tmp_path: Path):
     with pytest.raises(UserError, match=f"'{kind}' is for a figure with one free joint, its root; this one has none"):
         formats.export(fixed, kind, tmp_path / f"out{formats.writer(kind).ending}")
     assert not list(tmp_path.glob("out*"))
+
+
+@pytest.mark.parametrize("kind", ["mjlab", "mjlab-csv", "gmr", "locomujoco"])
+def test_figures_with_ball_joints_are_refused(kind: str, human: Saved, robot: Saved, tmp_path: Path):
+    words = f"the format '{kind}' contains hinges and slides only; 'spine' is a ball joint: use a figure of hinges, or"
+    with pytest.raises(UserError, match=words):
+        wild.exported(human, kind, tmp_path)
+    target, _ = wild.exported(robot, kind, tmp_path)
+    with pytest.raises(UserError, match=words):
+        formats.recording(target, kind, model=human.figure.model, fps=wild.FPS)

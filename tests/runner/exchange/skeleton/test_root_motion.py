@@ -6,9 +6,11 @@ import mujoco
 import numpy as np
 import pytest
 from oracles import kinematics
+from scipy.spatial.transform import Rotation
 
 from dynsplines import inbetween, load
 from dynsplines.errors import UserError
+from dynsplines.exchange.robot import configurations
 from dynsplines.exchange.skeleton import bvh_file, retarget
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 from dynsplines.solver.array import Array
@@ -62,3 +64,40 @@ def test_a_figure_without_a_free_joint_is_refused(recording: CapturedSkeleton, n
     model = mujoco.MjModel.from_xml_string(scene(biped(joints(names))))
     with pytest.raises(UserError, match="the figure's root, 'pelvis', needs a free joint; in URDF"):
         retarget.onto(recording, model, "walk.bvh")
+
+
+T = 50
+FIGURE = scene(CART, biped(), BALL)
+
+
+def recorded() -> tuple[Array, Array, Array]:
+    """Places (T, 3), quaternions (T, 4) and six hinges (T, 6) of a robot that turns once round and leans."""
+    t = np.linspace(0, 1, T)
+    position = np.stack([t, 0.3 * np.sin(t), 0.8 - 0.1 * t], axis=1)
+    angles = np.stack([2 * np.pi * t, 0.2 * np.sin(5 * t), 0.3 * t], axis=1)
+    rotation = Rotation.from_euler("ZYX", angles).as_quat(scalar_first=True)
+    return position, rotation, 0.3 * np.sin(t[:, None] + np.arange(6))
+
+
+def poses(xml: str, qpos: Array) -> tuple[Array, Array]:
+    """(T, 3, 3) [m] and (T, 3, 9) of pelvis and feet."""
+    model = mujoco.MjModel.from_xml_string(xml)
+    bodies = [model.body(name).id for name in ("pelvis", "left_foot", "right_foot")]
+    seen = [kinematics(model, row) for row in qpos]
+    return np.array([data.xpos[bodies] for data in seen]), np.array([data.xmat[bodies] for data in seen])
+
+
+def test_a_recording_moves_the_robot_alone() -> None:
+    plain, model = scene(biped()), mujoco.MjModel.from_xml_string(FIGURE)
+    expected = poses(plain, configurations(mujoco.MjModel.from_xml_string(plain), "gmr", "f", *recorded()))
+    qpos = configurations(model, "gmr", "f", *recorded())
+    for one, other in zip(poses(FIGURE, qpos), expected, strict=True):
+        np.testing.assert_allclose(one, other, atol=1e-6)
+    at = model.joint("cart_free").qposadr[0]
+    np.testing.assert_array_equal(qpos[:, at : at + 7], np.tile(model.qpos0[at : at + 7], (T, 1)))
+
+
+def test_a_figure_on_slides_is_refused() -> None:
+    model = mujoco.MjModel.from_xml_string(scene(biped(joints(("tx", "tz", "ry")))))
+    with pytest.raises(UserError, match="f: the format 'gmr' is for one figure with a free joint"):
+        configurations(model, "gmr", "f", *recorded())
