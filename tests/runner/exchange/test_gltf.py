@@ -36,6 +36,11 @@ def target(take, tmp_path_factory):
     return formats.export(take.saved, "gltf", tmp_path_factory.mktemp("gltf") / "a.glb", fps=take.fps)
 
 
+@pytest.fixture(scope="module")
+def asset(target):
+    return pygltflib.GLTF2().load(str(target))
+
+
 def accessor(asset, index):
     """An accessor's rows, read by hand from the format's own description."""
     found = asset.accessors[index]
@@ -47,8 +52,7 @@ def accessor(asset, index):
 
 
 @pytest.mark.slow
-def test_times_are_shared_exact_and_begin_at_zero(take, target):
-    asset = pygltflib.GLTF2().load(str(target))
+def test_times_are_shared_exact_and_begin_at_zero(take, asset):
     (times,) = {sampler.input for sampler in asset.animations[0].samplers}
     np.testing.assert_array_equal(
         accessor(asset, times)[:, 0], (np.arange(len(take.time)) / take.fps).astype(np.float32)
@@ -58,8 +62,7 @@ def test_times_are_shared_exact_and_begin_at_zero(take, target):
 
 
 @pytest.mark.slow
-def test_rotations_are_unit_and_stay_on_their_hemisphere(target):
-    asset = pygltflib.GLTF2().load(str(target))
+def test_rotations_are_unit_and_stay_on_their_hemisphere(asset):
     for channel in asset.animations[0].channels:
         if channel.target.path == "rotation":
             track = accessor(asset, asset.animations[0].samplers[channel.sampler].output).astype(float)
@@ -68,12 +71,11 @@ def test_rotations_are_unit_and_stay_on_their_hemisphere(target):
 
 
 @pytest.mark.slow
-def test_another_reader_sees_the_visible_geoms_and_no_others(take, target):
+def test_another_reader_sees_the_visible_geoms_and_no_others(take, target, asset):
     """trimesh builds the scene of the nodes' own places, which is the first sample's."""
     scene = trimesh.load_scene(io.BytesIO(target.read_bytes()), file_type="glb")
     data = kinematics(take.model, take.qpos[0])
     names = hierarchy.names(take.model)
-    asset = pygltflib.GLTF2().load(str(target))
     meshes = {node.name: asset.meshes[node.mesh] for node in asset.nodes if node.mesh is not None}
     for body in range(1, take.model.nbody):
         geoms = [g for g in range(take.model.ngeom) if take.model.geom_bodyid[g] == body]
@@ -115,9 +117,8 @@ def _reach(model, data, geoms):
 
 
 @pytest.mark.slow
-def test_faces_look_outwards(target):
+def test_faces_look_outwards(asset):
     """A mesh turned inside out has a negative volume, and normals against its faces."""
-    asset = pygltflib.GLTF2().load(str(target))
     for mesh in asset.meshes:
         for primitive in mesh.primitives:
             points, normals = (accessor(asset, getattr(primitive.attributes, k)) for k in ("POSITION", "NORMAL"))
@@ -139,8 +140,7 @@ def test_khronos_validator_finds_neither_error_nor_warning(target):
 
 
 @pytest.mark.slow
-def test_colours_are_given_in_linear_light(target, take):
-    asset = pygltflib.GLTF2().load(str(target))
+def test_colours_are_given_in_linear_light(asset, take):
     known = {material.name: material.pbrMetallicRoughness.baseColorFactor for material in asset.materials}
     rgb = np.array(take.model.mat("red").rgba[:3])
     np.testing.assert_allclose(known["red"][:3], ((rgb + 0.055) / 1.055) ** 2.4, atol=1e-6)
