@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from .edit import files, thin_files
     from .exchange import formats, motion_import, quantities
     from .exchange.skeleton import maps
-    from .measure import chart, violation
+    from .measure import chart, measurement, violation
     from .measure import report as reports
     from .picture import film, show
     from .studio import launch, sources
@@ -60,7 +60,7 @@ else:
     files, thin_files = _lazy(".edit", "files thin_files")
     (clean_command,) = _lazy(".clean", "command")
     formats, motion_import, quantities, maps = _lazy(".exchange", "formats motion_import quantities skeleton.maps")
-    chart, violation, reports = _lazy(".measure", "chart violation report")
+    chart, measurement, violation, reports = _lazy(".measure", "chart measurement violation report")
     film, show = _lazy(".picture", "film show")
     launch, sources = _lazy(".studio", "launch sources")
 
@@ -345,10 +345,12 @@ def report(
 
     measured = _measured(source, model, keys).report
     if as_json:
-        print(json.dumps({key: value for key, value in measured.items() if key != "curves"}, indent=2))
+        print(json.dumps(measured, indent=2))
     else:
-        with inputs.complete_report(source):
+        try:
             text = reports.tables(measured)
+        except (KeyError, TypeError, ValueError, IndexError, AttributeError) as error:
+            raise UserError(f"{source}: its report is not complete: {type(error).__name__} {error}") from None
         Console(highlight=False).print(text, markup=False)
     _judge(measured["violations"], strict)
 
@@ -361,15 +363,15 @@ def plot(
     keys: option.Keys = None,
     allow_outside: option.Outside = False,
 ) -> None:
-    """Plot a motion and the convergence of its optimisation.
-    The charts show foot height, the length of the interpolated quaternions, the Euler-Lagrange residual,
-    and each soft constraint against the number of evaluations.
+    """Plot the measured faults of a motion over time.
+    The chart shows the amount of every kind of violation, divided by its bound, before and after solving.
     The extension of -o selects .png, .svg or .pdf."""
     target = output or Path(f"{_name(source, model, keys)}.png")
     outputs.check_target(target, endings=chart.ENDINGS)
-    saved = _measured(source, model, keys)
-    with inputs.complete_report(source):
-        chart.draw(saved.name, saved.report, saved.trace, [key.time for key in saved.keys], target)
+    with terminal.Progress() as progress:
+        saved, _ = inputs.solved(inputs.load(source, model=model, keys=keys), progress)
+        solved = solving.Solved.of(saved)
+        chart.draw(saved.name, *measurement.Measurement.sides(solved.clip, solved.motion), target)
     print(f"wrote {target}", file=sys.stderr)
 
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -90,12 +89,3 @@ def measured(source: Clip | Saved, progress: Progress) -> Saved:
     if "violations" in source.report:
         return source
     return replace(source, report={"violations": violation.plain(solving.Solved.of(source).violations)} | source.report)
-
-
-@contextmanager
-def complete_report(name: str) -> Iterator[None]:
-    """Raise UserError if the report of a motion file lacks entries, while it is printed or drawn."""
-    try:
-        yield
-    except (KeyError, TypeError, ValueError, IndexError, AttributeError) as error:
-        raise UserError(f"{name}: its report is not complete: {type(error).__name__} {error}") from None

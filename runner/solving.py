@@ -89,12 +89,9 @@ class Solved:
                 progress.report("stopped; the best path so far is kept")
             if with_report:
                 progress.step("measuring", 0.0, force=True)
-                from .measure.curves import curves  # imported here because most commands measure nothing
-                from .measure.report import report
+                from .measure.report import report  # imported here because most commands measure nothing
 
-                drawn = curves(clip, motion)
                 data = report(clip, motion, self.seconds)
-                data["curves"] = drawn
                 progress.step("measuring", 1.0, force=True)
         trace = [list(entry) for entry in motion.trace]
         timelines = motion.timeline, motion.raw

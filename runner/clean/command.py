@@ -91,8 +91,7 @@ def run(
     else:
         formats.export(saved, form.name, target, overwrite=overwrite, report=progress.report)
     solved = Solved.of(saved)
-    raw, timeline = solved.motion.raw, solved.motion.timeline
-    before, after = (Measurement.of(solved.clip, each, raw) for each in (raw, timeline))
+    before, after = Measurement.sides(solved.clip, solved.motion)
     progress.console.print(compare(before, after))
     violations = violation.by_name(violation.violations_of(after))
     for line in (f"wrote {target}", *violation.lines(violations, None if form else target)):

@@ -11,6 +11,5 @@ quantities   the quantities of one column of a report, also *between* the sample
 formatting   lines of a report for the terminal
 depths       depths of a figure's points in surfaces
 exactness    the error of a motion at its keyframes
-curves       the data of the charts, stored in the motion file so that `plot` never solves again
-chart        charts of a motion: foot height, quaternion norm, Euler-Lagrange deviation in ten parts of the clip
+chart        the chart of a motion's measured amounts over time, relative to the bounds of violations
 """

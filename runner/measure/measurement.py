@@ -30,6 +30,7 @@ from dynsplines.solver.penalty import (
     slipped,
 )
 from dynsplines.solver.penalty.motion.peak import relative_accelerations
+from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface.points import Point, places_of
 
 from ..clip.build import Clip
@@ -102,10 +103,20 @@ class Measurement:
         order = sorted(largest, key=lambda row: -largest[row][0])
         return [(check.row(row), *largest[row]) for row in order]
 
-    def by_kind(self) -> dict[str, Array]:
-        """Return the largest amount (T,) of every kind of violation at the times of the grid, at least 0."""
+    @classmethod
+    def sides(cls, clip: Clip, motion: Solution) -> tuple[Measurement, Measurement]:
+        """Return the measurements of the raw spline and of a motion."""
+        before = cls.of(clip, motion.raw, motion.raw)
+        return before, before if motion.is_raw else cls.of(clip, motion.timeline, motion.raw)
+
+    def by_kind(self, *, relative: bool = False) -> dict[str, Array]:
+        """Return the largest amount (T,) of every kind of violation at the times of the grid, at least 0.
+
+        relative  whether amounts are divided by their bounds
+        """
         kinds: dict[str, Array] = {}
         for check, hits in self.checks:
+            hits = replace(hits, amount=hits.amount / check.bounds[hits.row]) if relative else hits
             rows, which = np.unique(hits.row, return_inverse=True)
             kind_of_row = np.array([check.row(row).kind for row in rows.tolist()])
             for kind in np.unique(kind_of_row).tolist():

@@ -99,7 +99,6 @@ def test_solve_with_json_has_nothing_but_json_on_stdout(run, tmp_path):
     assert done.code == 0
     data = json.loads(done.out)
     assert data["keyframes"] == 3
-    assert "curves" not in data
     assert "solving" in done.err
     with np.load(tmp_path / "m.npz") as saved:
         assert len(saved["time"]) == 42
@@ -133,7 +132,7 @@ def test_report_of_a_motion_does_not_solve(run, motion_file, solving_forbidden):
 def test_plot_of_a_motion_does_not_solve(run, motion_file, solving_forbidden, tmp_path):
     done = run("plot", motion_file)
     assert (done.code, done.out, done.err) == (0, "", "wrote tiny.png\n")
-    assert size_of(tmp_path / "tiny.png") == (1440, 864)
+    assert size_of(tmp_path / "tiny.png") == (1440, 540)
 
 
 @pytest.mark.parametrize(
@@ -502,15 +501,12 @@ def test_a_file_that_is_no_motion_is_one_line(run, tmp_path, motion_file, comman
         assert_refused(run(command, "m.npz"), "m.npz")
 
 
-@pytest.mark.parametrize(
-    ("command", "content"),
-    [("report", '{"before": {}, "curves": {}}'), ("plot", '{"before": 1, "after": 2, "curves": 3}')],
-)
-def test_a_motion_with_half_a_report_is_one_line(run, tmp_path, motion_file, command, content):
+@pytest.mark.parametrize("content", ['{"before": {}}', '{"before": 1, "after": 2}'])
+def test_a_motion_with_half_a_report_is_one_line(run, tmp_path, motion_file, content):
     with np.load(motion_file) as data:
         np.savez(tmp_path / "m.npz", **{**data, "report": content})  # type: ignore[arg-type]
     with nothing_written(tmp_path):
-        assert_refused(run(command, "m.npz"), "m.npz", "its report is not complete")
+        assert_refused(run("report", "m.npz"), "m.npz", "its report is not complete")
 
 
 def test_what_went_wrong_in_drawing_is_reported_and_nothing_is_written(run, tmp_path, motion_file, monkeypatch):

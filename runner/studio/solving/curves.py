@@ -12,17 +12,20 @@ from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.dynamics import generalised_forces, velocities
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import segment_integrals
 from dynsplines.solver.refine.euler_lagrange import residual
 from dynsplines.solver.refine.subdivision import by_weak_form
 from dynsplines.solver.solution import Solution
+from dynsplines.solver.surface.heights import height_above
+from dynsplines.solver.surface.points import places_of
 
 from ...clip.build import Clip
-from ...measure.curves import contact_heights
 from ...motion import samples_at
 
 RATE = 100.0  # [1/s] sampling rate of a short motion
 MOST = 1500  # number of samples of a long motion
+FAR = 10.0  # [m] height of a point without a surface below it
 DIGITS = 3  # decimal places of drawn values
 Series = dict[str, str | list[float]]  # "name", and values "after" and "before"
 Group = dict[str, Any]  # "name", "unit", and "series" of this unit
@@ -79,9 +82,20 @@ def _side(clip: Clip, timeline: Timeline, time: Array) -> dict[str, dict[str, li
     return {
         "angle": {names[i]: _rounded(_angle(figure, i, qpos)) for i in turning},
         "speed": {names[i]: _rounded(np.degrees(_size(figure, i, qvel))) for i in turning},
-        "height of feet": contact_heights(clip, samples),
+        "height of feet": _contact_heights(clip, samples),
         "torque": {names[i]: _rounded(_size(figure, i, forces)) for i in jointed},
     }
+
+
+def _contact_heights(clip: Clip, samples: Samples) -> dict[str, list[float]]:
+    """Return the heights of contact points above their surfaces [m], (T,) by name; FAR without a surface below."""
+    points, surfaces = clip.context.points, clip.context.surfaces
+    if not points or not surfaces:
+        return {}
+    centres, radii = places_of(points, samples)
+    height = height_above(surfaces, centres, radii[:, None])
+    rows = np.where(np.isfinite(height), height, FAR)
+    return {point.name: _rounded(row) for point, row in zip(points, rows, strict=True)}
 
 
 def _angle(figure: Figure, index: int, qpos: Array) -> Array:
