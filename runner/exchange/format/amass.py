@@ -1,9 +1,9 @@
 """NPZ of AMASS and other recordings on the SMPL body, only read: motion capture of thousands of people.
 
 trans (T, 3) [m]        z up, the floor at z = 0
-poses (T, 66 or more)   rotation vectors [rad] of SMPL's joints, relative to the parent, the root's in the world:
+poses (T, n)            rotation vectors [rad] of SMPL's joints, relative to the parent, the root's in the world:
                         pelvis, left_hip, right_hip, spine1, left_knee, right_knee, spine2, left_ankle, right_ankle,
-                        spine3, ...; SMPL has 72 numbers, SMPL-H 156, SMPL-X 165, of which the first 22 joints are read
+                        spine3, ...; n is 66, 72 (SMPL), 156 (SMPL-H) or 165 (SMPL-X); 22 joints are read
 mocap_framerate         [1/s]; mocap_frame_rate in later files
 
 Other names of the same arrays are those of `POSES`, `ROOTS`, `BODIES`, `PLACES` and `RATES`; poses may also have the
@@ -25,7 +25,7 @@ in one of two ways:
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 import mujoco
@@ -54,6 +54,7 @@ RATES = ("mocap_framerate", "mocap_frame_rate", "mocap_fps", "framerate", "frame
 SCALE = "smpl_scaling"
 ROBOT = "dof"  # array that only files of robots have, among SMPL's names
 BODY = 3 * len(smpl.NAMES)
+COUNTS = (22, 24, 52, 55)  # joints of SMPL's body, SMPL, SMPL-H and SMPL-X
 JOINT = {  # of SMPL, by ball joint of the figure
     "spine": smpl.NAMES.index("spine3"),
     **{
@@ -113,10 +114,10 @@ def _motion(reader: ArrayReader) -> tuple[Array, Array]:
     place, poses = _first(reader, PLACES) or PLACES[0], _first(reader, POSES)
     root, body = _first(reader, ROOTS), _first(reader, BODIES)
     if poses is None and root is not None and body is not None:
-        arrays = {root: _rows(reader, root, 3)[:, :3], body: _rows(reader, body, BODY - 3)}
+        arrays = {root: _rows(reader, root, (1,)), body: _rows(reader, body, [count - 1 for count in COUNTS])}
     else:
         poses = poses or POSES[0]
-        arrays = {poses: _rows(reader, poses, BODY)}
+        arrays = {poses: _rows(reader, poses, COUNTS)}
     arrays[place] = reader.numbers(place, SAMPLES, 3)
     count = len(arrays[place])
     if not count:
@@ -128,16 +129,17 @@ def _motion(reader: ArrayReader) -> tuple[Array, Array]:
     return position, turns[:, :BODY].reshape(count, -1, 3)
 
 
-def _rows(reader: ArrayReader, name: str, least: int) -> Array:
-    """Return (T, least or more) of an array (T, n) or (T, joints, 3)."""
+def _rows(reader: ArrayReader, name: str, counts: Sequence[int]) -> Array:
+    """Return rotation vectors (T, 3 joints) of an array (T, 3 joints) or (T, joints, 3); counts: of joints."""
     nested = isinstance(reader.of(name), np.ndarray) and reader.of(name).ndim == 3
     shape = (SAMPLES, f"joints of {name}", 3) if nested else (SAMPLES, f"numbers of {name}")
     array = reader.numbers(name, *shape)
     array = array.reshape(len(array), int(np.prod(array.shape[1:])))
-    if array.shape[1] < least:
+    widths = [3 * count for count in counts]
+    if array.shape[1] not in widths:
         raise UserError(
-            f"{reader.where}: '{name}' has {array.shape[1]} numbers a sample; "
-            f"the {len(smpl.NAMES)} joints of SMPL's body need {least}"
+            f"{reader.where}: '{name}' has {array.shape[1]} numbers a sample; rotation vectors of SMPL's joints are "
+            f"{', '.join(map(str, widths))} numbers"
         )
     return array
 

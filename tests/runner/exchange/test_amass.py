@@ -214,7 +214,10 @@ def test_rotations_are_those_of_smpl_in_the_world(tmp_path):
 
 
 def test_bad_files_are_reported(tmp_path):
-    with pytest.raises(UserError, match="'poses' has 60 numbers a sample; the 22 joints of SMPL's body need 66"):
+    with pytest.raises(
+        UserError,
+        match="'poses' has 60 numbers a sample; rotation vectors of SMPL's joints are 66, 72, 156, 165 numbers",
+    ):
         read(tmp_path, np.zeros((3, 20, 3)), np.zeros((3, 3)))
     path = written(tmp_path, poses=np.zeros((3, 156)), trans=np.zeros((3, 3)))
     with pytest.raises(UserError, match="no 'mocap_framerate'"):
