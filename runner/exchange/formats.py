@@ -322,7 +322,12 @@ def _recognised(source: Path) -> Format:
     if len(fitting) == 1:
         return fitting[0]
     names = ", ".join(form.name for form in fitting or sharing or available)
-    problem = "it may be of several formats" if fitting else "its ending is of no known format"
+    if fitting:
+        problem = "it may be of several formats"
+    elif sharing:
+        problem = f"it is of no known format, with the arrays {', '.join(sorted(names_in(source))) or 'none'}"
+    else:
+        problem = "its ending is of no known format; a table has one header line and the ending .csv"
     raise UserError(f"'{source}': {problem}; {missing_input.FORMAT}, one of: {names}")
 
 

@@ -121,16 +121,15 @@ def recording(
         assert failure is not None, "a file has a documented layout"
         raise failure
     off = {layout: disagreement(model, qpos, bodies) for layout, qpos in candidates.items()}
-    first, best = next(iter(off.values())), min(off.values(), key=lambda each: each.share)
+    best = min(off.values(), key=lambda each: each.share)
     if best.share > 1:
-        others = f", in other layouts by {best} or more" if best is not first else ""
         raise UserError(
-            f"{where}: its body poses differ from the figure's at its joint angles [rad], by up to {first}{others}; "
+            f"{where}: its body poses differ from the figure's at its joint angles [rad], by up to {best} at best; "
             "name the model that it was recorded with"
         )
     layout = min((one for one, each in off.items() if each.share <= best.share + EQUAL), key=len)
     note = f"read with {' and '.join(layout)}: its body poses differ from the figure's by up to {off[layout]}"
-    notes = (f"{note}; as documented {first}",) if layout else ()
+    notes = (note + (f"; as documented by {off[()]}" if () in off else ""),) if layout else ()
     return Recording(time, candidates[layout], fps=fps, notes=notes, assumed_quaternions=assumed)
 
 

@@ -57,9 +57,8 @@ def recognises(path: Path) -> bool:
     """Return True; raises UserError for a table without a heading, which several formats have."""
     if table_text.table(path).names is None:
         raise UserError(
-            f"{path}: a table without a heading; add one with the names of the columns (an export to csv shows them), "
-            f"or {missing_input.FORMAT}: csv reads time and qpos (quaternions wxyz), mjlab-csv root position, "
-            "quaternion xyzw and hinges"
+            f"{path}: a table without a heading; give --from csv (qpos, quaternions wxyz), --from mjlab-csv (root "
+            "position, quaternion xyzw, hinges), format= in Python, or add a heading as an export to csv has it"
         )
     return True
 

@@ -107,7 +107,7 @@ def array(path, rows):
 def test_tables_and_arrays_without_names_need_a_format(write, name, tmp_path):
     path = write(tmp_path / name, QPOS)
     with pytest.raises(
-        UserError, match=r"a\.\w+: (a table without a heading; add one|an array without a name).*--from"
+        UserError, match=r"a\.\w+: (a table without a heading|an array without a name);.*--from"
     ):
         read(path)
     kind = "npz" if write is array else "csv"

@@ -215,7 +215,7 @@ def test_keys_of_others_are_read_with_their_figure(tmp_path):
         ("own.xml", "<keyframe><key nonsense='1'/></keyframe>", None, "MuJoCo cannot"),
         ("some.mjlab.csv", "x,y\n1,2\n", None, "name the figure: --figure, or figure= in Python"),
         ("bare.npz", {"qpos": np.zeros((9, 51))}, None, "no 'mjcf', the figure; name the figure: --figure"),
-        ("other.npz", {"a": 1}, "human", "of no known format; give --from, or format= in Python, one of: npz, mjlab"),
+        ("other.npz", {"a": 1}, "human", "of no known format, with the arrays a; give --from"),
         ("absent.npz", None, "human", "no file"),
     ],
 )
