@@ -106,9 +106,7 @@ def array(path, rows):
 @pytest.mark.parametrize(("write", "name"), [(table, "a.csv"), (table, "a.txt"), (table, "a.tsv"), (array, "a.npy")])
 def test_tables_and_arrays_without_names_need_a_format(write, name, tmp_path):
     path = write(tmp_path / name, QPOS)
-    with pytest.raises(
-        UserError, match=r"a\.\w+: (a table without a heading|an array without a name);.*--from"
-    ):
+    with pytest.raises(UserError, match=r"a\.\w+: (a table without a heading|an array without a name);.*--from"):
         read(path)
     kind = "npz" if write is array else "csv"
     biped.assert_same(read(path, kind)[0].qpos, QPOS, 1e-8)
