@@ -11,7 +11,6 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import Figure
 
 from ..motion import Saved, sampled
@@ -67,35 +66,6 @@ class SampledTrajectory:
     def name(self) -> str:
         """The name of the motion."""
         return self.saved.name
-
-    @property
-    def is_loop(self) -> bool:
-        """Whether the last sample is the first again, translated by the root's travel and not rotated."""
-        return self.saved.timeline.ends == "periodic" and not self.turns
-
-    @property
-    def turns(self) -> bool:
-        """Whether the motion is a loop that ends rotated, which formats with loops cannot represent."""
-        return self.saved.timeline.ends == "periodic" and Seam.of(self.figure, self.saved.timeline).turns
-
-    @property
-    def is_wrapped(self) -> bool:
-        """The same as `is_loop`, for writers of formats that mark loops.
-
-        It is False for a loop that ends rotated, which no format can mark. Then it also adds a note to `notes`.
-        """
-        if self.turns:
-            self.notes.append("the format has no loops that rotate: one period is written, without a loop")
-        return self.is_loop
-
-    @cached_property
-    def period(self) -> SampledTrajectory:
-        """One period of a loop at the nearest rate for which its end is a sample; other motions unchanged."""
-        if not self.is_loop:
-            return self
-        times = self.saved.timeline.times
-        lasts = float(times[-1] - times[0])
-        return SampledTrajectory.of(self.saved, max(1, round(lasts * self.fps)) / lasts)
 
     @cached_property
     def bodies(self) -> Bodies:

@@ -20,6 +20,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import JointKind
 
 from ...errors import UserError
@@ -100,14 +101,33 @@ def _part(model: mujoco.MjModel, joints: list[int], name: str) -> Part:
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
     """Write plain numbers in lists, as MimicKit does."""
-    whole = trajectory.period
+    loops = _loops(trajectory)
+    whole = _period(trajectory) if loops else trajectory
     root, joints = parts(trajectory.model)
     at, turn = whole.qpos[:, root : root + 3], quat.rotation_vector(whole.qpos[:, root + 3 : root + 7])
     frames = np.concatenate([at, turn, *(part.numbers(whole.qpos) for part in joints)], axis=1)
-    entries = {"loop_mode": WRAP if trajectory.is_wrapped else CLAMP, "fps": whole.fps, "frames": frames.tolist()}
+    entries = {"loop_mode": WRAP if loops else CLAMP, "fps": whole.fps, "frames": frames.tolist()}
     plain_pickle.dump(entries, path)
     if abs(whole.fps - trajectory.fps) > 1e-9:
         trajectory.notes.append(f"{whole.fps:.6g} samples a second, so that the last is the end of the loop")
+
+
+def _loops(trajectory: SampledTrajectory) -> bool:
+    """Return whether the last sample is the first again, translated; add a note if it is rotated, too."""
+    timeline = trajectory.saved.timeline
+    if timeline.ends != "periodic":
+        return False
+    turns = Seam.of(trajectory.figure, timeline).turns
+    if turns:
+        trajectory.notes.append("the format has no loops that rotate: one period is written, without a loop")
+    return not turns
+
+
+def _period(trajectory: SampledTrajectory) -> SampledTrajectory:
+    """Return one period of a loop at the nearest rate for which its end is a sample."""
+    times = trajectory.saved.timeline.times
+    lasts = float(times[-1] - times[0])
+    return SampledTrajectory.of(trajectory.saved, max(1, round(lasts * trajectory.fps)) / lasts)
 
 
 def recognises(path: Path) -> bool:

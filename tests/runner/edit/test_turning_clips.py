@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 from pathlib import Path
 
 import numpy as np
@@ -18,7 +19,7 @@ from dynsplines.clip.table import ClipTable, KeyframeTable, RootTable, RotationT
 from dynsplines.edit import edits
 from dynsplines.edit.thinning import recorded_of
 from dynsplines.errors import UserError
-from dynsplines.exchange.trajectory import SampledTrajectory
+from dynsplines.exchange import formats
 from dynsplines.motion import Saved
 from dynsplines.scene.compose import figure_spec
 from dynsplines.solver.curve.mirror import Mirror
@@ -159,10 +160,11 @@ def test_a_turning_loop_is_saved_retimed_and_thinned_as_one(circle, tmp_path):
     assert np.degrees(Seam.of(again.figure, few).headings) == pytest.approx([45])
 
 
-def test_formats_whose_loops_only_travel_get_no_loop_and_a_note(circle):
-    take = SampledTrajectory.of(circle, 20.0)
-    assert not take.is_wrapped
-    assert take.notes == ["the format has no loops that rotate: one period is written, without a loop"]
+def test_formats_whose_loops_only_travel_get_no_loop_and_a_note(circle, tmp_path):
+    notes = []
+    target = formats.export(circle, "mimickit", tmp_path / "a.mimickit.pkl", fps=20.0, report=notes.append)
+    assert pickle.loads(target.read_bytes())["loop_mode"] == 0
+    assert notes == ["the format has no loops that rotate: one period is written, without a loop"]
 
 
 def test_a_mirrored_clip_turns_the_other_way():
