@@ -63,9 +63,8 @@ class Format:
     """A file format: name, extension, one-line description, and the module that implements it.
 
     The module has `write(trajectory, path)` if the format can be written, and `read(path, model, fps)`, which returns a
-    Recording, if it can be read; `model` is None without a figure from the user. Both raise UserError. Two more
-    functions are optional. `companions(trajectory)` returns more files, such as meshes, by extension or by name without
-    a leading dot. `recognises(path)` decides between formats that share an extension.
+    Recording, if it can be read; `model` is None without a figure from the user. Both raise UserError. An optional
+    function `recognises(path)` decides between formats that share an extension.
 
     containers  extensions of other files with the same content, only read
     scales      whether files lack a unit of length, so that `read` takes `scale` [m]; None infers it
@@ -205,7 +204,7 @@ def export(
     """Write a motion in another format, atomically; the default path is its name with the format's extension.
 
     columns    groups of further columns of a table
-    overwrite  replace existing files, the main one and its companions, unless their content is identical
+    overwrite  replace existing files, the main one and those that an MJCF refers to, unless their content is identical
     report     receives lines for the user: further files written, and data that the format cannot represent
 
     Raises UserError for an unknown format, the extension of another one, and a motion that the format cannot represent.
@@ -213,16 +212,16 @@ def export(
     form = chosen(kind, target, columns)
     target = target or target_of(saved.name, form)
     check_target(target, overwrite=overwrite)
-    module = _module(form)
     trajectory = SampledTrajectory.of(saved, fps, columns)
-    others = _companions(module, trajectory, target)
+    meshes = saved.scene.assets if target.suffix.lower() == ".xml" else {}
+    others = {target.parent / name: content for name, content in meshes.items()}
     for other, content in others.items():
         if other == target:
             raise UserError(f"'{target}' is the name of a file of the figure, too; give another -o")
         if not (other.is_file() and other.read_bytes() == content):
             check_target(other, overwrite=overwrite)
     with Replacement(target) as temporary:
-        module.write(trajectory, temporary)
+        _module(form).write(trajectory, temporary)
     for other, content in others.items():
         with Replacement(other) as temporary:
             temporary.write_bytes(content)
@@ -239,17 +238,6 @@ def written_by(custom: Writer, saved: Saved, target: Path, *, fps: float | None 
     with Replacement(target) as temporary:
         custom.write(SampledTrajectory.of(saved, fps), temporary)
     return target
-
-
-def _companions(module: Any, trajectory: SampledTrajectory, target: Path) -> dict[Path, bytes]:
-    """Return the companion files of a motion's file."""
-    companions = module.companions(trajectory) if hasattr(module, "companions") else {}
-    return {
-        target.with_suffix(name) if name.startswith(".") else target.parent / name: (
-            content if isinstance(content, bytes) else content.encode()
-        )
-        for name, content in companions.items()
-    }
 
 
 def recording(

@@ -47,11 +47,6 @@ def write_keys(
     ElementTree.ElementTree(root).write(path, encoding="unicode")
 
 
-def companions(trajectory: SampledTrajectory) -> dict[str, str | bytes]:
-    """Return the files that the model refers to."""
-    return dict(trajectory.saved.scene.assets)
-
-
 def _written(row: Array) -> str:
     return " ".join(map(repr, row.tolist()))
 

@@ -7,7 +7,6 @@ from pathlib import Path
 from ..simulation.scene import Simulation
 from ..simulation.tracking import note, refined
 from ..trajectory import SampledTrajectory
-from .mjcf_keys import companions as companions
 from .mjcf_keys import write_keys
 
 
