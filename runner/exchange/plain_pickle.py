@@ -8,9 +8,7 @@ types from the pickle. Instructions that set attributes or need extensions are n
 
 from __future__ import annotations
 
-import bz2
 import io
-import lzma
 import math
 import pickle
 import pickletools
@@ -35,11 +33,8 @@ INSTRUCTIONS = """
     BYTEARRAY8 EMPTY_LIST LIST APPEND APPENDS EMPTY_DICT DICT SETITEM SETITEMS EMPTY_TUPLE TUPLE TUPLE1 TUPLE2 TUPLE3
     PUT BINPUT LONG_BINPUT MEMOIZE GET BINGET LONG_BINGET PROTO FRAME GLOBAL STACK_GLOBAL REDUCE NEWOBJ BUILD
 """
-COMPRESSED: dict[bytes, Callable[[], Any]] = {
-    b"\x78\x01": zlib.decompressobj, b"\x78\x5e": zlib.decompressobj, b"\x78\x9c": zlib.decompressobj,
-    b"\x78\xda": zlib.decompressobj, b"\x1f\x8b": lambda: zlib.decompressobj(wbits=31), b"BZh": bz2.BZ2Decompressor,
-    b"\xfd7zXZ": lzma.LZMADecompressor, b"\x5d\x00\x00": lzma.LZMADecompressor,
-}  # fmt: skip
+ZLIB = (b"\x78\x01", b"\x78\x5e", b"\x78\x9c", b"\x78\xda", b"\x1f\x8b")  # first bytes of zlib and gzip
+OTHERS = (b"BZh", b"\xfd7zXZ", b"\x5d\x00\x00")  # of bz2, xz and lzma
 FIXED = re.compile(r"b1|[iu][1248]|f[248]|[SU][1-9][0-9]{0,5}|O8?")
 ORDERS: dict[str, Literal["<", ">", "|"]] = {"<": "<", ">": ">", "|": "|"}
 LAST_CHARACTER = 0x10FFFF  # of Unicode
@@ -175,14 +170,14 @@ CONSTRUCTORS: Mapping[tuple[str, str], Callable[..., Any]] = {
 def content(source: Path) -> bytes:
     """Return a pickle's bytes, decompressed if joblib compressed them; raises UserError above the size limit."""
     data = source.read_bytes()
-    opened = next((opened for mark, opened in COMPRESSED.items() if data.startswith(mark)), None)
-    if opened is None:
+    if data.startswith(OTHERS):
+        raise UserError(f"{source}: compressed by bz2 or lzma; dump it again without compression or with zlib")
+    if not data.startswith(ZLIB):
         return data
-    most = size_limit.bound()
-    stream = opened()
+    stream = zlib.decompressobj(zlib.MAX_WBITS + 32)  # of zlib or gzip
     try:
-        out = stream.decompress(data, most + 1)
-    except (OSError, EOFError, ValueError, lzma.LZMAError, zlib.error) as error:
+        out = stream.decompress(data, size_limit.bound() + 1)
+    except zlib.error as error:
         raise UserError(f"{source}: damaged compressed file: {error}") from None
     size_limit.check(source, len(out), "it, decompressed,")
     if not stream.eof:

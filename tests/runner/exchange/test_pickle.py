@@ -1,10 +1,8 @@
 """Pickles and files of joblib: plain data is read whoever wrote it, and nothing in one is ever run."""
 
 import base64
-import bz2
 import gzip
 import io
-import lzma
 import os
 import pickle
 import pickletools
@@ -58,17 +56,6 @@ def test_code_in_a_pickle_is_refused_and_not_run(call, arguments, nested, tmp_pa
     if call is os.mkdir:
         pickle.loads((tmp_path / "bad.pkl").read_bytes())
         assert (tmp_path / "harm").exists()  # it would have
-
-
-@pytest.mark.parametrize("content", [b"", b"no pickle", pickle.dumps({"a": 1})[:-3], b"\x80\x04\x95\xff\xff\xff"])
-def test_damaged_pickles_are_reported(content, tmp_path):
-    (tmp_path / "bad.pkl").write_bytes(content)
-    with pytest.raises(UserError, match=r"bad.pkl: not a readable pickle") as error:
-        plain_pickle.load(tmp_path / "bad.pkl")
-    assert "\n" not in str(error.value)
-    (tmp_path / "list.pkl").write_bytes(pickle.dumps([1]))
-    with pytest.raises(UserError, match="it holds a list, not a dict"):
-        plain_pickle.load(tmp_path / "list.pkl")
 
 
 class Named:
@@ -142,11 +129,38 @@ LIES = {
 }
 
 
-@pytest.mark.parametrize("lie", LIES)
-def test_what_a_pickle_states_of_its_memory_is_never_believed(lie, tmp_path):
-    (tmp_path / "bad.pkl").write_bytes(spelled(LIES[lie]))
-    with pytest.raises(UserError, match=r"bad\.pkl: .*(it holds '|not a readable pickle|'frames' holds )"):
+UNREADABLE = "not a readable pickle"
+FAR = (2**40).to_bytes(8, "little")
+STRANGE: dict[str, tuple[bytes, str]] = {
+    "nothing": (b"", UNREADABLE),
+    "no pickle": (b"no pickle", UNREADABLE),
+    "a pickle without its end": (pickle.dumps({"a": 1})[:-3], UNREADABLE),
+    "a frame without its length": (b"\x80\x04\x95\xff\xff\xff", UNREADABLE),
+    "a list": (pickle.dumps([1]), "it holds a list, not a dict"),
+    "a key that is no text": (pickle.dumps({(1, 2): 3}), "a key in it is a tuple, not a text"),
+    "an integer beyond numbers": (pickle.dumps({"fps": 1 << 9000}), "it holds 'an integer of 9001 bits'"),
+    "bz2": (b"BZh91AY", "compressed by bz2 or lzma; dump it again"),
+    "bytes that are not there": (b"\x80\x05\x8e" + FAR + b"ab.", "cut short"),
+    "an array of bytes that is not there": (b"\x80\x05\x96" + FAR + b"ab.", "cut short"),
+    "a frame that is not there": (b"\x80\x05\x95" + FAR + b"ab.", "not a readable pickle"),
+    "a persistent name": (b"Pabc\n.", "'PERSID'"),
+    "an extension": (b"\x82\x01.", "'EXT1'"),
+    "an instance by its class": (b"(ios\nsystem\n.", "'INST'"),
+    "an object by its class": (b"(cos\nsystem\no.", "'os.system'"),
+    "a name with dots": (b"\x8c\x05numpy\x8c\x0adtype.type\x93.", "'numpy.dtype.type'"),
+    "a state of a dict": (b"}}b.", "'a state of an object without one'"),
+    "a tensor": (b"ctorch._utils\n_rebuild_tensor_v2\n(tR.", r"'torch\._utils\._rebuild_tensor_v2'.* with \.numpy\(\)"),
+    "digits without end": (b"L" + b"9" * 100_000 + b"L\n.", "not a readable pickle"),
+    **{lie: (spelled(value), "(it holds '|not a readable pickle|'frames' holds )") for lie, value in LIES.items()},
+}
+
+
+@pytest.mark.parametrize(("content", "message"), STRANGE.values(), ids=STRANGE)
+def test_damaged_and_hostile_pickles_are_refused_in_one_line(content, message, tmp_path):
+    (tmp_path / "bad.pkl").write_bytes(content)
+    with pytest.raises(UserError, match=rf"bad\.pkl: .*{message}") as error:
         plain_pickle.load(tmp_path / "bad.pkl").numbers("frames", "n")
+    assert "\n" not in str(error.value)
 
 
 def test_the_same_spelling_told_truly_is_read(tmp_path):
@@ -173,29 +187,6 @@ def test_every_plain_type_of_either_numpy_comes_back_as_pickle_loads_it_in_every
         np.testing.assert_array_equal(found, value, strict=True)
 
 
-FAR = (2**40).to_bytes(8, "little")
-STRANGE = {
-    "bytes that are not there": (b"\x80\x05\x8e" + FAR + b"ab.", "cut short"),
-    "an array of bytes that is not there": (b"\x80\x05\x96" + FAR + b"ab.", "cut short"),
-    "a frame that is not there": (b"\x80\x05\x95" + FAR + b"ab.", "not a readable pickle"),
-    "a persistent name": (b"Pabc\n.", "'PERSID'"),
-    "an extension": (b"\x82\x01.", "'EXT1'"),
-    "an instance by its class": (b"(ios\nsystem\n.", "'INST'"),
-    "an object by its class": (b"(cos\nsystem\no.", "'os.system'"),
-    "a name with dots": (b"\x8c\x05numpy\x8c\x0adtype.type\x93.", "'numpy.dtype.type'"),
-    "a state of a dict": (b"}}b.", "'a state of an object without one'"),
-    "a tensor": (b"ctorch._utils\n_rebuild_tensor_v2\n(tR.", r"'torch\._utils\._rebuild_tensor_v2'.* with \.numpy\(\)"),
-    "digits without end": (b"L" + b"9" * 100_000 + b"L\n.", "not a readable pickle"),
-}
-
-
-@pytest.mark.parametrize(("content", "message"), STRANGE.values(), ids=STRANGE)
-def test_instructions_of_hostile_pickles_are_refused_without_their_memory(content, message, tmp_path):
-    (tmp_path / "bad.pkl").write_bytes(content)
-    with pytest.raises(UserError, match=message):
-        plain_pickle.load(tmp_path / "bad.pkl")
-
-
 @pytest.mark.slow
 def test_a_short_pickle_that_asks_for_much_memory_is_refused_at_once(tmp_path, monkeypatch):
     monkeypatch.setenv("DYNSPLINES_LARGEST", "10")
@@ -214,15 +205,6 @@ def test_a_short_pickle_that_asks_for_much_memory_is_refused_at_once(tmp_path, m
             plain_pickle.load(tmp_path / "bad.pkl").numbers("a", *(f"n{i}" for i in range(axes)))
 
 
-def test_keys_that_are_no_texts_and_integers_beyond_numbers_are_refused(tmp_path):
-    (tmp_path / "bad.pkl").write_bytes(pickle.dumps({(1, 2): 3}))
-    with pytest.raises(UserError, match="a key in it is a tuple, not a text"):
-        plain_pickle.load(tmp_path / "bad.pkl")
-    (tmp_path / "bad.pkl").write_bytes(pickle.dumps({"fps": 1 << 9000}))
-    with pytest.raises(UserError, match="it holds 'an integer of 9001 bits'"):
-        plain_pickle.load(tmp_path / "bad.pkl")
-
-
 # joblib 1.6, joblib.dump({"walk": {"root_trans_offset", "pose_aa", "dof", "root_rot", "fps"}}), six samples of a walk;
 # `dof` in Fortran's order, `pose_aa` in single precision
 JOBLIB = zlib.decompress(base64.b64decode(
@@ -239,8 +221,7 @@ JOBLIB = zlib.decompress(base64.b64decode(
     "A1wCFOWXYEYKSxss+SGihA01PmDAeNeuqWdfXrLfxal/RXbSO/vBLj+VG54e0wqAhYRRabEeALuK8xg="
 ))  # fmt: skip
 QPOS = biped.walk(6)
-COMPRESSED = {"none": bytes, "zlib": zlib.compress, "gzip": gzip.compress, "bz2": bz2.compress, "xz": lzma.compress,
-              "lzma": lambda data: lzma.compress(data, lzma.FORMAT_ALONE)}  # fmt: skip
+COMPRESSED = {"none": bytes, "zlib": zlib.compress, "gzip": gzip.compress}
 
 
 def read(path, fps=None, model=None):
@@ -311,7 +292,7 @@ def test_other_names_of_joblib_are_refused(before, after, tmp_path):
 
 def test_what_would_inflate_beyond_the_bound_is_refused(tmp_path, monkeypatch):
     monkeypatch.setenv("DYNSPLINES_LARGEST", "1")
-    for compress in (zlib.compress, gzip.compress, bz2.compress, lzma.compress):
+    for compress in (zlib.compress, gzip.compress):
         (tmp_path / "a.pkl").write_bytes(compress(bytes(3_000_000)))
         with pytest.raises(UserError, match="decompressed, comes to"):
             plain_pickle.load(tmp_path / "a.pkl")
