@@ -30,7 +30,6 @@ from ..trajectory import SampledTrajectory
 STILL = 1e-7  # [m, or 1 for quaternions] largest change that counts as no motion
 FLOAT, UNSIGNED_INT = 5126, 5125  # component types
 ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER = 34962, 34963  # targets of views
-REPEAT, LINEAR, LINEAR_MIPMAP_LINEAR = 10497, 9729, 9987  # wrapping and filters of textures
 WIDTHS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
 
 
@@ -152,8 +151,7 @@ def _material(document: _Document, model: mujoco.MjModel, piece: Piece) -> int:
     }
     if piece.picture >= 0:
         image = document.add("images", bufferView=document.view(png(model, piece.picture)), mimeType="image/png")
-        sampler = document.add("samplers", wrapS=REPEAT, wrapT=REPEAT, minFilter=LINEAR_MIPMAP_LINEAR, magFilter=LINEAR)
-        look["baseColorTexture"] = {"index": document.add("textures", source=image, sampler=sampler)}
+        look["baseColorTexture"] = {"index": document.add("textures", source=image)}
     material = int(model.geom_matid[piece.geom])
     name = model.mat(material).name if material >= 0 else piece.name
     mode = "BLEND" if piece.colour[3] < 1 else "OPAQUE"
