@@ -24,14 +24,6 @@ MARKS = ("#", "%", "//")
 
 
 @dataclass(frozen=True)
-class Table:
-    """numbers (T, n); names (n,) of the columns, or None"""
-
-    numbers: Array
-    names: list[str] | None
-
-
-@dataclass(frozen=True)
 class Dialect:
     """The notation of a table."""
 
@@ -61,8 +53,11 @@ class Dialect:
 DIALECTS = [Dialect(separator, comma) for comma in (False, True) for separator in SEPARATORS]
 
 
-def table(path: Path) -> Table:
-    """Return the table in a file; raises UserError, with line and separator, for an invalid or truncated one."""
+def table(path: Path) -> tuple[list[str] | None, Array]:
+    """Return the names (n,) of the columns, None without a heading, and the numbers (T, n) of a file.
+
+    Raises UserError, with line and separator, for an invalid or truncated one.
+    """
     lines, comment = _lines(path)
     dialect = _dialect([line for _, line in lines])
     names = None if dialect.is_numeric(lines[0][1]) else dialect.cells(lines[0][1])
@@ -85,7 +80,7 @@ def table(path: Path) -> Table:
             f"{path}: line {bad[0]} does not hold {width} numbers, separated by {separator}{decimals}; "
             f"complete or delete it{more}"
         )
-    return Table(np.array(numbers, float), names)
+    return names, np.array(numbers, float)
 
 
 def _lines(path: Path) -> tuple[list[tuple[int, str]], str | None]:

@@ -55,7 +55,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 
 def recognises(path: Path) -> bool:
     """Return True; raises UserError for a table without a heading, which several formats have."""
-    if table_text.table(path).names is None:
+    if table_text.table(path)[0] is None:
         raise UserError(
             f"{path}: a table without a heading; give --from csv (qpos, quaternions wxyz), --from mjlab-csv (root "
             "position, quaternion xyzw, hinges), format= in Python, or add a heading as an export to csv has it"
@@ -67,16 +67,15 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     """Read a table: with a heading, columns in any order; without one, nq columns, or the time and nq columns."""
     if model is None:
         raise UserError(f"{path}: a table of qpos is for a figure; {missing_input.FIGURE}")
-    source, names = table_text.table(path), columns(model)
-    if source.names is None:
-        return Recording(*without_heading(path, source.numbers, model.nq, fps))
-    named = _by_name(source.names, source.numbers, {"time", *names}, path)
+    (headings, numbers), names = table_text.table(path), columns(model)
+    if headings is None:
+        return Recording(*without_heading(path, numbers, model.nq, fps))
+    named = _by_name(headings, numbers, {"time", *names}, path)
     missing = [name for name in names if name not in named]
     if missing:
         lacking = listed((f"'{name}'" for name in missing), 1)
         raise UserError(
-            f"{path}: no column {lacking}; the figure's columns: {', '.join(names)}; "
-            f"the file's: {', '.join(source.names)}"
+            f"{path}: no column {lacking}; the figure's columns: {', '.join(names)}; the file's: {', '.join(headings)}"
         )
     qpos = np.column_stack([named[name] for name in names])
     return Recording(named["time"] if "time" in named else times(len(qpos), rate_of(path, fps)), qpos)

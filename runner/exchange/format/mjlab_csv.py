@@ -36,24 +36,24 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Read root and hinges, after an optional column of times; raises UserError for rows of another length."""
     model = needs_figure(model, path)
-    source = table_text.table(path)
-    if source.names is not None:
+    names, numbers = table_text.table(path)
+    if names is not None:
         raise UserError(f"{path}: a table with a heading; the format has none; give --from csv")
     figure_joints = robot_joints(model)
     refuse_balls(model, figure_joints, NAME)
     width = 7 + len(figure_joints)
-    if source.numbers.shape[1] != width + 1 and fps is None:
+    if numbers.shape[1] != width + 1 and fps is None:
         raise UserError(f"{path}: the format contains no rate; {missing_input.RATE}")
-    if source.numbers.shape[1] not in (width, width + 1):
-        shape = source.numbers.shape
+    if numbers.shape[1] not in (width, width + 1):
+        shape = numbers.shape
         raise UserError(
             f"{path}: a table {shape}; a row is root xyz, root quaternion xyzw, and hinges: {width} columns"
         )
-    time, table = without_heading(path, source.numbers, width, fps)
+    time, table = without_heading(path, numbers, width, fps)
     parts = {"root": table[:, :3], "quaternion (columns 4 to 7)": table[:, 3:7], "hinges": table[:, 7:]}
     arrays = ArrayReader(path, parts)
     position, joints = arrays.numbers("root", "T", 3), arrays.numbers("hinges", "T", "n")
     rotation = arrays.quaternions("quaternion (columns 4 to 7)", "T", 4, scalar_last=True)
-    rate = fps if source.numbers.shape[1] == width else None
+    rate = fps if numbers.shape[1] == width else None
     qpos = configurations(model, NAME, path, position, rotation, joints)
     return Recording(time, qpos, fps=rate)
