@@ -9,6 +9,7 @@ import shutil
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -57,7 +58,7 @@ def _cached(problem: Clip, progress: Progress, solve: Callable[[Clip, Progress],
         if not file.exists():
             solved, motion = (result := solve(problem, progress)), result.motion
             about = motion.trace, motion.evaluations, motion.stop
-            timeline = None if motion.timeline is motion.raw else motion.timeline
+            timeline = None if motion.timeline is motion.raw else replace(motion.timeline)  # without its cached spline
             file.write_bytes(pickle.dumps((timeline, about, solved.seconds)))
             return solved
         timeline, about, seconds = pickle.loads(file.read_bytes())
