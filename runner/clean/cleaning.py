@@ -27,10 +27,10 @@ from dynsplines.solver.problem import Problem
 from dynsplines.solver.solution import Improvement, Solution
 
 from ..clip.tracking.penalties import Ground, loose, problem
-from .penetration import depth, missed_edge_times
+from ..motion import even_times
+from .penetration import RATE, depth, missed_edge_times
 from .repairs import Repaired
 
-OFTEN = 30.0  # [1/s] sampling rate of the first measurement of depths
 SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # factors of all weights but the recording's, in first and later searches
 ROUGHLY = 0.1  # relative progress of E at which a search with reduced weights ends
 FAITHFUL = 1.0  # detail that a segment may lose in a recording without noise, see `TrackingPenalty.times`
@@ -144,8 +144,7 @@ def _stretches(times: Array) -> Iterator[tuple[float, float]]:
 
 
 def _is_deep(ground: Ground, recorded: RecordedMotion) -> bool:
-    first, last = recorded.path.span
-    times = np.linspace(first, last, max(2, round((last - first) * OFTEN)))
+    times = even_times(recorded.path.span, RATE)
     return bool(depth(ground, recorded.path, times).max() > Thresholds.of(ground.figure).deep)
 
 

@@ -10,6 +10,5 @@ report       a motion before and after solving
 quantities   the quantities of one column of a report, also *between* the samples of the optimiser
 formatting   lines of a report for the terminal
 depths       depths of a figure's points in surfaces
-exactness    the error of a motion at its keyframes
 chart        the chart of a motion's measured amounts over time, relative to the bounds of violations
 """

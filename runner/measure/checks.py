@@ -39,7 +39,6 @@ from .bounds import BOUNDS, SPEED_SHARE, WHIP_SHARE
 from .depths import bunches, depths
 from .overlaps import Overlaps
 
-SELF_STRIDE = 2  # samples of the grid per check for overlapping bodies, done at 120 Hz: hands may pass at 8 m/s
 SAME_DEPTH = 0.002  # [m] a sole point is named although another point of the foot is deeper, if by at most this
 
 
@@ -104,7 +103,6 @@ class Check:
     is_fixed  function of indices of rows (m,) and keyframes (m,): whether the keyframe determines the amount of the
               row, so that it causes the violation
     named     (n,) whether the row is named even if another row of its group is slightly worse; None: no row
-    stride    only every stride-th sample of the grid is evaluated
     is_once_per_group  whether all keyframes that violate a group are reported in one line, instead of one line each
     """
 
@@ -115,7 +113,6 @@ class Check:
     groups: Index
     is_fixed: Callable[[Index, Index], Mask]
     named: Mask | None = None
-    stride: int = 1
     is_once_per_group: bool = False
 
     @classmethod
@@ -423,7 +420,7 @@ def self_overlaps(carried: Sequence[int], fixed: Fixed) -> Check:
     def is_fixed(row: Index, key: Index) -> Mask:
         return fixed.places[row // count, key] & fixed.places[row % count, key]
 
-    return Check("self", hits, row, bounds, groups, is_fixed, stride=SELF_STRIDE, is_once_per_group=True)
+    return Check("self", hits, row, bounds, groups, is_fixed, is_once_per_group=True)
 
 
 def _quoted(name: str) -> str:

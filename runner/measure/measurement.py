@@ -73,11 +73,10 @@ class Measurement:
         every = list(_checks(clip, timeline, stays, _peak(clip.figure, raw, time)))
         parts: list[list[Hits]] = [[] for _ in every]
         for samples in sample_runs(clip.figure, path, time):
-            run = np.searchsorted(time, samples.t[0]) + np.arange(samples.count)
+            first = np.searchsorted(time, samples.t[0])
             for check, hits in zip(every, parts, strict=True):
-                at = run if check.stride == 1 else run[(run % check.stride == 0) | np.isin(run, key_at)]
-                part = check.hits(samples if at is run else samples.select(at - run[0]))
-                hits.append(replace(part, at=at[part.at]))
+                part = check.hits(samples)
+                hits.append(replace(part, at=first + part.at))
         amounts = tuple((check, Hits.joined(hits)) for check, hits in zip(every, parts, strict=True))
         return cls(clip, timeline, time, key_at, amounts, stays)
 

@@ -34,7 +34,6 @@ from dynsplines.solver.surface.touch import counts_all, movers
 from ..clip.build import Clip
 from ..motion import even_times, samples_at
 from .checks import Row
-from .exactness import keyframe_error
 from .measurement import Measurement, bend_limits, inferred
 
 RATE = 1000.0  # [1/s] of the samples, finer than those of the optimiser
@@ -264,6 +263,22 @@ def _unit_deviation(samples: Samples) -> dict[str, float]:
         "longest": float(length.max()),
         "largest": float(np.abs(length - 1).max()),
     }
+
+
+def keyframe_error(clip: Clip, timeline: Timeline) -> float:
+    """Return the largest error of a fixed entry of qpos at its key time: [m] or [rad]; quaternions have no unit."""
+    figure = clip.figure
+    times = np.array([key.time for key in clip.keys])
+    reached = figure.to_qpos(path_of(timeline).at(times))
+    worst = 0.0
+    for key, qpos in zip(clip.keys, reached, strict=True):
+        specified = key.state.copy()
+        for columns in figure.tables.quaternion_columns.T:
+            specified[columns] /= np.linalg.norm(specified[columns])
+            if specified[columns] @ qpos[columns] < 0:
+                specified[columns] *= -1
+        worst = max(worst, float(np.abs(specified - qpos)[key.fixed].max(initial=0.0)))
+    return worst
 
 
 def _seam(clip: Clip, timeline: Timeline) -> dict[str, float | list[float]] | None:

@@ -20,7 +20,7 @@ from dynsplines import recordings, solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.build import Clip
 from dynsplines.errors import UserError
-from dynsplines.measure.exactness import keyframe_error
+from dynsplines.measure.quantities import keyframe_error
 from dynsplines.solver import Frame
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array

@@ -22,7 +22,7 @@ from dynsplines import motion, recordings, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.posing.places import sole_points
 from dynsplines.clip.starter import starter
-from dynsplines.measure.exactness import keyframe_error
+from dynsplines.measure.quantities import keyframe_error
 from dynsplines.picture.show import Look, images
 from dynsplines.scene import file_access
 from dynsplines.scene.compose import compose, figure_spec, is_lit
