@@ -1,7 +1,7 @@
 """Quantities of one column of a report, by name, with their units.
 
 Quantities that are also checked for violations come from the `Measurement` that the violations use. Others are measured
-on a grid of 1 kHz.
+at the same times.
 """
 
 from __future__ import annotations
@@ -32,11 +32,10 @@ from dynsplines.solver.surface.points import body_points, displacements, places_
 from dynsplines.solver.surface.touch import counts_all, movers
 
 from ..clip.build import Clip
-from ..motion import even_times, samples_at
+from ..motion import samples_at
 from .checks import Row
-from .measurement import Measurement, bend_limits, inferred
+from .measurement import RATE, Measurement, bend_limits, inferred
 
-RATE = 1000.0  # [1/s] of the samples, finer than those of the optimiser
 HIGHEST = 1.0  # [m] upper limit of the lift of a foot in a stance, in the report
 
 
@@ -55,8 +54,7 @@ class Side:
 
     @cached_property
     def samples(self) -> Samples:
-        path = path_of(self.timeline)
-        return samples_at(self.clip.figure, path, even_times(path.span, RATE))
+        return samples_at(self.clip.figure, path_of(self.timeline), self.measurement.time)
 
     @cached_property
     def terms(self) -> dict[str, float]:

@@ -1,4 +1,4 @@
-"""The report on a motion before and after solving, on a 1 kHz grid, thus also *between* the samples of the optimiser.
+"""The report on a motion before and after solving, also *between* the samples of the optimiser.
 
 The data are plain dicts for JSON, the motion file and the terminal.
 """

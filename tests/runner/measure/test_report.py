@@ -20,11 +20,13 @@ from tiny import FIGURE, written
 from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.measure.formatting import rows, swing_text
+from dynsplines.measure.measurement import Measurement
 from dynsplines.measure.quantities import swings
 from dynsplines.measure.report import report, tables
 from dynsplines.motion import sampled, samples_at
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.dynamics import velocities
 from dynsplines.solver.search.descent import optimised
 from dynsplines.solving import Solved
 
@@ -155,10 +157,11 @@ def test_torques_are_those_of_mujocos_inverse_dynamics(solved: Solved):
     model = mujoco.MjModel.from_xml_string(solved.clip.mjcf)
     model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
     data = mujoco.MjData(model)
-    run = sampled(solved.clip.figure, solved.motion.timeline, 1000.0)
-    forces = np.empty((len(run.time), model.nv))
-    for i in range(len(run.time)):
-        data.qpos[:], data.qvel[:], data.qacc[:] = run.qpos[i], run.qvel[i], run.qacc[i]
+    times = Measurement.sides(solved.clip, solved.motion)[1].time
+    samples = samples_at(solved.clip.figure, path_of(solved.motion.timeline), times)
+    forces = np.empty((times.size, model.nv))
+    for i, row in enumerate(zip(solved.clip.figure.to_qpos(samples.y), *velocities(samples), strict=True)):
+        data.qpos[:], data.qvel[:], data.qacc[:] = row
         mujoco.mj_inverse(model, data)
         forces[i] = data.qfrc_inverse
     found = report(solved.clip, solved.motion, 0.0)["after"]["torque, N m"]
