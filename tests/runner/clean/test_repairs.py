@@ -1,4 +1,4 @@
-"""What is wrong with a recording's samples: each fault is found, told and bridged, and a sound motion is left alone."""
+"""Faults of a recording's samples are reported and interpolated; a sound motion does not change."""
 
 import numpy as np
 import pytest
@@ -26,70 +26,56 @@ def mended(time: np.ndarray, qpos: np.ndarray) -> Repaired:
     return repaired(FIGURE, time, qpos, "walk.csv")
 
 
-def test_a_sound_motion_is_left_alone():
-    found = mended(TIMES, motion())
-    assert found.notes == ()
-    assert found.known.all()
-    np.testing.assert_array_equal(found.qpos, motion())
-
-
-def test_samples_that_come_twice_are_left_out():
-    row = np.repeat(np.arange(60), 1 + (np.arange(60) == 20))
-    found = mended(TIMES[row], motion()[row])
-    np.testing.assert_array_equal(found.time, TIMES)
-    assert found.notes == ("1 sample comes twice, first at 0.667 s: left out",)
-
-
-def test_most_samples_can_come_twice_at_times_that_differ_by_rounding():
-    row = np.repeat(np.arange(60), 2)
-    found = mended(TIMES[row] + np.where(np.arange(120) == 41, 1e-6, 0.0), motion()[row])
-    np.testing.assert_array_equal(found.time, TIMES)
-
-
-def test_what_is_no_number_is_bridged_and_its_joint_alone():
+def changed(rows: object, columns: object, value: object) -> np.ndarray:
+    """The motion with other values in some rows and columns."""
     qpos = motion()
-    qpos[10:13, ELBOW + 1] = np.nan
-    qpos[20, ELBOW : ELBOW + 4] = 0
-    found = mended(TIMES, qpos)
-    assert found.notes == ("4 samples of 'left_elbow' hold no numbers, first at 0.333 s: bridged",)
-    assert np.isfinite(found.qpos).all()
-    assert (~found.known).sum() == 4 * 4
-    assert found.known[10, :ELBOW].all()
+    qpos[rows, columns] = value
+    return qpos
 
 
-def test_missing_samples_are_put_in_and_known_to_be_missing():
-    keep = np.r_[0:30, 40:60]
-    found = mended(TIMES[keep], motion()[keep])
+MISSING, TWICE = np.r_[0:30, 40:60], np.repeat(np.arange(60), 1 + (np.arange(60) == 20))
+ALL_TWICE = np.repeat(np.arange(60), 2)
+JOINT = slice(ELBOW, ELBOW + 4)
+POSE = changed(0, JOINT, (np.sqrt(0.5), 0, 0, np.sqrt(0.5)))[:1]
+STARTS = "the recording starts with a pose and jumps to the motion at {:.3f} s: the pose is left out"
+FAULTS = {  # times, qpos, rows and columns that are not known afterwards, notes
+    "none": (TIMES, motion(), (), (), ()),
+    "other sign": (TIMES, changed(25, JOINT, -motion()[25, JOINT]), (), (), ()),
+    "twice": (TIMES[TWICE], motion()[TWICE], (), (), ("1 sample comes twice, first at 0.667 s: left out",)),
+    "all twice, times rounded": (
+        TIMES[ALL_TWICE] + np.where(np.arange(120) == 41, 1e-6, 0.0), motion()[ALL_TWICE], (), (),
+        ("60 samples come twice, first at 0.000 s: left out",)),
+    "no numbers in one joint": (
+        TIMES, changed([10, 11, 12], ELBOW + 1, np.nan), [10, 11, 12], JOINT,
+        ("3 samples of 'left_elbow' hold no numbers, first at 0.333 s: bridged",)),
+    "a quaternion of zeros": (
+        TIMES, changed(20, JOINT, 0), [20], JOINT,
+        ("1 samples of 'left_elbow' hold no numbers, first at 0.667 s: bridged",)),
+    "missing": (
+        TIMES[MISSING], motion()[MISSING], slice(30, 40), slice(None),
+        ("nothing is recorded from 0.967 to 1.333 s: bridged",)),
+    "a sample off": (
+        TIMES, changed(25, 2, motion()[25, 2] + 0.3), [25], slice(0, 3),
+        ("'root': 1 samples jump, first at 0.833 s: bridged",)),
+    "a pose at the start": (
+        np.arange(-1, 60) / 30, np.vstack([POSE, motion()]), (), (), (STARTS.format(0),)),
+    "a pose held at the start": (
+        np.arange(-9, 60) / 30, np.vstack([*9 * [POSE], motion()]), (), (), (STARTS.format(0),)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+def test_a_fault_is_reported_and_repaired_and_nothing_else_changes(fault):
+    time, qpos, rows, columns, notes = FAULTS[fault]
+    found, known = mended(time, qpos.copy()), np.ones((60, FIGURE.width), bool)
+    if columns != ():
+        known[rows, columns] = False
+    assert found.notes == notes
     np.testing.assert_allclose(found.time, TIMES, atol=1e-9)
-    assert not found.known[30:40].any()
-    assert found.known.all(axis=1).sum() == 50
-    assert found.notes == ("nothing is recorded from 0.967 to 1.333 s: bridged",)
-
-
-def test_a_sample_that_jumps_away_and_back_is_not_believed():
-    qpos = motion()
-    qpos[25, 2] += 0.3
-    found = mended(TIMES, qpos)
-    assert found.notes == ("'root': 1 samples jump, first at 0.833 s: bridged",)
-    assert not found.known[25, :3].any()
-    assert found.known.sum() == found.known.size - 3
-
-
-def test_a_sample_of_the_other_sign_jumps_nowhere():
-    qpos = motion()
-    qpos[25, ELBOW : ELBOW + 4] *= -1
-    assert mended(TIMES, qpos).known.all()
-
-
-@pytest.mark.parametrize("count", [1, 9])
-def test_a_pose_at_the_start_that_ends_with_a_jump_is_left_out(count):
-    pose = motion()[0]
-    pose[ELBOW : ELBOW + 4] = np.sqrt(0.5), 0, 0, np.sqrt(0.5)
-    found = mended(np.arange(60 + count) / 30, np.vstack([np.tile(pose, (count, 1)), motion()]))
-    assert found.notes == (
-        f"the recording starts with a pose and jumps to the motion at {count / 30:.3f} s: the pose is left out",
-    )
-    np.testing.assert_array_equal(found.qpos, motion())
+    np.testing.assert_array_equal(found.known, known)
+    assert np.isfinite(found.qpos).all()
+    same = found.qpos[found.known], motion()[found.known]
+    np.testing.assert_allclose(np.abs(same[0]), np.abs(same[1]), atol=1e-12)
 
 
 @pytest.mark.parametrize(
