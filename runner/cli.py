@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from . import inputs, motion, solving
     from .clean import command as clean_command
     from .clip import kinds, starter
-    from .edit import files, thin_files
+    from .edit import files, thinning
     from .exchange import formats, motion_import, quantities
     from .exchange.skeleton import maps
     from .measure import chart, measurement, violation
@@ -57,7 +57,7 @@ else:
 
     inputs, motion, solving, terminal = _lazy("", "inputs motion solving system.progress")
     batches, kinds, starter = _lazy("", "batch clip.kinds clip.starter")
-    files, thin_files = _lazy(".edit", "files thin_files")
+    files, thinning = _lazy(".edit", "files thinning")
     (clean_command,) = _lazy(".clean", "command")
     formats, motion_import, quantities, maps = _lazy(".exchange", "formats motion_import quantities skeleton.maps")
     chart, measurement, violation, reports = _lazy(".measure", "chart measurement violation report")
@@ -260,7 +260,7 @@ def mirror(
     """Swap left and right in a motion or a clip.
     If the input is a clip (.toml), the output is a clip too, unless -o names a
     motion (.npz). In a clip, step and obstacles are mirrored; in a motion, the
-    scene is unchanged."""
+    scene is unchanged. A mirrored motion has no clip."""
     _edit(files.mirrored(), output, overwrite, source)
 
 
@@ -314,7 +314,6 @@ def thin(
     max_error: Annotated[str, value("LENGTH", "Largest position error of any body, site or limb tip")] = "2cm",
     max_angle: Annotated[float, number("DEGREES", "Largest rotation error of any body", 0, 180)] = 5.0,
     solve: option.ThinSolve = False,
-    exact: option.Exact = False,
     figure: option.Figure = None,
     kind: option.Format = None,
     fps: option.Fps = None,
@@ -323,10 +322,10 @@ def thin(
 ) -> None:
     """Reduce a motion to a few keyframes within an error bound.
     The extension of -o selects a clip (.toml) or a motion (.npz)."""
-    recording = thin_files.Recording(source, figure, kind, fps)
-    bound = thin_files.bound(max_error, max_angle)
+    recording = thinning.Recording(source, figure, kind, fps)
+    bound = thinning.bound_of(max_error, max_angle)
     with terminal.Progress() as progress:
-        thin_files.run(recording, bound, output, solve=solve, exact=exact, overwrite=overwrite, progress=progress)
+        thinning.run(recording, bound, output, solve=solve, overwrite=overwrite, progress=progress)
 
 
 @app.command(rich_help_panel="Analyse")

@@ -267,10 +267,6 @@ AllowRemote = Annotated[bool, flag("--allow-remote", "Allow other machines to ed
 ThinSolve = Annotated[
     bool, flag("--solve", "Also solve the thinned clip, and keep its solution within the error bound")
 ]
-Exact = Annotated[
-    bool,
-    flag("--exact", "Disable optimisation in the written clip; its solution is then the spline through its keyframes"),
-]
 ExportFormat = Annotated[
     str | None, value("FORMAT", "Format of the output, see `dynsplines formats`", "from the extension of -o")
 ]

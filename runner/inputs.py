@@ -52,19 +52,21 @@ def span(source: Clip | Saved, repeat: int | None = None) -> tuple[float, float]
 def solved(
     source: Clip | Saved, progress: Progress, repeat: int | None = None, *, solve: bool = True
 ) -> tuple[Saved, Sequence[Violation]]:
-    """Return the motion of a source, repeated `repeat` times, and its violations.
+    """Return the motion of a source, repeated `repeat` times, and the violations of one period.
 
     Without `solve` the clip's raw spline is returned, without violations.
     """
     from . import solving  # imported here because rejected clips do not need it
     from .measure import violation
 
-    violations: Sequence[Violation] | None = None if solve else ()
+    violations: Sequence[Violation] = ()
     if isinstance(source, Saved):
         out = source
+        if solve and not violation.is_recording(source):
+            violations = solving.Solved.of(source).violations
     elif solve:
         result = solving.solve(source, progress)
-        out, violations = result.saved(progress, with_report=False), result.violations if repeat is None else None
+        out, violations = result.saved(progress, with_report=False), result.violations
     else:
         out = solving.unsolved(source).saved(progress, with_report=False)
     if repeat is not None:
@@ -72,8 +74,6 @@ def solved(
 
         reason = f"one period was solved and is played {repeat} times"
         out = replace(edits.repeated(out, repeat), search=out.search | {"stopped because": reason})
-    if violations is None:
-        violations = () if violation.is_recording(out) else solving.Solved.of(out).violations
     return out, violations
 
 

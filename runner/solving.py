@@ -16,8 +16,7 @@ from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
 
 from .clip.build import Clip
-from .clip.load import clip_from_motion, of_motion
-from .errors import UserError
+from .clip.load import clip_from_motion
 from .measure.violation import Violation, is_recording, violations
 from .motion import Saved, Search
 from .system.progress import Progress
@@ -47,10 +46,7 @@ class Solved:
     @classmethod
     def of(cls, saved: Saved) -> Solved:
         """Return the content of a motion file, without the trace of its search and custom penalties."""
-        try:
-            clip = clip_from_motion(saved)
-        except UserError:  # a text of another version that this program cannot read
-            clip = of_motion(replace(saved, text=""))
+        clip = clip_from_motion(saved)
         objective = clip.problem.plain_objective
         if clip.settings.renormalise:
             objective = renormalised(objective, saved.raw)

@@ -18,7 +18,6 @@ import numpy as np
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, FigureError
-from dynsplines.solver.penalty import Placed
 
 from ..errors import UserError
 from ..motion import Saved, read_arrays
@@ -279,31 +278,27 @@ def load_motion(path: Path) -> Saved:
     return replace(saved, text="") if OUTDATED.search(saved.text) else saved
 
 
-def of_motion(saved: Saved, *, contacts: bool = False) -> Clip:
-    """Return the clip that a saved motion solves, with the keyframes and the ends of the motion itself.
-
-    Args:
-        contacts: Whether contacts and grasps of its text, and positions left to the search, still apply.
-    """
-    source, placed = Parsed.of(saved.text, saved.name, saved.name), list[Placed]()
+def of_motion(saved: Saved) -> Clip:
+    """Return the clip that a saved motion solves, with the keyframes and the ends of the motion itself."""
+    source = Parsed.of(saved.text, saved.name, saved.name)
     source = source.with_solve(solve_of(saved, source.table.solve), [key.time for key in saved.keys])
-    if contacts:
-        places = Places(saved.figure, soles_of(saved.figure, saved.keys))
-        placed = [point for row in source.table.keyframe for point in wanted(places, row, saved.name).placed]
-    else:  # the tables apply to the clip before its edits
-        source = replace(source, table=source.table.model_copy(update={"contact": [], "grasp": []}))
+    places = Places(saved.figure, soles_of(saved.figure, saved.keys))
+    placed = [point for row in source.table.keyframe for point in wanted(places, row, saved.name).placed]
     return build(source, saved.scene, saved.figure, saved.keys, placed, saved.fps)
 
 
 def clip_from_motion(saved: Saved) -> Clip:
-    """Return the clip that a saved motion solves, with the contacts and positions of its text unless it misses them."""
-    source = Parsed.of(saved.text, saved.name, saved.name)
-    if source.table.recording is not None:
+    """Return the clip that a saved motion solves, with the recording that it follows, if any.
+
+    A text of another version that this program cannot read is ignored.
+    """
+    try:
+        source = Parsed.of(saved.text, saved.name, saved.name)
+        if source.table.recording is None:
+            return of_motion(saved)
         edits = edits_of(saved.keys, source.table)
         recording = TrackedRecording.of_motion(saved.figure, saved.raw, source.table.recording, saved.name)
         clip = build_following(source, saved.scene, recording, edits, saved.fps, saved.search.get("stances"))
         return replace(clip, problem=replace(clip.problem, keys=saved.keys))  # the recording need not exist any more
-    try:
-        return of_motion(saved, contacts=True)
     except UserError:
-        return of_motion(saved)
+        return of_motion(replace(saved, text=""))

@@ -11,12 +11,11 @@ from typing import Any
 from dynsplines import models
 
 from .. import motion, recordings, solving
-from ..clip import file as clip_file
 from ..clip.build import Clip
 from ..clip.load import load_motion
 from ..clip.mirror import mirrored_tables
 from ..clip.parse import table_of
-from ..clip.table import ClipTable
+from ..clip.table import ClipTable, PenaltyTable
 from ..clip.text import written
 from ..errors import UserError
 from ..measure import violation
@@ -51,29 +50,24 @@ def run(
     sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, progress: Progress
 ) -> tuple[Path, Violations]:
     """Apply an edit; return the written motion or clip (.toml), and the violations of a motion."""
-    direct = edit.clip is not None and not motion.is_motion(sources[0])
-    ending = ".toml" if direct and Path(sources[0]).suffix.lower() == ".toml" else ".npz"
-    target = target or Path(f"{Path(sources[0]).stem}_{edit.word}{ending}")
+    is_editable = edit.clip is not None and Path(sources[0]).suffix.lower() == ".toml"
+    target = target or Path(f"{Path(sources[0]).stem}_{edit.word}{'.toml' if is_editable else '.npz'}")
     if target.suffix not in (".npz", ".toml"):
         raise UserError(f"{target}: an edit is written as a motion, .npz, or as a clip, .toml")
     check_target(target, overwrite=overwrite)
     inputs = [load_motion(Path(item)) if motion.is_motion(item) else recordings.load(item) for item in sources]
     edit.check(inputs)
-    one, is_clip = inputs[0], target.suffix == ".toml"
-    if is_clip and edit.clip is not None and isinstance(one, Clip) and one.text:
+    if target.suffix == ".toml":
+        one = inputs[0]
+        if edit.clip is None or not isinstance(one, Clip) or not one.text:
+            raise UserError(
+                f"{target}: only `mirror` and `retime` of a clip write a clip; write a motion, .npz, which a clip can "
+                "follow as its recording"
+            )
         _write_clip(edit.clip(table_of(one.text, sources[0]), one), sources[0], target)
         return target, ()
     saved = edit.motions([solving.saved(item, progress) for item in inputs], progress)
-    if is_clip:
-        if not saved.text:
-            raise UserError(f"{target}: '{sources[0]}' has no clip file to edit; write an .npz")
-        if isinstance(one, Clip):
-            _write_clip(table_of(saved.text, sources[0]), sources[0], target)
-        else:
-            clip_file.write(replace(saved, name=target.stem), target, overwrite=overwrite)
-        return target, ()
-    search = {"stopped because": f"not searched: {edit.word}"}
-    saved = replace(saved, name=target.stem, trace=[], report={}, search=search)
+    saved = replace(saved, name=target.stem, search={"stopped because": f"not searched: {edit.word}"})
     motion.save(saved, target)
     violations = Solved.of(saved).violations
     return target, tuple(f for f in violations if f.keyframe is None) if any(map(_is_sampled, inputs)) else violations
@@ -81,10 +75,7 @@ def run(
 
 def _is_sampled(source: Clip | Saved) -> bool:
     """Return whether keyframes are samples of a recording, to which messages should not refer."""
-    if isinstance(source, Clip):
-        return source.has_recording
-    follows = bool(source.text) and table_of(source.text, source.name).recording is not None
-    return follows or violation.is_recording(source)
+    return edits.follows_recording(source) or (isinstance(source, Saved) and violation.is_recording(source))
 
 
 def _write_clip(table: ClipTable, source: str, target: Path) -> None:
@@ -103,10 +94,13 @@ def mirrored() -> Edit:
 
     def motion_alone(sources: Sequence[Saved], progress: Progress) -> Saved:
         (saved,) = sources
-        out = edits.mirrored(saved)
-        if saved.text and table_of(out.text, saved.name).scene != table_of(saved.text, saved.name).scene:
-            progress.report("note: step and obstacles are not mirrored; to mirror them, mirror the clip: -o NAME.toml")
-        return out
+        if saved.text:
+            scene, mirror = table_of(saved.text, saved.name).scene, edits.mirror_of(saved)
+            if mirrored_tables(ClipTable(figure="", scene=scene), saved.figure, mirror).scene != scene:
+                progress.report(
+                    "note: step and obstacles are not mirrored; to mirror them, mirror the clip: -o NAME.toml"
+                )
+        return edits.mirrored(saved)
 
     return Edit(
         "mirrored",
@@ -130,8 +124,34 @@ def retimed(speed: float | None, duration: float | None) -> Edit:
     return Edit(
         "retimed",
         lambda saved, _: edits.retimed(saved[0], rate(saved[0].keys)),
-        lambda table, clip: edits.retimed_tables(table, rate(clip.keys)),
+        lambda table, clip: retimed_tables(table, rate(clip.keys)),
     )
+
+
+def retimed_tables(clip: ClipTable, speed: float) -> ClipTable:
+    """Return a clip's tables with the times of keyframes, contacts, grasps, flights and a cycle at another speed."""
+    if clip.recording is not None:
+        raise UserError("recording: set its speed in the clip, or retime the solved motion: -o NAME.npz")
+    start = clip.keyframe[0].time
+
+    def later(time: float) -> float:
+        return start + (time - start) / speed
+
+    return clip.changed(
+        keyframe=[row.changed(time=later(row.time)) for row in clip.keyframe],
+        contact=[row.changed(start=later(row.start), end=later(row.end)) for row in clip.contact],
+        grasp=[row.changed(start=later(row.start), end=later(row.end)) for row in clip.grasp],
+        penalty=[_paced(row, later, speed) for row in clip.penalty],
+    )
+
+
+def _paced(penalty: PenaltyTable, later: Callable[[float], float], speed: float) -> PenaltyTable:
+    options = dict(penalty.options)
+    if options.get("intervals"):
+        options["intervals"] = [[later(first), later(last)] for first, last in options["intervals"]]
+    if options.get("period"):
+        options["period"] = options["period"] / speed
+    return PenaltyTable.of(penalty.kind, **options)
 
 
 def trimmed(first: float | None, last: float | None) -> Edit:

@@ -1,4 +1,4 @@
-"""Motion, the result of in-betweening. It is immutable: every edit returns a new motion."""
+"""Motion, the result of in-betweening. It is immutable: every edit returns a new motion, which has no clip."""
 
 from __future__ import annotations
 
@@ -186,7 +186,7 @@ class Motion:
     @cached_property
     def before(self) -> Motion:
         """The raw spline through the same keyframes."""
-        return self._edited(replace(self.saved, timeline=self.saved.raw))
+        return Motion(replace(self.saved, timeline=self.saved.raw, trace=[], report={}, search={}))
 
     def at(self, t: ArrayLike) -> Array:
         """Return configurations at given times.
@@ -362,17 +362,15 @@ class Motion:
         groups = quantities.named(columns if isinstance(columns, str) else ",".join(columns))
         return formats.export(self.saved, formats.chosen(to, target).name, target, fps=fps, columns=groups)
 
-    def save(self, path: str | os.PathLike[str], *, exact: bool = False, overwrite: bool = False) -> Path:
-        """Save the motion (.npz, for `load_motion`), or a clip of its keyframes (.toml).
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
+        """Save the motion (.npz, for `load_motion`), or its clip (.toml).
 
         The motion file contains the report if it has been computed. Custom soft constraints are not stored; a
-        warning lists them.
+        warning lists them. An edited, thinned or imported motion has no clip; the .toml then contains its keyframes
+        only. To change such a motion, let a clip follow its .npz, see [recording].
 
         Args:
             path: Output file.
-            exact: Only for .toml, and for a motion without variable frames, such as a thinned one: add a [solve] table
-                to the clip, so that solving it reproduces exactly this spline. Otherwise, the search runs again, and
-                the result may differ.
             overwrite: Only for .toml. The scene of a clip is written to a second file beside it. If such a file
                 exists with other content, it is overwritten, or, if False, UserError is raised. The file at `path`
                 is always overwritten.
@@ -381,7 +379,7 @@ class Motion:
             The path of the file.
 
         Raises:
-            UserError: For another extension, if the file cannot be written, or if `exact` is not possible.
+            UserError: For another extension, or if the file cannot be written.
         """
         target = Path(path)
         if names := self.saved.search.get("custom penalties"):
@@ -390,7 +388,7 @@ class Motion:
                 stacklevel=2,
             )
         if target.suffix == ".toml":
-            clip_file.write(replace(self.saved, name=target.stem), target, exact=exact, overwrite=overwrite)
+            clip_file.write(replace(self.saved, name=target.stem), target, overwrite=overwrite)
         elif target.suffix == ".npz":
             check_target(target)
             files.save(self._saved_with_report, target)
@@ -412,7 +410,7 @@ class Motion:
         Raises:
             UserError: For a figure whose joints are not in mirrored pairs.
         """
-        return self._edited(edits.mirrored(self.saved))
+        return Motion(edits.mirrored(self.saved))
 
     def retimed(self, speed: float | None = None, *, duration: float | None = None) -> Motion:
         """Return the motion at another speed.
@@ -432,7 +430,7 @@ class Motion:
         if duration is not None and not 0 < duration < np.inf:
             raise UserError(f"duration = {duration:g}: give seconds, above 0")
         rate = speed if speed is not None else self.duration / (duration or self.duration)
-        return self._edited(edits.retimed(self.saved, rate))
+        return Motion(edits.retimed(self.saved, rate))
 
     def trimmed(self, first: float | None = None, last: float | None = None) -> Motion:
         """Return a part of the motion, unchanged within the interval.
@@ -448,7 +446,7 @@ class Motion:
             UserError: For an interval that is empty or not within the motion.
         """
         begin, end = self.start if first is None else first, self.end if last is None else last
-        return self._edited(edits.trimmed(self.saved, begin, end))
+        return Motion(edits.trimmed(self.saved, begin, end))
 
     @as_python_warnings()
     def repeated(self, count: int) -> Motion:
@@ -463,7 +461,7 @@ class Motion:
         Raises:
             UserError: For a motion that is not a loop.
         """
-        return self._edited(edits.repeated(self.saved, count))
+        return Motion(edits.repeated(self.saved, count))
 
     @as_python_warnings()
     def joined(self, other: Motion, transition: float = 0.4) -> Motion:
@@ -481,7 +479,7 @@ class Motion:
         Raises:
             UserError: For another figure, or an invalid duration.
         """
-        return self._edited(edits.joined(self.saved, other.saved, transition, silent()))
+        return Motion(edits.joined(self.saved, other.saved, transition, silent()))
 
     @as_python_warnings()
     def cleaned(self, max_displacement: str | float | None = None) -> Motion:
@@ -504,11 +502,11 @@ class Motion:
 
     @as_python_warnings()
     def thinned(self, max_error: float | str = 0.02, *, max_angle: float = 5.0, solve: bool = False) -> Motion:
-        """Return a motion with fewer keyframes, within an error bound of this one.
+        """Return a motion without a clip and with fewer keyframes, within an error bound of this one.
 
         Args:
             max_error: Largest displacement of a body's origin, a site or the tip of a limb: metres, or text such as
-                "2cm". A quarter of it applies to hands, feet and other end effectors while they rest.
+                "2cm".
             max_angle: Largest rotation of a body [degrees].
             solve: Solve the keyframes, and apply the bound to the result. Otherwise, the result is the spline through
                 the keyframes.
@@ -522,10 +520,7 @@ class Motion:
         if not 0 < max_angle <= 180:
             raise UserError(f"max_angle = {max_angle:g}: give degrees, above 0 and up to 180")
         bound = length(max_error, "max_error ="), float(np.radians(max_angle))
-        return self._edited(thinning.thinned(self.saved, *bound, solve=solve, progress=silent()).motion)
-
-    def _edited(self, saved: Saved) -> Motion:
-        return Motion(replace(saved, trace=[], report={}, search={}))
+        return Motion(thinning.thinned(self.saved, *bound, solve=solve, progress=silent()).motion)
 
     @as_python_warnings()
     def _repr_html_(self) -> str:

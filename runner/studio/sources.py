@@ -70,22 +70,25 @@ def _motion(path: Path, figure: str | None) -> Document:
             raise error from None
         return _recording(path, figure)
     path = path.resolve()
-    if saved.text and not is_recording(saved):
+    if saved.text and not is_recording(saved) and _has_recording(path, saved):
         return Document(saved.name, _text_in(path, saved), path.parent)
     return following(path, _scene_with(path, saved.scene))
 
 
+def _has_recording(path: Path, saved: Saved) -> bool:
+    """Return whether the recording that a solved clip follows, if any, is at its motion's location."""
+    from ..clip.parse import table_of
+
+    recording = table_of(saved.text, saved.name).recording
+    return recording is None or _is_there(recording.file, models.clips(), path.parent)
+
+
 def _text_in(path: Path, saved: Saved) -> str:
-    """Return the text of a solved clip at its motion's location, with missing files taken from the motion."""
-    from ..clip.file import standalone
+    """Return the text of a solved clip at its motion's location, with a missing figure taken from the motion."""
     from ..clip.parse import table_of
     from ..clip.text import tables, written
 
     table = table_of(saved.text, saved.name)
-    recording = table.recording
-    if recording is not None and not _is_there(recording.file, models.clips(), path.parent):
-        saved = standalone(saved)
-        table = table_of(saved.text, saved.name)
     if _is_there(table.figure, models.figures(), path.parent):
         return saved.text
     entries = {key: value for key, value in tables(table).items() if key != "scene"}

@@ -36,29 +36,25 @@ class Placement:
     turn: Array
     shift: Array
 
-    def slopes(self, figure: Figure, rates: Array, coordinates: str | None = None) -> Array:
+    def slopes(self, figure: Figure, rates: Array) -> Array:
         """Return the moved derivatives of states (..., N)."""
         out = rates.copy()
         for link in figure.links[1:]:
             if link.kind is JointKind.FREE:
                 columns = slice(link.qpos, link.qpos + 3)
                 out[..., columns] = quat.rotated(self.turn, rates[..., columns])
-        in_world = (coordinates or figure.coordinates) == "world"
+        in_world = figure.coordinates == "world"
         for i, columns in zip(figure.tables.quaternion_links, figure.tables.quaternion_columns.T, strict=True):
             if turning_root(figure, int(i), in_world=in_world):
                 out[..., columns] = quat.product(self.turn, rates[..., columns])
         return out
 
-    def states(self, figure: Figure, states: Array, coordinates: str | None = None) -> Array:
-        """Return moved states (..., N); with coordinates = "joint", moved configurations qpos."""
-        out = self.slopes(figure, states, coordinates)
+    def states(self, figure: Figure, states: Array) -> Array:
+        """Return moved states (..., N)."""
+        out = self.slopes(figure, states)
         for columns in figure.tables.position_columns.T:
             out[..., columns] += self.shift
         return out
-
-    def points(self, points: Array) -> Array:
-        """Return moved points (..., 3) [m] of the world."""
-        return quat.rotated(self.turn, points) + self.shift
 
     def timeline(self, figure: Figure, timeline: Timeline) -> Timeline:
         frames = Frame.many(timeline.times, self.states(figure, timeline.states), timeline.fixed)

@@ -1,10 +1,11 @@
-"""Edits of solved motions and of clips' files; what they do to curves is tested in tests/solver/edit."""
+"""Edits of motions and of files of clips; what they do to curves is tested in tests/solver/edit."""
 
 from __future__ import annotations
 
 import io
-import re
 import tomllib
+from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ from quiet import quiet
 from rich.console import Console
 
 from dynsplines import Keyframe, Motion, build, inbetween, models, motion, recordings, solving
+from dynsplines.clip import file as clip_file
 from dynsplines.clip import load as clip
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
@@ -33,22 +35,31 @@ from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.system.progress import Progress
 
-FPS = 97.0
+FOLLOWING = 'figure = "tiny.xml"\nfps = 20\n[recording]\nfile = "own.npz"\n'
+CONTACT = '[[contact]]\npoint = "left_toe"\nfrom = 0.05\nto = 0.35\nposition = [0.1, 0.2, 0]\n\n'
+LOOP = tiny.changed("frames = 2", 'frames = 2\nends = "periodic"\ntravel = [0.3, 0, 0.1]').replace(
+    "root.position = [0.3, 0, 1]\nroot.rotation = {rotvec = [0, 10, 170]}", 'root.position = [0.3, "free", 1.1]'
+)
+TIMES = np.linspace(0, 0.41, 42)
+Edit = Callable[[Saved], Saved]
 
 
-def solved(text: str, name: str) -> Saved:
-    return solving.solve(recordings.from_text(text, name=name), quiet()).saved(quiet(), with_report=False)
+def solved(text: str, folder: Path) -> Saved:
+    found = recordings.load(str(tiny.written(folder, text)))
+    return solving.solve(found, quiet()).saved(quiet(), with_report=False)
 
 
 @pytest.fixture(scope="module")
-def steps() -> Saved:
-    """The same with free ends, and the second knee left free at one keyframe."""
-    text = models.clip_text("run_loop").replace('ends = "periodic"', "")
-    text = text.replace("variable = 3", "variable = 1").replace("frames = 18", "frames = 8\nevaluations = 4")
-    keyframes = text.split("[[keyframe]]")
-    keyframes[3] = re.sub(r"joints.right_knee = .*\n", "", keyframes[3])
-    text = "[[keyframe]]".join(keyframes[:-1])
-    return solved(text, "steps")
+def motions(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Saved]:
+    """A solved clip with contacts and a partial keyframe, one that follows its motion, and a loop."""
+    folder = tmp_path_factory.mktemp("own")
+    plain = solved(tiny.changed("[[keyframe]]", CONTACT + "[[keyframe]]"), folder)
+    motion.save(plain, folder / "own.npz")
+    return {"plain": plain, "following": solved(FOLLOWING, folder), "loop": solved(LOOP, folder)}
+
+
+def at(saved: Saved, times: Array) -> Array:
+    return saved.figure.to_qpos(path_of(saved.timeline).at(times))
 
 
 def assert_same(saved: Saved, got: Array, wanted: Array) -> None:
@@ -56,81 +67,128 @@ def assert_same(saved: Saved, got: Array, wanted: Array) -> None:
     np.testing.assert_allclose(aligned(saved.figure, got, wanted), wanted, rtol=0, atol=1e-9)
 
 
-@pytest.mark.slow
-def test_edited_motions_have_the_edited_keyframes_and_raw_splines(steps):
-    mirror, mirrored, fast = Mirror.of(steps.figure), edits.mirrored(steps), edits.retimed(steps, 1.5)
-    for before, after in ((steps.timeline, mirrored.timeline), (steps.raw, mirrored.raw)):
-        one, two = (sampled(steps.figure, each, FPS) for each in (before, after))
-        assert_same(steps, two.qpos, mirror.states(one.qpos))
-    for a, b in zip(edits.mirrored(mirrored).keys, steps.keys, strict=True):
-        np.testing.assert_array_equal(a.state, b.state)
+def assert_equal(one: Saved, other: Saved) -> None:
+    """Curves before and after, and keyframes."""
+    times = np.linspace(*path_of(other.timeline).span, 42)
+    for a, b in ((one.timeline, other.timeline), (one.raw, other.raw)):
+        assert_same(other, *(other.figure.to_qpos(path_of(each).at(times)) for each in (a, b)))
+    for a, b in zip(one.keys, other.keys, strict=True):
+        assert a.time == pytest.approx(b.time, abs=1e-12)
         np.testing.assert_array_equal(a.fixed, b.fixed)
-    for before, after in ((steps.timeline, fast.timeline), (steps.raw, fast.raw)):
-        assert_same(steps, sampled(steps.figure, after, 1.5 * FPS).qpos, sampled(steps.figure, before, FPS).qpos)
-    assert [key.time * 1.5 for key in fast.keys] == pytest.approx([key.time for key in steps.keys])
-    part = edits.trimmed(steps, 10 / FPS, 50 / FPS)
-    assert part.keys[0].is_key and part.keys[-1].is_key
-    assert [key.time for key in part.keys[1:-1]] == [0.12, 0.26, 0.37, 0.49]
-    np.testing.assert_array_equal(part.keys[2].fixed, steps.keys[2].fixed)
-    whole, end = edits.joined(steps, part, 0.25, quiet()), steps.timeline.times[-1]
-    assert [key.time for key in whole.keys] == pytest.approx(
-        [key.time for key in steps.keys] + [key.time - 10 / FPS + end + 0.25 for key in part.keys]
-    )
-    bounds = path_of(whole.timeline).at(np.linspace(end, end + 0.25, 40))[:, 2]
-    assert 0.8 < bounds.min() < bounds.max() < 1
+        assert_fixed(other, a.fixed, a.state, b.state)
+
+
+def assert_fixed(saved: Saved, fixed: Array, got: Array, wanted: Array) -> None:
+    """Configurations (nq,), but for entries that are not fixed."""
+    assert_same(saved, *(np.where(fixed, state, saved.figure.model.qpos0)[None] for state in (got, wanted)))
+
+
+METAMORPHIC: dict[str, tuple[Edit, Edit]] = {
+    "mirrored twice": (lambda saved: edits.mirrored(edits.mirrored(saved)), edits.without_clip),
+    "slower, then faster": (lambda saved: edits.retimed(edits.retimed(saved, 0.4), 2.5), edits.without_clip),
+    "mirrored and faster": (
+        lambda saved: edits.mirrored(edits.retimed(saved, 2)),
+        lambda saved: edits.retimed(edits.mirrored(saved), 2),
+    ),
+    "trimmed in two steps": (
+        lambda saved: edits.trimmed(edits.trimmed(saved, 0.05, 0.4), 0.1, 0.3),
+        lambda saved: edits.trimmed(saved, 0.1, 0.3),
+    ),
+    "repeated in two steps": (
+        lambda saved: edits.repeated(edits.repeated(saved, 2), 2),
+        lambda saved: edits.repeated(saved, 4),
+    ),
+}
+
+
+@pytest.mark.parametrize("way", METAMORPHIC)
+@pytest.mark.parametrize("name", ["plain", "following", "loop"])
+def test_the_same_motion_by_two_ways(motions, name, way):
+    if "repeated" in way and name != "loop":
+        return
+    one, other = (edit(motions[name]) for edit in METAMORPHIC[way])
+    assert_equal(one, other)
+
+
+EDITS: dict[str, tuple[Edit, Callable[[Array], Array]]] = {
+    "mirrored": (edits.mirrored, lambda t: t),
+    "retimed": (lambda saved: edits.retimed(saved, 2.0), lambda t: t / 2),
+    "trimmed": (lambda saved: edits.trimmed(saved, 0.1, 0.3), lambda t: t),
+}
+
+
+@pytest.mark.parametrize("name", ["plain", "following", "loop"])
+@pytest.mark.parametrize("edit", EDITS)
+def test_an_edited_motion_has_the_samples_of_the_motion_and_no_clip(motions, tmp_path, name, edit):
+    before, times = motions[name], np.linspace(0.11, 0.29, 19)
+    edited = EDITS[edit][0](before)
+    wanted = before.figure.to_state(at(before, times))
+    wanted = Mirror.of(before.figure).states(wanted) if edit == "mirrored" else wanted
+    assert_same(before, at(edited, EDITS[edit][1](times)), before.figure.to_qpos(wanted))
+    assert_plain(edited, tmp_path)
+    assert all(key.is_key for key in edited.keys) == (name == "following" or edit == "trimmed")
+
+
+def assert_plain(edited: Saved, folder: Path) -> None:
+    """A motion without a clip, whose keyframes are on its raw spline, that is measured and comes back from a file."""
+    assert (edited.text, edited.trace, edited.report, edited.search) == ("", [], {}, {})
+    on_raw = edited.figure.to_qpos(path_of(edited.raw).at(np.array([key.time for key in edited.keys])))
+    for key, state in zip(edited.keys, on_raw, strict=True):
+        assert_fixed(edited, key.fixed, key.state, state)
+    motion.save(edited, folder / "edited.npz")
+    again = motion.load(folder / "edited.npz")
+    assert_equal(again, edited)
+    assert isinstance(solving.Solved.of(again).violations, tuple)
+    assert solving.measured(again, quiet(), "edited").report["stopped because"]
 
 
 @pytest.mark.slow
-def test_a_repeated_loop_is_sampled_without_a_doubled_image():
-    fps = FPS
-    cycle = shipped.solved("run_loop").saved(quiet(), with_report=False)
-    many, seam = edits.repeated(cycle, 3), Seam.of(cycle.figure, cycle.timeline)
-    run = sampled(cycle.figure, many.timeline, fps)
-    assert len(run.time) == int(3 * 0.74 * fps + 1e-9) + 1
-    number = np.minimum((run.time / 0.74).astype(int), 2)
-    within = path_of(cycle.timeline).at(run.time - 0.74 * number)
-    wanted = cycle.figure.to_qpos(np.array([seam.moved(y, k) for y, k in zip(within, number, strict=True)]))
-    assert_same(cycle, run.qpos, wanted)
-    pace = np.diff(run.qpos[:, 0]) * fps
-    assert pace.min() > 2
-    assert [key.time for key in many.keys] == pytest.approx(
-        [k.time + 0.74 * i for i in range(3) for k in cycle.keys[i > 0 :]]
-    )
-    assert clip.of_motion(many).ends == "periodic"
-    assert edits.repeated(cycle, 1) is cycle
+@pytest.mark.parametrize("name", ["plain", "following"])
+def test_joined_motions_have_the_samples_of_both(motions, tmp_path, name):
+    saved, times = motions[name], np.linspace(0, 0.41, 19)
+    both = edits.joined(saved, saved, 0.2, quiet())
+    assert_same(saved, at(both, times), at(saved, times))
+    second, wanted = at(both, times + 0.61), at(saved, times)
+    np.testing.assert_allclose(second[:, 2], wanted[:, 2], rtol=0, atol=1e-9)  # elsewhere in the plane
+    np.testing.assert_allclose(np.abs(np.sum(second[:, 7:] * wanted[:, 7:], axis=1)), 1, atol=1e-9)
+    assert [key.time for key in both.keys] == pytest.approx([k.time + t for t in (0, 0.61) for k in saved.keys])
+    assert all(key.is_key for key in both.keys)
+    assert_plain(both, tmp_path)
 
 
-LOOP = tiny.changed("frames = 2", 'frames = 2\nends = "periodic"\ntravel = [0.3, 0, 0.1]').replace(
-    "root.position = [0.3, 0, 1]\nroot.rotation = {rotvec = [0, 10, 170]}", 'root.position = [0.3, "free", 1.1]'
-)
+def test_an_edited_motion_is_followed_as_a_recording(motions, tmp_path):
+    """To change a motion without a clip."""
+    tiny.written(tmp_path)
+    motion.save(edits.retimed(motions["plain"], 0.5), tmp_path / "own.npz")
+    key = "[[keyframe]]\ntime = 0.4\njoints.left_knee = {rotvec = [0, 70, 0]}\n"
+    found = recordings.from_text(FOLLOWING + key, name="changed", folder=tmp_path)
+    assert (found.has_recording, found.keys[-1].time) == (True, pytest.approx(0.82))
 
 
-def test_seams_of_a_repeated_loop_have_the_entries_that_either_end_fixes():
-    text = models.clip_text("walk_loop")
-    loop = solving.unsolved(recordings.from_text(text, name="walk")).saved(quiet(), with_report=False)
-    assert not loop.keys[-1].is_key
-    many = edits.repeated(loop, 3)
-    again = recordings.from_text(many.text, name="again").keys
-    seam = Seam.of(loop.figure, loop.timeline)
-    for number in (1, 2):
-        key = again[number * (len(loop.keys) - 1)]
-        assert key.is_key
-        wanted = loop.figure.to_qpos(seam.moved(loop.timeline.states[:1], number))
-        assert_same(loop, key.state[None], wanted)
+@pytest.mark.parametrize("count", [1, 3])
+def test_a_repeated_loop_has_the_samples_and_keyframes_of_every_period(motions, count):
+    loop = motions["loop"]
+    many, seam, period = edits.repeated(loop, count), Seam.of(loop.figure, loop.timeline), 0.41
+    for number in range(count):
+        wanted = loop.figure.to_qpos(seam.moved(path_of(loop.timeline).at(TIMES), number))
+        assert_same(loop, at(many, np.minimum(TIMES + number * period, count * period)), wanted)
+    wanted = [key.time + period * i for i in range(count) for key in loop.keys[i > 0 :]]
+    assert [key.time for key in many.keys] == pytest.approx(wanted)
+    for i, key in enumerate(many.keys):
+        first, inner, last = (each.fixed for each in loop.keys)
+        seam_fixed = first if i == 0 else last if i == 2 * count else first | last
+        np.testing.assert_array_equal(key.fixed, inner if i % 2 else seam_fixed)
+    found = solving.Solved.of(many).clip
+    assert found.ends == "periodic"
+    seam = solving.measured(many, quiet(), "edited").report["after"]["seam"]
+    np.testing.assert_allclose(seam["travel, m"], [0.3 * count, 0, 0.1 * count], atol=1e-12)
+    assert max(seam[name] for name in ("state", "first derivative", "second derivative")) < 1e-9
 
 
-@pytest.mark.slow
-def test_an_edited_loop_is_still_measured_as_one(tmp_path):
-    found = clip.load(str(tiny.written(tmp_path, LOOP)))
-    edited = edits.repeated(edits.retimed(solving.solve(found, quiet()).saved(quiet(), with_report=False), 2.0), 2)
-    report = solving.measured(edited, quiet(), "edited").report
-    for side in ("before", "after"):
-        seam = report[side]["seam"]
-        np.testing.assert_allclose(seam["travel, m"], [0.6, 0, 0.2], atol=1e-12)
-        for name in ("state", "first derivative", "second derivative"):
-            assert seam[name] < 1e-9
-    again = table_of(edited.text, "again").solve
-    assert (again.ends, again.travel) == ("periodic", pytest.approx((0.6, 0, 0.2)))
+def test_what_is_played_on_has_no_doubled_image(motions):
+    run = sampled(motions["loop"].figure, edits.repeated(motions["loop"], 3).timeline, 97.0)
+    assert len(run.time) == int(3 * 0.41 * 97 + 1e-9) + 1
+    assert np.abs(np.diff(run.qpos[:, 0])).min() > 0
 
 
 def test_a_trimmed_recording_at_1_khz_has_all_its_samples():
@@ -141,35 +199,41 @@ def test_a_trimmed_recording_at_1_khz_has_all_its_samples():
 
 # what cannot be
 
+REFUSED: dict[str, tuple[Callable[[Saved], object], str]] = {
+    "beyond": (lambda saved: edits.trimmed(saved, 0.1, 0.7), r"from 0\.1 to 0\.7 s is not inside 0 to 0\.41 s"),
+    "backwards": (lambda saved: edits.trimmed(saved, 0.4, 0.1), "an interval ends after it begins"),
+    "too short": (lambda saved: edits.trimmed(saved, 0.2, 0.2004), r"less than 0\.001 s"),
+    "too fast": (lambda saved: edits.retimed(saved, 500), r"less than 0\.001 s"),
+    "too slow": (lambda saved: edits.retimed(saved, 1e-4), "over 600 s"),
+    "no loop": (lambda saved: edits.repeated(saved, 2), "only a loop"),
+    "another figure": (lambda saved: edits.joined(saved, shipped.unsolved("tumble"), 0.4, quiet()), "differ in: "),
+} | {
+    f"transition {value}": (
+        lambda saved, value=value: edits.joined(saved, saved, value, quiet()),
+        r"a transition lasts 0\.001 to 600 s",
+    )
+    for value in (0.0, -1.0, np.nan, np.inf)
+}
 
-@pytest.mark.slow
-def test_edits_that_make_no_motion_are_refused(steps, saved):
-    with pytest.raises(UserError, match=r"steps: from 0\.1 to 0\.7 s is not inside 0 to 0\.63 s"):
-        edits.trimmed(steps, 0.1, 0.7)
-    with pytest.raises(UserError, match="steps: an interval ends after it begins"):
-        edits.trimmed(steps, 0.5, 0.1)
-    with pytest.raises(UserError, match=r"less than 0\.001 s"):
-        edits.trimmed(steps, 0.5, 0.5004)
-    with pytest.raises(UserError, match=r"less than 0\.001 s"):
-        edits.retimed(steps, 500)
+
+@pytest.mark.parametrize("way", REFUSED)
+def test_edits_that_make_no_motion_are_refused(motions, way):
+    edit, words = REFUSED[way]
+    with pytest.raises(UserError, match=words):
+        edit(motions["plain"])
+
+
+def test_loops_of_other_coordinates_figures_and_lengths_are_refused(motions, tmp_path):
     with pytest.raises(UserError, match="over 600 s"):
-        edits.retimed(steps, 1e-3)
-    with pytest.raises(UserError, match="only a loop"):
-        edits.repeated(steps, 2)
-    cycle = shipped.solved("run_loop").saved(quiet(), with_report=False)
-    with pytest.raises(UserError, match="over 600 s"):
-        edits.repeated(cycle, 1000)
-    for transition in (0.0, -1.0, np.nan, np.inf):
-        with pytest.raises(UserError, match=r"a transition lasts 0\.001 to 600 s"):
-            edits.joined(steps, steps, transition, quiet())
-    with pytest.raises(UserError, match="of different figures; they differ in: left_ankle, left_elbow"):
-        edits.joined(steps, saved, 0.4, quiet())
-    text = steps.text.replace("[solve]", '[solve]\ncoordinates = "joint"')
-    other = solving.unsolved(recordings.from_text(text, name="other")).saved(quiet(), with_report=False)
-    with pytest.raises(UserError, match="'steps' is in world coordinates, 'other' in joint coordinates"):
-        edits.joined(steps, other, 0.4, quiet())
+        edits.repeated(motions["loop"], 2000)
+    other = solved(tiny.changed("[solve]", '[solve]\ncoordinates = "joint"'), tmp_path)
+    with pytest.raises(UserError, match="is in world coordinates, 'tiny' in joint coordinates"):
+        edits.joined(motions["plain"], other, 0.4, quiet())
     with pytest.raises(UserError, match="puppet: no partner on the other side for: "):
         edits.mirrored(puppet.moved())
+
+
+# clips
 
 
 def test_a_clip_written_again_is_equal():
@@ -298,7 +362,7 @@ def test_a_retimed_clip_has_other_times_also_of_contacts_flights_and_cycles_and_
     assert after.settings == before.settings
     edit_files.run([str(path)], edit_files.retimed(None, 3.0), target, overwrite=True, progress=quiet())
     assert clip.load(str(target)).keys[-1].time == pytest.approx(3)
-    table = edits.retimed_tables(table_of(ROUND, "one"), 2.0)
+    table = edit_files.retimed_tables(table_of(ROUND, "one"), 2.0)
     assert (table.contact[0].start, table.contact[0].end) == (0.3, 0.5)
     assert table.penalty[0].options["intervals"] == [[0.1, 0.2]]
     assert table.penalty[2].options["period"] == 1.0
@@ -319,11 +383,45 @@ def test_nothing_is_written_over_what_is_edited_unasked(tmp_path, saved):
     assert tiny.names(tmp_path) == ["tiny.npz"]
     edit_files.run([str(source)], edit, source, overwrite=True, progress=quiet())
     assert motion.load(source).keys[0].time == 0.1
-    edit_files.run(
-        [str(source)], edit_files.trimmed(None, 0.3), tmp_path / "cut.toml", overwrite=False, progress=quiet()
-    )
+
+
+@pytest.mark.parametrize("name", ["tiny.toml", "own.npz", "following.toml"])
+def test_only_tables_of_clips_are_edited_to_a_clip(motions, tmp_path, name):
     tiny.written(tmp_path)
-    assert [key.time for key in clip.load(str(tmp_path / "cut.toml")).keys] == [0.1, 0.2, 0.3]
+    motion.save(motions["plain"], tmp_path / "own.npz")
+    (tmp_path / "following.toml").write_text(FOLLOWING, encoding="utf-8")
+    source, target = [str(tmp_path / name)], tmp_path / "out.toml"
+    ways = [(source, edit_files.trimmed(0.1, 0.3)), (source * 2, edit_files.joined(0.2))]
+    ways += [] if name == "tiny.toml" else [(source, edit_files.mirrored()), (source, edit_files.retimed(2.0, None))]
+    for sources, edit in ways:
+        with pytest.raises(UserError, match=r"out\.toml: only `mirror` and `retime` of a clip|-o NAME\.npz"):
+            edit_files.run(sources, edit, target, overwrite=False, progress=quiet())
+        assert not target.exists()
+
+
+def test_keyframes_of_a_recording_are_not_named_in_messages(motions, tmp_path):
+    tiny.written(tmp_path)
+    motion.save(motions["plain"], tmp_path / "own.npz")
+    (tmp_path / "following.toml").write_text(FOLLOWING, encoding="utf-8")
+    edit, source = edit_files.retimed(2.0, None), [str(tmp_path / "following.toml")]
+    target, told = edit_files.run(source, edit, tmp_path / "out.npz", overwrite=False, progress=quiet())
+    assert [violation.text for violation in told if violation.keyframe is not None] == []
+    assert motion.load(target).text == ""
+
+
+def test_a_motion_as_a_clip_has_its_tables_or_else_its_keyframes(motions, tmp_path):
+    clip_file.write(motions["plain"], tmp_path / "plain.toml", overwrite=False)
+    assert recordings.load(str(tmp_path / "plain.toml")).context.schedule.contacts.requested
+    clip_file.write(edits.mirrored(motions["plain"]), tmp_path / "edited.toml", overwrite=True)
+    again = recordings.load(str(tmp_path / "edited.toml"))
+    assert [key.time for key in again.keys] == [0, 0.2, 0.41]
+    assert not again.context.schedule.contacts.requested
+    with pytest.raises(UserError, match=r"follows the recording 'own\.npz'; save it as a motion"):
+        clip_file.write(motions["following"], tmp_path / "other.toml", overwrite=False)
+    kerb = solving.unsolved(recordings.load("step_on_kerb")).saved(quiet(), with_report=False)
+    clip_file.write(kerb, tmp_path / "kerb.toml", overwrite=False)  # follows what ships
+    again = recordings.load(str(tmp_path / "kerb.toml"))
+    assert [key.time for key in again.authored_keys] == [2.24, 2.86, 3.24]
 
 
 ARM = """<mujoco><worldbody>
@@ -351,3 +449,31 @@ def test_an_arm_on_a_base_keeps_what_it_holds_when_motions_are_joined():
     apart = [np.linalg.norm(data.site("hand").xpos - data.body("ball").xpos) for data in seen]
     assert sampled_.time[-1] == pytest.approx(1.4)
     assert max(apart) < 1e-3
+
+
+THING = """
+[[scene.box]]
+name = "crate"
+body = "crate"
+size = [0.2, 0.2, 0.2]
+mass = 1
+"""
+PLACED = "roots.crate = {{position = [{x}, 2, 0.1], rotation = {{rotvec = [0, 0, 0]}}}}\n"
+
+
+def test_things_go_with_the_recording_that_a_clip_follows(tmp_path):
+    """Where a keyframe puts one is no place of it at the others, and without any all is as recorded."""
+    head, *keyframes = tiny.CLIP.replace("fps = 20", "fps = 20" + THING).split("[[keyframe]]")
+    text = "[[keyframe]]".join([head, *(each + PLACED.format(x=x) for x, each in enumerate(keyframes, 1))])
+    recorded = solved(text, tmp_path)
+    motion.save(recorded, tmp_path / "own.npz")
+    following = FOLLOWING.replace("[recording]", THING + "[recording]")
+    bare = recordings.from_text(following, name="bare", folder=tmp_path)
+    assert bare.has_recording
+    edits_ = '[[keyframe]]\ntime = 0.1\nroot.position = ["free", "free", 1.01]\n[[keyframe]]\ntime = 0.3\n'
+    clip = recordings.from_text(following + edits_ + PLACED.format(x=2.5), name="edited", folder=tmp_path)
+    first, second = clip.authored_keys
+    columns = clip.figure.tables.position_columns[:, 1]
+    assert not first.fixed[columns].any()
+    assert second.fixed[columns].all()
+    np.testing.assert_allclose(first.state[columns], at(recorded, np.array([0.1]))[0, columns], atol=1e-3)

@@ -8,11 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 import tiny
-from oracles import aligned
 from quiet import quiet
 from scipy.spatial.transform import Rotation
 
-from dynsplines import motion, recordings, solving
+from dynsplines import motion, solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.table import ClipTable, KeyframeTable, RootTable, RotationTable, SolveTable
@@ -131,19 +130,11 @@ def test_a_loop_comes_back_turned_and_smooth_and_its_report_contains_it(circle):
         assert max(found[name] for name in ("state", "first derivative", "second derivative")) < 1e-9
 
 
-@pytest.mark.slow
-def test_a_turning_loop_played_on_goes_round_and_its_text_makes_the_same_keyframes(circle, tmp_path):
+def test_a_turning_loop_played_on_goes_round(circle):
     many = edits.repeated(circle, 8)
     first, last = circle.figure.to_qpos(many.timeline.states[[0, -1]])
     assert abs(first[3:7] @ last[3:7]) == pytest.approx(1)
     np.testing.assert_allclose(last[:3], first[:3], atol=1e-9)  # eight eighths are the whole way round
-    tiny.written(tmp_path)
-    again = recordings.from_text(many.text, name="again", spec=None, folder=tmp_path)
-    assert again.ends == "periodic"
-    for one, two in zip(again.keys, many.keys, strict=True):
-        np.testing.assert_array_equal(one.fixed, two.fixed)
-        state = aligned(circle.figure, one.state, two.state)
-        np.testing.assert_allclose(state[one.fixed], two.state[one.fixed], atol=1e-9)
     assert clips.of_motion(many).ends == "periodic"
 
 
