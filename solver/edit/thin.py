@@ -20,7 +20,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..array import Array, Index, Mask, runs
+from ..array import Array, Index
 from ..curve.frame import Frame, Timeline
 from ..curve.spline import path_of
 from ..curve.unknowns import raw_timeline
@@ -34,9 +34,6 @@ REACH = 4  # keyframes on either side of a removed one that a trial checks; beyo
 MARGIN = 3  # further keyframes on either side that the spline of a trial interpolates
 SHARE = 0.5  # [1] deviation relative to the worst, from which segments get a keyframe in the same round
 FINE = 1e-9  # [1] rounding tolerance of the bound
-STILL = 0.1  # [m/s] speed below which the end of a limb is still, above that of captured feet in stance
-STANDS = 0.1  # [s] minimum duration of stillness; a shorter one is a reversal
-CLOSELY = 0.25  # [1] factor of the bound for ends of limbs that are still
 
 
 @dataclass(frozen=True)
@@ -110,22 +107,6 @@ class Recorded:
     def _recorded_poses(self) -> tuple[Array, Array]:
         return self._poses(self.figure.to_state(self.qpos))
 
-    @cached_property
-    def is_still(self) -> Mask:
-        """Whether a point at the end of a limb is still for some time, (n, S)."""
-        links = self.points[1]
-        ends = self.figure.tables.children[links] == 0
-        slow = np.zeros((links.size, self.times.size), bool)
-        if self.times.size > 1:
-            velocity = np.gradient(self._recorded_poses[0], self.times, axis=2)
-            slow[ends] = np.einsum("cns,cns->ns", velocity, velocity)[ends] < STILL**2
-        return np.array([_long_runs(row, self.times, STANDS) for row in slow])
-
-    @cached_property
-    def _lengths(self) -> Array:
-        """The permitted errors of the points, (n, S) [m]."""
-        return self.bound.distance * np.where(self.is_still, CLOSELY, 1.0)
-
     def misses(self, timeline: Timeline) -> tuple[Array, Array]:
         """Return distances (n, S) [m] of the points and angles (L, S) [rad] of the links at the instants."""
         return self._misses(path_of(timeline).at(self.times), np.arange(len(self.times)))
@@ -142,11 +123,10 @@ class Recorded:
 
     def excess(self, timeline: Timeline) -> Array:
         """Return the largest deviation at every instant, as a multiple of the bound, (S,)."""
-        return self._excess(*self.misses(timeline), np.arange(len(self.times)))
+        return self._excess(*self.misses(timeline))
 
-    def _excess(self, distance: Array, angle: Array, instants: Index) -> Array:
-        lengths = self._lengths.take(instants, axis=1)
-        return np.maximum((distance / lengths).max(axis=0), angle.max(axis=0) / self.bound.angle)
+    def _excess(self, distance: Array, angle: Array) -> Array:
+        return np.maximum(distance.max(axis=0) / self.bound.distance, angle.max(axis=0) / self.bound.angle)
 
     def excess_without(self, instants: Sequence[int], n: int) -> float:
         """Return the largest deviation of the raw spline without keyframe n, as a multiple of the bound.
@@ -159,7 +139,7 @@ class Recorded:
         near = raw_timeline(self.figure, self.frames([*instants[first:n], *instants[n + 1 : end]]))
         examined = np.arange(instants[n - REACH], instants[n + REACH] + 1)
         states = path_of(near).at(self.times[examined])
-        return float(self._excess(*self._misses(states, examined), examined).max())
+        return float(self._excess(*self._misses(states, examined)).max())
 
     def worst(self, timeline: Timeline) -> tuple[Worst, Worst]:
         names = self.points[0], [link.name for link in self.figure.links]
@@ -168,9 +148,6 @@ class Recorded:
             row, instant = np.unravel_index(int(missed.argmax()), missed.shape)
             largest.append(Worst(float(missed[row, instant]), int(instant), called[row]))
         return largest[0], largest[1]
-
-    def slipped(self, timeline: Timeline) -> float:
-        return float(self.misses(timeline)[0][self.is_still].max(initial=0.0))
 
     def frames(self, instants: Sequence[int]) -> list[Frame]:
         return Frame.many(
@@ -231,14 +208,6 @@ def tips(figure: Figure, marked: Set[int]) -> list[tuple[str, int, Array]]:
     for link, (_, place) in sorted(far.items()):
         name = model.body(figure.links[link].body).name or f"body {figure.links[link].body}"
         out.append((f"tip of {name}", link, place))
-    return out
-
-
-def _long_runs(mask: Mask, times: Array, least: float) -> Mask:
-    """Return a mask (S,) without runs shorter than `least` [s]."""
-    out = np.zeros(mask.size, bool)
-    for first, end in runs(mask):
-        out[first:end] = times[end - 1] - times[first] >= least
     return out
 
 

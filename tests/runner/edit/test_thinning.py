@@ -10,10 +10,9 @@ import pytest
 import shipped
 from tiny import names
 
-from dynsplines import inbetween, motion, solving
+from dynsplines import motion, solving
 from dynsplines.clip import load as clip
-from dynsplines.clip.parse import table_of
-from dynsplines.edit import edits, thin_files
+from dynsplines.edit import edits, thinning
 from dynsplines.edit.thinning import recorded_of, thinned
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
@@ -23,6 +22,7 @@ from dynsplines.system.progress import Progress
 from dynsplines.system.quantity import length
 
 BOUND = (0.02, np.radians(5))
+FINE = (0.002, np.radians(5))
 
 
 @pytest.fixture(scope="module")
@@ -40,13 +40,13 @@ def run(
     source: Path | str,
     target: Path | None = None,
     *,
+    bound: tuple[float, float] = BOUND,
     solve: bool = False,
-    exact: bool = False,
     overwrite: bool = False,
     **told,
 ) -> Path:
-    recording = thin_files.Recording(str(source), **told)
-    return thin_files.run(recording, BOUND, target, solve=solve, exact=exact, overwrite=overwrite, progress=Progress())
+    recording = thinning.Recording(str(source), **told)
+    return thinning.run(recording, bound, target, solve=solve, overwrite=overwrite, progress=Progress())
 
 
 def apart(one: Saved, other: Saved) -> float:
@@ -74,12 +74,11 @@ def test_what_is_no_length_is_refused(text):
 
 
 @pytest.mark.slow
-def test_solving_an_exact_clip_gives_the_motion_that_was_measured(straight, tmp_path, capsys):
-    """Thinned once more, it is a clip that is searched."""
+def test_the_spline_through_a_thinned_clips_keyframes_is_the_motion_that_was_measured(straight, tmp_path, capsys):
     source, target = tmp_path / "step.npz", tmp_path / "step.toml"
     motion.save(straight, source)
-    run(source, target, exact=True)
-    again = solving.solve(clip.load(str(target)), Progress()).saved(Progress(), with_report=False)
+    run(source, target)
+    again = solving.unsolved(clip.load(str(target))).saved(Progress(), with_report=False)
     said = re.search(r"(\d+) keyframes of (\d+); at most ([\d.]+) cm at ([\d.]+) s \((\w+)\)", capsys.readouterr().err)
     assert said
     assert int(said[1]) == len(again.keys) < 15
@@ -89,52 +88,33 @@ def test_solving_an_exact_clip_gives_the_motion_that_was_measured(straight, tmp_
     fine = np.arange(0.1, 0.6, 1e-3)
     one, other = (each.figure.to_qpos(path_of(each.timeline).at(fine)) for each in (straight, again))
     assert np.abs(one - other)[:, :3].max() < 0.025
-    solve = table_of(target.read_text(), "step").solve
-    assert solve is not None and (solve.variable, solve.frames, solve.evaluations) == (0, 0, 1)
-    solve = table_of(thinned(again, *BOUND).motion.text, "again").solve
-    assert solve is None or (solve.variable, solve.frames, solve.evaluations) == (None, None, None)
-
-
-def test_what_a_clip_is_to_keep_to_is_requested_once(motion_file, tmp_path):
-    with pytest.raises(UserError, match=r"--solve .* --exact .*give one"):
-        run(motion_file, tmp_path / "out.toml", solve=True, exact=True)
-
-
-def test_a_motion_with_variable_frames_is_not_written_as_exact(tmp_path):
-    found = inbetween("tumble")
-    with pytest.raises(UserError, match="only a motion that is the spline through its complete keyframes"):
-        found.save(tmp_path / "exact.toml", exact=True)
-    assert names(tmp_path) == []
-    found.save(tmp_path / "searched.toml")
 
 
 @pytest.mark.slow
 def test_a_loop_stays_a_loop_in_its_clip(walk, tmp_path):
     source, target = tmp_path / "walk.npz", tmp_path / "walk_thin.toml"
     motion.save(walk, source)
-    run(source, target, exact=True)
+    run(source, target)
     found = clip.load(str(target))
     assert found.ends == "periodic"
     assert np.array(found.problem.travel)[0] == pytest.approx(walk.timeline.states[-1, 0] - walk.timeline.states[0, 0])
     assert names(tmp_path) == ["walk.npz", "walk_thin.toml"]  # the figure ships, so it is only named
-    assert {contact.point.name for contact in found.context.schedule.contacts.requested} == {
-        contact.point.name for contact in clip.load("walk_loop").context.schedule.contacts.requested
-    }
+    assert not found.context.schedule.contacts.requested  # those of the clip that was solved
 
 
 @pytest.mark.slow
 def test_a_searched_clip_is_reported_beside_its_spline_and_keeps_the_bound_where_that_is_requested(
     walk, tmp_path, capsys
 ):
-    source, target, step = tmp_path / "step.npz", tmp_path / "step.toml", edits.trimmed(walk, 0.1, 0.15)
+    source, target, step = tmp_path / "step.npz", tmp_path / "step.toml", edits.trimmed(walk, 0.1, 0.3)
     motion.save(step, source)
-    run(source, tmp_path / "spline.toml")
+    run(source, tmp_path / "spline.toml", bound=FINE)
     spline, solved = (
         float(number) for number in re.findall(r"at most ([\d.]+) cm", "".join(capsys.readouterr().err.splitlines()))
     )
     head = (tmp_path / "spline.toml").read_text().splitlines()[0]
-    assert f"at most {spline:g} cm" in head and f"at most {solved:.3g} cm" in head and "--exact" in head
-    run(source, target, solve=True)
+    assert f"at most {spline:g} cm" in head and f"at most {solved:.3g} cm" in head
+    run(source, target, bound=FINE, solve=True)
     off = []
     for file in (tmp_path / "spline.toml", target):
         found = clip.load(str(file))
@@ -143,23 +123,23 @@ def test_a_searched_clip_is_reported_beside_its_spline_and_keeps_the_bound_where
         assert again.timeline.variable_count > 0
         off.append(apart(step, again))
     # this is a raw spline, whose feet sink and slide: few keyframes are too few for what the search mends
-    assert spline <= 2 < solved
+    assert spline <= 0.2 < solved
     assert solved == pytest.approx(100 * off[0], rel=0.01)
-    assert off[1] <= 0.02 * (1 + 1e-6)
+    assert off[1] <= FINE[0] * (1 + 1e-6)
 
 
 @pytest.mark.slow
 def test_a_recording_is_thinned_at_its_own_instants_and_its_figure_named_if_it_ships(straight, tmp_path, capsys):
     source = tmp_path / "step.csv"
     formats.export(straight, "csv", source, fps=60)
-    target = run(source, tmp_path / "again.toml", figure="human", exact=True)
+    target = run(source, tmp_path / "again.toml", figure="human")
     assert "keyframes of 31;" in capsys.readouterr().err
     on_grid = (np.array([key.time for key in clip.load(str(target)).keys]) - 0.1) * 60
     np.testing.assert_allclose(on_grid, on_grid.round(), atol=1e-6)
     assert names(tmp_path) == ["again.toml", "step.csv"]
     assert 'figure = "human"' in target.read_text()
     formats.export(straight, "npz", tmp_path / "walk.qpos.npz")  # plain arrays are a recording by their ending
-    target = run(tmp_path / "walk.qpos.npz", tmp_path / "thin.toml", exact=True)
+    target = run(tmp_path / "walk.qpos.npz", tmp_path / "thin.toml")
     assert len(clip.load(str(target)).keys) < 16
 
 
@@ -187,7 +167,7 @@ def test_other_endings_are_refused_before_anything_is_read(ending, tmp_path):
 def test_bounds_that_make_no_sense_are_refused(saved):
     for angle in (0.0, 181.0):
         with pytest.raises(UserError, match="--max-angle"):
-            thin_files.bound("2cm", angle)
+            thinning.bound_of("2cm", angle)
     for distance in (0.0, np.nan, np.inf):
         with pytest.raises(UserError, match="more than 0"):
             thinned(saved, distance, 0.1)

@@ -167,46 +167,6 @@ SWAY = """<mujoco><worldbody><body name="foot"><joint type="slide" axis="1 0 0"/
 <site name="sole" pos="0 0 -.02"/></body></worldbody></mujoco>"""
 
 
-@pytest.mark.slow
-@pytest.mark.parametrize(("hertz", "stands"), [(1.1, True), (4.0, False)])
-def test_what_stands_keeps_to_a_quarter_of_the_bound_and_what_moves_to_all_of_it(hertz, stands):
-    """A foot comes, and then sways by a centimetre: below 0.1 m/s that is standing, above it is not."""
-    figure = figure_of(SWAY)
-    times = np.linspace(0, 3, 301)
-    come = np.clip(times, 0, 1)
-    qpos = (come**2 * (3 - 2 * come) + 0.01 * np.sin(2 * np.pi * hertz * (times - 1)) * (times > 1))[:, None]
-    recorded = Recorded(figure, times, qpos, Bound(0.02, np.radians(5)))
-    found = thin(recorded)
-    off = np.abs(figure.to_qpos(path_of(found.timeline).at(times)) - qpos)[:, 0]
-    swaying = times > 1.05
-    assert off.max() <= 0.02 * (1 + 1e-6)
-    if stands:
-        assert recorded.is_still[:, swaying].all()
-        assert off[swaying].max() <= 0.005 * (1 + 1e-6)
-        assert recorded.slipped(found.timeline) == pytest.approx(off[recorded.is_still[0]].max(), rel=1e-6)
-    else:
-        assert off[swaying].max() > 0.005
-    assert not recorded.is_still[:, (times > 0.2) & (times < 0.8)].any()
-
-
-def test_a_stand_of_a_moment_is_none():
-    figure = figure_of(SWAY)
-    times = np.linspace(0, 1, 201)
-    qpos = 0.5 * np.abs(times - 0.5)[:, None]  # turns round at once
-    assert not Recorded(figure, times, qpos, WIDE).is_still.any()
-
-
-def test_a_body_between_others_may_stand_or_move():
-    """Only the ends of limbs are held more closely: hips that pause over swinging legs are not."""
-    text, coordinates = FIGURES["ball tree, joint"]
-    figure = figure_of(text, coordinates)
-    times = np.linspace(0, 1, 50)
-    recorded = Recorded(figure, times, np.tile(figure.model.qpos0, (50, 1)), WIDE)
-    parents = {link.parent for link in figure.links[1:]}
-    for row, link in zip(recorded.is_still, recorded.points[1], strict=True):
-        assert row.all() == (link not in parents)
-
-
 def test_limbs_without_a_site_are_looked_at_to_their_tips():
     arm = """<mujoco><worldbody><body name="upper"><joint type="ball"/>
     <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/>
@@ -229,22 +189,15 @@ def test_a_round_limb_about_its_joint_has_no_tip():
     assert Recorded(figure, *recording(figure, 0), WIDE).points[0] == ("neck", "head")
 
 
-@pytest.mark.parametrize("speed", [0.0, 0.05, 0.15])
-def test_a_miss_counts_as_a_share_of_the_bound_and_four_times_where_a_limbs_end_stands(speed):
+def test_a_miss_counts_as_a_share_of_the_bound():
     """A foot on a slide whose recording is a line, and an in-between that is 3 mm off it throughout."""
-    figure = figure_of(SWAY)
-    times = np.linspace(0, 1, 41)
-    recorded = Recorded(figure, times, speed * times[:, None], Bound(0.02, np.radians(5)))
-    off = recorded.spline([Frame.key(t, [speed * t + 0.003]) for t in (0.0, 1.0)])
-    stands = speed < 0.1
+    figure, times = figure_of(SWAY), np.linspace(0, 1, 41)
+    recorded = Recorded(figure, times, 0.15 * times[:, None], Bound(0.02, np.radians(5)))
+    off = recorded.spline([Frame.key(t, [0.15 * t + 0.003]) for t in (0.0, 1.0)])
     np.testing.assert_allclose(recorded.misses(off)[0], 0.003, rtol=1e-9)
     np.testing.assert_allclose(recorded.misses(off)[1], 0, atol=1e-9)
-    np.testing.assert_allclose(recorded.excess(off), 0.003 / (0.005 if stands else 0.02), rtol=1e-9)
-    assert recorded.slipped(off) == pytest.approx(0.003 if stands else 0)
-    distance, _ = recorded.worst(off)
-    assert distance.value == pytest.approx(0.003)
-    alone = Recorded(figure, times[:1], np.zeros((1, 1)), Bound(0.02, 0.1))
-    assert not alone.is_still.any()
+    np.testing.assert_allclose(recorded.excess(off), 0.003 / 0.02, rtol=1e-9)
+    assert recorded.worst(off)[0].value == pytest.approx(0.003)
 
 
 def test_a_turn_counts_as_a_share_of_the_bounds_angle_whatever_the_signs_of_quaternions():
