@@ -1,8 +1,8 @@
 """Video frames into a video, an animated GIF or a contact sheet, selected by the extension of the target.
 
-Frames are streamed, so the clip is never in memory, and a file gets its name only when it is complete. Video is tagged
-as BT.709, so that players show the same colours. One thread encodes, so that equal frames result in equal bytes. It is
-not the drawing thread, so that the next frame is drawn meanwhile.
+Frames of videos are streamed, so the clip is never in memory, and a file gets its name only when it is complete. Video
+is tagged as BT.709, so that players show the same colours. One thread encodes, so that equal frames result in equal
+bytes. It is not the drawing thread, so that the next frame is drawn meanwhile.
 """
 
 from __future__ import annotations
@@ -25,9 +25,8 @@ from PIL import Image
 from ..errors import UserError
 from ..system import output
 
-if TYPE_CHECKING:  # stills need no video library
-    import av.filter
-    from av.container import OutputContainer
+if TYPE_CHECKING:  # stills and GIFs need no video library
+    import av
     from av.video.stream import VideoStream
 
 Picture = NDArray[np.uint8]
@@ -131,76 +130,25 @@ def _in_a_thread(work: Callable[[Item], None], items: Iterable[Item]) -> None:
 
 
 def _write_gif(path: Path, images: Iterator[Picture], fps: float) -> None:
-    """Write a GIF with one palette for the whole clip, so that still parts stay still and the file is small. The
-    palette is known only at the end, so the frames are stored in a lossless file, not in memory."""
-    step = math.ceil(fps / GIF_FPS - 1e-9)
-    rate = Fraction(fps).limit_denominator(65535) / step
-    waiting = output.sibling(path, ".mkv")
-    palette = _store(waiting, (image for index, image in enumerate(images) if index % step == 0), rate)
-    _paint(path, waiting, palette, rate)
+    """Write a GIF that repeats forever. The palette is that of the first frame, without dithering, so that still parts
+    stay still and the file is small. Unlike a video, it is in memory until its end, at a byte per pixel."""
+    step, durations = math.ceil(fps / GIF_FPS - 1e-9), list[int]()
+    chosen = (Image.fromarray(image) for index, image in enumerate(images) if index % step == 0)
+
+    def frames(palette: Image.Image) -> Iterator[Image.Image]:
+        for image in chosen:
+            durations.append(_gif_duration(len(durations), fps / step))
+            yield image.quantize(palette=palette, dither=Image.Dither.NONE)
+
+    first = next(chosen).quantize()
+    durations.append(_gif_duration(0, fps / step))
+    with path.open("wb") as stream:
+        first.save(stream, "GIF", save_all=True, append_images=frames(first), duration=durations, loop=0)
 
 
-def _store(path: Path, images: Iterator[Picture], rate: Fraction) -> av.VideoFrame:
-    """Write the frames to a lossless file, and return their palette."""
-    import av.filter
-
-    first = next(images)
-    height, width = first.shape[:2]
-    graph = av.filter.Graph()
-    branch = graph.add_buffer(width=width, height=height, format=av.VideoFormat("rgb24"), time_base=1 / rate)
-    graph.link_nodes(branch, graph.add("palettegen", "stats_mode=full"), graph.add("buffersink")).configure()
-    with av.open(str(path), "w", format="matroska") as container:
-        stream = container.add_stream("ffv1", rate, options={"level": "3"})
-        stream.height, stream.width = height, width
-        stream.pix_fmt = "bgr0"
-        stream.codec_context.thread_count = 1
-
-        def put(picture: av.VideoFrame | None) -> None:
-            graph.vpush(picture)
-            container.mux(stream.encode(picture.reformat(format="bgr0", threads=1) if picture else None))
-
-        _in_a_thread(put, chain(_frames(chain([first], images), 1 / rate), [None]))
-    return graph.vpull()
-
-
-def _paint(path: Path, waiting: Path, palette: av.VideoFrame, rate: Fraction) -> None:
-    """Convert the stored frames to the palette, one at a time, into a GIF that repeats forever."""
-    import av.filter
-
-    with av.open(str(waiting)) as source, av.open(str(path), "w", format="gif") as container:
-        stored = source.streams.video[0]
-        graph = av.filter.Graph()
-        bgr0 = av.VideoFormat("bgr0")
-        pictures = graph.add_buffer(width=stored.width, height=stored.height, format=bgr0, time_base=1 / rate)
-        colours = graph.add_buffer(width=16, height=16, format=palette.format, time_base=1 / rate)
-        reduced = graph.add("paletteuse", "dither=sierra2_4a:diff_mode=rectangle")
-        end = graph.add("buffersink")
-        pictures.link_to(reduced, 0, 0)
-        colours.link_to(reduced, 0, 1)
-        reduced.link_to(end)
-        graph.configure()
-        stream = container.add_stream("gif", rate)
-        stream.height, stream.width = stored.height, stored.width
-        stream.pix_fmt = "pal8"
-        palette.pts, palette.time_base = 0, 1 / rate
-        colours.push(palette)
-        colours.push(None)
-        for index, picture in enumerate(source.decode(stored)):
-            picture.pts, picture.time_base = index, 1 / rate
-            pictures.push(picture)
-            _drain(graph, stream, container)
-        pictures.push(None)
-        _drain(graph, stream, container)
-        container.mux(stream.encode(None))
-
-
-def _drain(graph: av.filter.Graph, stream: VideoStream, container: OutputContainer) -> None:
-    while True:
-        try:
-            picture = graph.vpull()
-        except (BlockingIOError, EOFError):
-            return
-        container.mux(stream.encode(picture))
+def _gif_duration(index: int, fps: float) -> int:
+    """Return the duration of a frame [ms] in whole hundredths of a second, such that their sum has no drift."""
+    return 10 * (round(100 * (index + 1) / fps) - round(100 * index / fps))
 
 
 def _write_sheet(path: Path, images: Iterator[Picture], fps: float) -> None:
