@@ -79,6 +79,7 @@ def build(
     penalties: Mapping[str, float | Table] | None = None,
     solve: Table | None = None,
     recording: Table | None = None,
+    mirror: Table | None = None,
     custom_penalties: CustomPenalties = (),
     allow_outside: bool = False,
 ) -> Clip:
@@ -100,6 +101,8 @@ def build(
             "periodic"} makes it a loop.
         recording: The clip file's [recording] table: {"file": "walk.npz", "blend": 0.4}. The path is relative to the
             current folder. The motion then follows the recording, except within `blend` [s] of a keyframe.
+        mirror: The clip file's [mirror] table: {"pairs": [["joint1", "joint4"]]}, for joints without left and right in
+            their names.
         custom_penalties: Custom soft constraints with their weights, [(Calm(), 0.1)]; files do not store them.
         allow_outside: Let the figure's model read files outside its folder.
 
@@ -113,9 +116,8 @@ def build(
         spec, called = spec_of(figure)
         posed = _figure(spec, called) if any(key.qpos is not None for key in keyframes) else None
         raw: TomlTable = {"figure": called, "fps": float(fps)}
-        raw |= {
-            key: _plain(value) for key, value in (("scene", scene), ("solve", solve), ("recording", recording)) if value
-        }
+        tables_of_clip = {"scene": scene, "solve": solve, "recording": recording, "mirror": mirror}
+        raw |= {key: _plain(value) for key, value in tables_of_clip.items() if value}
         raw |= {"contact": [_plain(row) for row in contacts]} if contacts else {}
         raw |= {"grasp": [_plain(row) for row in grasps]} if grasps else {}
         raw |= {"penalty": [_penalty(*entry) for entry in penalties.items()]} if penalties else {}

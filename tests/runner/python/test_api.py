@@ -183,7 +183,7 @@ others = "previous"
 
 def test_keyframes_specify_all_that_a_file_can():
     assert {*KeyframeTable.model_fields, "qpos"} == set(Keyframe.__dataclass_fields__)
-    tables = {"figure", "fps", "scene", "contact", "grasp", "penalty", "solve", "recording", "keyframe"}
+    tables = {"figure", "fps", "scene", "contact", "grasp", "penalty", "solve", "recording", "mirror", "keyframe"}
     assert set(ClipTable.model_fields) == tables
 
 
