@@ -9,6 +9,7 @@ bounds              joint ranges, and the bending of knees and elbows
 limits              the floor, and the support polygon of the centre of mass
 """
 
+from .bounds import joined as joined
 from .drag import Constraints as Constraints
 from .drag import dragged as dragged
 from .goals import BodyGoal as BodyGoal

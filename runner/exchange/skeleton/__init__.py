@@ -9,4 +9,5 @@ smpl             the SMPL body: 22 joints, their offsets in the mean shape, and 
 root_motion      the root of a figure, moved on a free joint or on slides
 up_axis          the vertical axis of rest poses and recordings
 retarget         a captured skeleton's motion on another figure
+recorded_poses   the poses of a figure that follow recorded rotations, hands and feet
 """

@@ -15,7 +15,7 @@ from ...errors import listed
 from .. import missing_input
 from . import bvh_file
 from .bvh_file import Skeleton, placed
-from .roles import apply_bone_map, first_hinge, lineage, roles, unique, with_trunk
+from .roles import apply_bone_map, first_hinge, lineage, mapped_roles, roles, unique
 from .up_axis import NONE, TO_Z, standing_turn, vertical
 
 REACH = 1.25  # [m] typical distance from an adult's hips along the bones to the fingertips or toes
@@ -88,11 +88,7 @@ class CapturedSkeleton:
 
     @cached_property
     def roles(self) -> dict[str, int]:
-        by_role = apply_bone_map(roles(self.names, self.parents), self.bone_map, self.names, "recording")
-        if not self.bone_map:
-            return by_role
-        trunk = with_trunk(by_role, self.names, self.parents)  # as limbs of the map have it
-        return by_role | {role: joint for role, joint in trunk.items() if role not in {*by_role, *self.bone_map}}
+        return mapped_roles(self.names, self.parents, self.bone_map, "recording")
 
     def start_of(self, role: str) -> int:
         """Return the joint where a part of a limb begins: the first of several for the hinges of a robot's hip."""

@@ -21,7 +21,6 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.forward import boxes
 from dynsplines.solver.figure.root import Root, subtree
 
@@ -29,10 +28,9 @@ from ...errors import UserError, listed
 from ...scene.configuration import posed
 from .. import missing_input
 from . import hierarchy, maps
-from .branches import completed
 from .captured_skeleton import CapturedSkeleton
-from .limbs import Limb, bend, chain_of
-from .roles import NEEDED, ONWARD, SIDES, apply_bone_map, lineage, roles
+from .recorded_poses import Limb, RecordedPoses, followed
+from .roles import NEEDED, ONWARD, SIDES, lineage, mapped_roles
 from .root_motion import carrying, shifted
 from .up_axis import standing_turn, unit
 
@@ -45,8 +43,6 @@ LEG, ARM = ("thigh", "shin", "foot"), ("upper_arm", "forearm", "hand")
 ENDS = ("foot", "hand")
 HANGS_ON = {"forearm": "upper_arm", "shin": "thigh"}
 SHORTEST = 1e-9  # [m] least length of a limb, to avoid division by zero
-STUCK = 0.02  # [rad] rotation error above which a sample is solved again from another start
-RETRIES = 4
 
 
 @dataclass(frozen=True)
@@ -60,13 +56,13 @@ class _Standing:
     notes: tuple[str, ...] = ()
 
     @classmethod
-    def of(cls, model: mujoco.MjModel) -> _Standing:
-        rest = hierarchy.rest(model)
+    def of(cls, model: mujoco.MjModel, bone_map: Mapping[str, str]) -> _Standing:
+        rest, names = hierarchy.rest(model), hierarchy.names(model)[1:]
         parents = [int(p) - 1 for p in model.body_parentid[1:]]
-        bodies = {role: 1 + body for role, body in roles(hierarchy.names(model)[1:], parents).items()}
+        bodies = {role: 1 + body for role, body in mapped_roles(names, parents, bone_map, "figure").items()}
         stand, notes = standing_turn(rest.position[0], bodies)
         place, turn = quat.rotated(stand, rest.position[0]), quat.product(stand, rest.rotation[0])
-        return cls(model, place, turn, completed(model, bodies, place, turn), notes)
+        return cls(model, place, turn, bodies, notes)
 
     def straightened(self, role: str) -> Array:
         """Return the rotation (4,) of a forearm or shin into the line of the upper arm or thigh."""
@@ -117,9 +113,8 @@ Pose = _Standing | CapturedSkeleton  # in the figure's rest pose, or in the skel
 
 def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple[Array, tuple[str, ...]]:
     """Return qpos (T, nq) of the figure, and notes; where is the label of the file in errors."""
-    standing, (chosen, used) = _Standing.of(model), maps.current()
-    names = hierarchy.names(model)
-    standing = replace(standing, roles=apply_bone_map(standing.roles, chosen.figure, names, "figure"))
+    chosen, used = maps.current()
+    standing, names = _Standing.of(model, chosen.figure), hierarchy.names(model)
     captured = replace(captured, bone_map=chosen.recording)
     used.append(
         maps.AppliedMap(
@@ -132,10 +127,10 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
     for what, by_role in (("the figure's bodies", standing.roles), ("the file's joints", captured.roles)):
         missing = [role for role in NEEDED if role not in by_role]
         if missing:
-            every = captured.names if by_role is captured.roles else hierarchy.names(model)[1:]
+            every = captured.names if by_role is captured.roles else names[1:]
             raise UserError(
-                f"{where}: among {what} none is a {missing[0].replace('_', ' ')} by its name: {listed(every, LISTED)}; "
-                f"{missing_input.MAP}"
+                f"{where}: among {what} none is a {' or '.join(missing).replace('_', ' ')} by its name: "
+                f"{listed(every, LISTED)}; {missing_input.MAP}"
             )
     root = carrying(model, standing.roles.get("pelvis", standing.roles["left_thigh"]))
     if root is None:
@@ -155,13 +150,12 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
         )
         for role in shared
     }
-    qpos = _angles(model, turns)
     leg = _leg({role: _line_of(captured, role, standing.bracketed) for role in shared})
     if not leg > 0:
         raise UserError(f"{where}: its legs are without length, which would tell how large it is")
     scale = _leg({role: _line_of(standing, role, standing.bracketed) for role in shared}) / leg
-    for limb in _limbs(captured, standing, turns, scale):
-        qpos = bend(model, qpos, limb, _orientation(model, qpos, model.body_parentid[limb.bodies[0]]))
+    qpos, columns = _at_root(standing, root, turns)
+    qpos = followed(model, qpos, RecordedPoses(turns, list(_limbs(captured, standing, turns, scale))), columns)
     qpos = _placed(captured, standing, root, qpos, scale)
     qpos, lift = _on_ground(standing, root, qpos)
     notes = [*standing.notes, f"scaled by {scale:.3f}, the ratio of the legs"]
@@ -198,7 +192,7 @@ def _limbs(captured: CapturedSkeleton, standing: _Standing, turns: Mapping[int, 
             about = about - quat.rotated(captured.rotation[:, captured.roles["pelvis"]], _bracket(captured, side))
             in_pelvis = quat.rotated(quat.conjugate(standing.turn[pelvis]), _bracket(standing, side))
             about = about + quat.rotated(turns[pelvis], in_pelvis) / size
-        yield Limb(bodies, size * about, {body: turns[body] for body in bodies if body in turns})
+        yield Limb(bodies, size * about)
 
 
 def _line_of(pose: Pose, role: str, bracketed: Sequence[str]) -> Array:
@@ -394,80 +388,14 @@ def _like_parent(captured: CapturedSkeleton, role: str, out: dict[str, Array]) -
     return quat.product(quat.normalised(quat.aligned(relative).mean(axis=0)), out[role_of[above]])
 
 
-def _angles(model: mujoco.MjModel, turns: dict[int, Array]) -> Array:
-    """Return qpos (T, nq) with orientations (T, 4) of bodies in the world, as far as their joints permit."""
-    count = len(next(iter(turns.values())))
-    qpos = np.tile(model.qpos0, (count, 1))
-    world = np.zeros((count, model.nbody, 4))
-    world[:, 0, 0] = 1
-    parent = model.body_parentid
-    settled: set[int] = {0}
-    for body in range(1, model.nbody):
-        world[:, body] = chain_of(model, qpos, [body], world[:, parent[body]]).turn[body]
-        if body not in turns:
-            continue
-        chain = [body]  # with its ancestors that have no orientation yet
-        while int(parent[chain[0]]) not in settled:
-            chain.insert(0, int(parent[chain[0]]))
-        start = world[:, parent[chain[0]]]
-        _reach(model, qpos, chain, start, turns[body])
-        for link, turn in chain_of(model, qpos, chain, start).turn.items():
-            world[:, link] = turn
-        settled.update(chain)
-    for joint in range(model.njnt):
-        if model.jnt_type[joint] == JointKind.HINGE and not model.jnt_limited[joint]:
-            qpos[:, model.jnt_qposadr[joint]] = np.unwrap(qpos[:, model.jnt_qposadr[joint]])
-    return qpos
-
-
-def _orientation(model: mujoco.MjModel, qpos: Array, body: int) -> Array:
-    """Return a body's orientation (T, 4) in the world."""
-    chain, world = hierarchy.above(model, body, itself=True), np.tile([1.0, 0, 0, 0], (len(qpos), 1))
-    return chain_of(model, qpos, chain, world).turn[body]
-
-
-def _reach(model: mujoco.MjModel, qpos: Array, chain: list[int], start: Array, wanted: Array) -> None:
-    """Set the joints of a chain for an orientation of its last body: ball joints exactly, hinges by least squares."""
-    joints = hierarchy.joints(model, chain)
-    for joint in joints:
-        at = model.jnt_qposadr[joint]
-        if model.jnt_type[joint] == JointKind.FREE:
-            qpos[:, at + 3 : at + 7] = wanted
-            return
-    balls = [joint for joint in joints if model.jnt_type[joint] == JointKind.BALL]
-    if balls:
-        at = model.jnt_qposadr[balls[-1]]
-        qpos[:, at : at + 4] = [1, 0, 0, 0]
-        turn = chain_of(model, qpos, chain, start).turn
-        before = turn[int(model.jnt_bodyid[balls[-1]])]
-        after = quat.product(quat.conjugate(before), turn[chain[-1]])
-        turned = quat.product(quat.product(quat.conjugate(before), wanted), quat.conjugate(after))
-        qpos[:, at : at + 4] = quat.aligned(quat.normalised(turned))
-        return
-    hinges = [joint for joint in joints if model.jnt_type[joint] == JointKind.HINGE]
-    if not hinges:
-        return
-
-    def turned(qpos: Array, rows: Index | slice) -> tuple[Array, Array]:
-        """Return qpos with the hinges rotated, and the remaining angles (T,) [rad]."""
-        there = bend(model, qpos, Limb(chain, None, {chain[-1]: wanted[rows]}), start[rows])
-        turn = chain_of(model, there, chain, start[rows]).turn[chain[-1]]
-        short = quat.product(wanted[rows], quat.conjugate(turn))
-        return there, np.linalg.norm(quat.rotation_vector(short), axis=1)
-
-    columns = model.jnt_qposadr[hinges]
-    qpos[:], short = turned(qpos, slice(None))
-    for _ in range(RETRIES):  # starting from the result of a neighbouring sample
-        far = short > STUCK
-        if not far.any() or far.all():
-            return
-        near, rows = np.flatnonzero(~far), np.flatnonzero(far)
-        donor = near[np.argmin(np.abs(rows[:, None] - near), axis=1)]
-        again = qpos[rows]
-        again[:, columns] = qpos[donor][:, columns]
-        again, remainder = turned(again, rows)
-        better = remainder < short[rows]
-        qpos[rows[better]], short[rows[better]] = again[better], remainder[better]
+def _at_root(standing: _Standing, root: Root, turns: Mapping[int, Array]) -> tuple[Array, slice]:
+    """Return qpos (T, nq) at rest, with the root rotated as the first recorded body on it, and its columns."""
+    start = int(standing.model.jnt_qposadr[root.joint])
+    first = next(body for body in sorted(turns) if root.body in hierarchy.above(standing.model, body, itself=True))
+    relative = quat.product(quat.conjugate(standing.turn[first]), standing.turn[root.body])
+    qpos = np.tile(standing.model.qpos0, (len(turns[first]), 1))
+    qpos[:, start + 3 : start + 7] = quat.aligned(quat.normalised(quat.product(turns[first], relative)))
+    return qpos, slice(start, start + 7)
 
 
 def _placed(captured: CapturedSkeleton, standing: _Standing, root: Root, qpos: Array, scale: float) -> Array:

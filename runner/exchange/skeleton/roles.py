@@ -181,6 +181,17 @@ def apply_bone_map(
     return out
 
 
+def mapped_roles(
+    names: Sequence[str], parents: Sequence[int], bone_map: Mapping[str, str], whose: str
+) -> dict[str, int]:
+    """Return indices by role, from names and a bone map, with pelvis and chest where the limbs of the map meet."""
+    by_role = apply_bone_map(roles(names, parents), bone_map, names, whose)
+    if not bone_map:
+        return by_role
+    trunk = with_trunk(by_role, names, parents)
+    return by_role | {role: joint for role, joint in trunk.items() if role not in {*by_role, *bone_map}}
+
+
 def _trunk(role: str, shared: list[int], words: list[str]) -> int:
     """Return the joint where two limbs meet; Biped attaches arms to the neck and legs to the spine."""
     if role == "chest":
