@@ -22,7 +22,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.forward import boxes
-from dynsplines.solver.figure.root import Root, subtree
+from dynsplines.solver.figure.root import Root, roots_of, subtree
 
 from ...errors import UserError, listed
 from ...scene.configuration import posed
@@ -31,7 +31,6 @@ from . import hierarchy, maps
 from .captured_skeleton import CapturedSkeleton
 from .recorded_poses import Limb, RecordedPoses, followed
 from .roles import NEEDED, ONWARD, SIDES, lineage, mapped_roles
-from .root_motion import carrying, shifted
 from .up_axis import standing_turn, unit
 
 NEXT = {**ONWARD, "foot": "toe", "clavicle": "upper_arm"}
@@ -132,7 +131,8 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
                 f"{where}: among {what} none is a {' or '.join(missing).replace('_', ' ')} by its name: "
                 f"{listed(every, LISTED)}; {missing_input.MAP}"
             )
-    root = carrying(model, standing.roles.get("pelvis", standing.roles["left_thigh"]))
+    chain = hierarchy.above(model, standing.roles.get("pelvis", standing.roles["left_thigh"]), itself=True)
+    root = next((root for root in roots_of(model) if root.body in chain), None)
     if root is None:
         top = names[model.body_rootid[standing.roles.get("pelvis", standing.roles["left_thigh"])]]
         floating = "in URDF a joint of type 'floating' from a link 'world'"
@@ -407,7 +407,7 @@ def _placed(captured: CapturedSkeleton, standing: _Standing, root: Root, qpos: A
     offset = quat.rotated(quat.conjugate(standing.turn[pelvis]), middle - standing.at_zero[pelvis])
 
     places = [data.xpos[pelvis] + quat.rotated(data.xquat[pelvis], offset) for data in posed(model, qpos)]
-    return shifted(model, root, qpos, scale * hips - np.array(places))
+    return _shifted(model, root, qpos, scale * hips - np.array(places))
 
 
 def _on_ground(standing: _Standing, root: Root, qpos: Array) -> tuple[Array, float]:
@@ -424,4 +424,11 @@ def _on_ground(standing: _Standing, root: Root, qpos: Array) -> tuple[Array, flo
     lift = -float(np.percentile(lowest, LOWEST))
     if abs(lift) < LEVEL:
         return qpos, 0.0
-    return shifted(model, root, qpos, np.tile([0, 0, lift], (len(qpos), 1))), lift
+    return _shifted(model, root, qpos, np.tile([0, 0, lift], (len(qpos), 1))), lift
+
+
+def _shifted(model: mujoco.MjModel, root: Root, qpos: Array, by: Array) -> Array:
+    """Return qpos (T, nq) with the root translated by vectors (T, 3) [m] in world axes."""
+    out, start = qpos.copy(), int(model.jnt_qposadr[root.joint])
+    out[:, start : start + 3] += by
+    return out
