@@ -159,17 +159,3 @@ def sides_of(penalty: Penalty, samples: Samples) -> OneSidedResiduals:
     assert sides is not None
     assert sides.at.shape == sides.value.shape == sides.rows.shape[:1]
     return sides
-
-
-def assert_gradients(penalty: Penalty, figure: Figure, rng: np.random.Generator) -> None:
-    """That the rows of a penalty's sides are the differences of their values."""
-    samples, h = low_samples(figure, rng), 1e-7
-    sides = sides_of(penalty, samples)
-    for _ in range(3):
-        direction = rng.normal(size=samples.y.shape)
-        by = h * np.stack([direction, 0 * direction, 0 * direction])
-        after, before = sides_of(penalty, shifted(samples, by)), sides_of(penalty, shifted(samples, -by))
-        np.testing.assert_array_equal(after.at, sides.at)
-        np.testing.assert_array_equal(before.at, sides.at)
-        slope = np.einsum("pn,pn->p", sides.rows, direction[sides.at])
-        np.testing.assert_allclose((after.value - before.value) / (2 * h), slope, rtol=1e-4, atol=1e-5)

@@ -6,7 +6,6 @@ import numpy as np
 import pytest
 from bends import limits_of
 from figures import BALL, BALL_TREE, figure_of
-from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
 from dynsplines import models
@@ -18,7 +17,7 @@ from dynsplines.solver.penalty import Bend, BendLimits, Contact, CovariantAccele
 from dynsplines.solver.penalty.allowance import Allowance
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane
-from dynsplines.solver.surface.points import Point, places_of
+from dynsplines.solver.surface.points import Point
 
 UP = np.array([0.0, 0, 1])
 
@@ -75,18 +74,6 @@ def test_a_knee_that_a_keyframe_bends_backward_may_do_so_near_it_and_nowhere_els
     free = BendLimits((bend,)).allowing(figure, raw_timeline(figure, partial)).allowed
     assert free is not None
     assert not free.excess.any()
-
-
-def test_gradients_with_allowances_have_taylor_slope_two(figure, rng):
-    samples = at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6))
-    points = Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), Point("b", len(figure.links) - 1, np.zeros(3), 0.1)
-    centres, _ = places_of(points, samples)
-    floor = Plane("floor", (centres[2].max() + 0.3) * UP, UP)
-    allowed = Allowance(np.array([0.0, 0.4, 1]), rng.uniform(0, 0.3, (2, 3)))
-    contact = Contact(points, (floor,), allowed=allowed)
-    assert penalty_slope(contact, samples, rng) > 1.95
-    depth = floor.point[2] - centres[2] + np.array([0.05, 0.1])[:, None] - allowed.at(samples.t)
-    np.testing.assert_allclose(contact.evaluate(samples), np.sum(np.maximum(depth, 0) ** 2, axis=0), rtol=1e-9)
 
 
 def test_bends_are_tolerated_beyond_each_of_their_five_bounds_as_far_as_specified(rng):

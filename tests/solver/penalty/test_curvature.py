@@ -11,7 +11,6 @@ from curvature_of import (
     RESIDUALS,
     _efforts,
     assembled,
-    assert_gradients,
     assert_near,
     assert_squares,
     curvature_of,
@@ -111,18 +110,6 @@ ONE_SIDED: dict[str, Callable[[Figure, np.random.Generator], Penalty]] = {
 @pytest.fixture(params=ONE_SIDED)
 def one_sided(request: pytest.FixtureRequest, figure: Figure, rng: np.random.Generator) -> Penalty:
     return ONE_SIDED[request.param](figure, rng)
-
-
-def test_the_sides_that_count_add_up_to_the_penalty_at_every_sample(figure, rng, one_sided):
-    samples = low_samples(figure, rng)
-    sides = sides_of(one_sided, samples)
-    total = np.bincount(sides.at, np.maximum(sides.value, 0) ** 2, samples.count)
-    np.testing.assert_allclose(total, one_sided.evaluate(samples), rtol=1e-10, atol=1e-15)
-    assert np.count_nonzero(sides.value > 0) > 10
-
-
-def test_the_sides_rows_are_the_gradients_of_their_values(figure, rng, one_sided):
-    assert_gradients(one_sided, figure, rng)
 
 
 def test_no_points_no_surfaces_no_joints_and_nothing_near_have_no_sides(figure, rng):

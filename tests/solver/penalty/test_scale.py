@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from figures import BALL, BALL_TREE, CHAIN, figure_of
+from figures import BALL, CHAIN, figure_of
 from ground import FLOOR
-from random_samples import random_samples
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Grasp, Rest, Stance
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
@@ -25,14 +23,11 @@ from dynsplines.solver.penalty import (
     JointRange,
     Lean,
     PeakAcceleration,
-    Penalty,
     Placed,
     Posture,
     Range,
     RestPenalty,
     RootAcceleration,
-    Skate,
-    Speed,
     Sum,
     Torque,
     Upright,
@@ -107,25 +102,6 @@ def test_ten_degrees_off_the_vertical_count_as_the_reference_specifies(penalty):
 
 def points_of(figure) -> tuple[Point, ...]:
     return tuple(Point(f"{i}", i, np.array([0.1, 0.2, -0.3])) for i in range(1, len(figure.links)))
-
-
-@pytest.mark.parametrize("name", ["covariant", "root", "posture", "peak", "skate", "speed"])
-def test_a_clip_that_is_played_slower_costs_less_by_the_power_that_its_scale_specifies(name, rng):
-    figure = figure_of(BALL_TREE)
-    penalty: Penalty = {
-        "covariant": CovariantAcceleration(),
-        "root": RootAcceleration(),
-        "posture": Posture(),
-        "peak": PeakAcceleration(),
-        "skate": Skate(points_of(figure), (FLOOR,), reach=5.0),
-        "speed": Speed.of(figure, 0.0),
-    }[name]
-    seen = random_samples(figure, rng)
-    slower = Samples(figure, seen.y, seen.y_d / 3, seen.y_dd / 9)
-    values: Array = penalty.evaluate(seen)
-    assert values.any()
-    np.testing.assert_allclose(penalty.evaluate(slower) * 3.0**penalty.normalization.time_power, values, rtol=1e-9)
-    assert penalty.normalization.is_violation is (name == "speed")
 
 
 def test_a_newton_metre_counts_as_the_reference_of_torques_says():

@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from figures import BALL, figure_of
 from ground import stance_of
-from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
@@ -22,13 +21,6 @@ from dynsplines.solver.surface.points import Point
 
 FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
 FOOT = Point("foot", 1, np.array([0.0, 0, -0.5]), 0.1)
-
-
-def test_the_gradient_has_taylor_slope_two(figure, rng):
-    samples = at_times(random_samples(figure, rng, 8), np.linspace(0, 2, 8))
-    last = len(figure.links) - 1
-    planted = Attachment((stance_of(1, 0.2, 1.0), stance_of(last, 0.5, 2.0), stance_of(last, 0.0, 0.6)))
-    assert penalty_slope(planted, samples, rng) > 1.95
 
 
 def test_it_is_the_squared_distance_from_the_drifting_spot_while_the_stance_lasts(figure, rng):

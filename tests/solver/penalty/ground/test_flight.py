@@ -2,10 +2,8 @@
 
 import mujoco
 import numpy as np
-import pytest
 from figures import BALL_TREE, figure_of
 from oracles import mujoco_forces
-from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
@@ -22,12 +20,6 @@ G = 9.81
 BRICK = f"""<mujoco><option gravity="0 0 -{G}"/><worldbody><body><freejoint/>
 <inertial mass="3" pos=".1 .2 .3" diaginertia=".2 .3 .4"/></body></worldbody></mujoco>"""
 ALL = ((-1.0, 9.0),)
-
-
-@pytest.mark.parametrize("angular", [0.0, 0.7])
-def test_the_gradient_has_taylor_slope_two(figure, rng, angular):
-    samples = at_times(random_samples(figure, rng, 8), np.linspace(0, 1, 8))
-    assert penalty_slope(Flight.of(figure, 1, ((0.1, 0.4), (0.6, 0.8)), angular), samples, rng) > 1.95
 
 
 def test_it_is_the_root_force_of_mj_inverse_in_weights_while_a_flight_lasts(figure, rng):

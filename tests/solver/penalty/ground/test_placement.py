@@ -6,7 +6,6 @@ from even_frames import evenly
 from every_penalty import clip
 from figures import figure_of
 from oracles import kinematics
-from penalty_slope import penalty_slope
 from random_keys import TIMES
 from random_samples import at_times, random_samples
 from taylor import taylor_slope
@@ -55,10 +54,6 @@ def test_it_is_the_squared_distance_along_the_given_axes_at_its_time(figure, rng
             expected += np.nansum((at - target) ** 2)
         assert values[i] == pytest.approx(expected, rel=1e-9)
     assert not values[[0, 3, 4]].any()
-
-
-def test_the_gradient_has_taylor_slope_two(figure, rng):
-    assert penalty_slope(placement_of(figure, 0.5, 1.0), some(figure, rng), rng) > 1.95
 
 
 QUADRATURES = [Quadrature(), Quadrature("gauss", 4, 0.05), Quadrature("uniform", 37)]

@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 from curvature_of import assembled, curvature_of
 from figures import BALL, figure_of
-from penalty_slope import penalty_slope
 from random_samples import random_samples
 
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -45,12 +44,6 @@ def test_the_value_is_the_velocity_by_differences_weighted_by_height(figure, rng
     u = height / 0.4
     expected = np.sum(np.exp(-u * (u + 0.5) / 1.5) * np.sum(velocity**2, axis=0), axis=0)
     np.testing.assert_allclose(Skate(points, (floor,), 0.4).evaluate(samples), expected, rtol=1e-6)
-
-
-@pytest.mark.parametrize("normal", [UP, TILTED])
-def test_the_gradient_has_taylor_slope_two(figure, rng, normal):
-    samples = random_samples(figure, rng, 6)
-    assert penalty_slope(Skate(some_points(samples), (below(samples, normal),), 1.0), samples, rng) > 1.95
 
 
 def test_a_step_of_the_model_cannot_gain_without_limit(figure, rng):
@@ -141,4 +134,3 @@ def test_a_point_that_swings_is_as_fast_as_it_likes(rng):
     samples = Samples(figure, y, y_d, 0 * y, t=t)
     free, all_ = Skate(points, (floor,), swings=SwingSegments.of(figure, keys, points)), Skate(points, (floor,))
     np.testing.assert_array_equal(free.evaluate(samples), all_.evaluate(samples) * [0, 1])
-    assert penalty_slope(free, samples, rng) > 1.95

@@ -7,7 +7,6 @@ import pytest
 from closed_forms import WOOD
 from curvature_of import assembled, curvature_of, shifted
 from figures import figure_of
-from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 from scipy.optimize import nnls
 
@@ -39,11 +38,6 @@ def standing(figure: Figure, rng: np.random.Generator) -> Support:
         Footing(Point("c", last, places[2]), 0.3, 0.6, slope),
     )
     return Support.of(figure, 1, footings, ((0.35, 0.45), (0.95, 1.1)))
-
-
-def test_the_gradient_has_taylor_slope_two(figure, rng):
-    samples = at_times(random_samples(figure, rng, 9), np.linspace(0, 1, 9))
-    assert penalty_slope(standing(figure, rng), samples, rng) > 1.95
 
 
 def test_it_is_what_the_best_forces_in_the_friction_pyramids_leave(figure, rng):

@@ -5,14 +5,11 @@ import pytest
 from bends import DOWN, ELBOW, KNEE, limb, limits
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from penalty_slope import penalty_slope
-from random_samples import random_samples
 from scipy.spatial.transform import Rotation
 
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Bend, BendLimits
 
 
 def bent(figure: Figure, lateral: np.ndarray, angles: np.ndarray, rng: np.random.Generator) -> Samples:
@@ -62,15 +59,6 @@ def test_inside_the_limits_it_is_exactly_zero_without_gradient_and_outside_the_s
     assert values[0] == 0
     gradient = np.abs(cotangent.gradients()[0]).max(axis=1)
     np.testing.assert_array_equal(gradient > 0, [False, True, True, True, True, True, False])
-
-
-def test_the_gradient_has_taylor_slope_two(figure, rng):
-    balls = [i for i, link in enumerate(figure.links) if i and link.kind is link.kind.BALL]
-    joints = tuple(Bend(f"b{i}", i, KNEE if i % 2 else ELBOW, DOWN) for i in balls)
-    penalty = BendLimits(joints, least=0.3, sideways=0.2, twist=0.1)
-    samples = random_samples(figure, rng)
-    assert np.all(penalty.evaluate(samples) > 0)
-    assert penalty_slope(penalty, samples, rng) > 1.9
 
 
 @pytest.mark.parametrize("gap", [1e-3, 1e-7, 1e-12, 0.0])

@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 from figures import BALL_TREE, EVERY_JOINT, ONE_BALL, figure_of
-from penalty_slope import penalty_slope
 from random_samples import at_times, random_samples
 from scipy.spatial.transform import Rotation
 
@@ -127,11 +126,6 @@ def bounded(figure: Figure, rng: np.random.Generator) -> tuple[Range, ...]:
         elif link.kind is not JointKind.BALL:
             out.append(Range(link.name, i, link.kind, -0.2, 0.1, last=0.5))
     return tuple(out)
-
-
-def test_the_gradient_has_taylor_slope_two(figure: Figure, rng: np.random.Generator) -> None:
-    samples = at_times(random_samples(figure, rng, 9), np.linspace(0, 1, 9))
-    assert penalty_slope(OvershootPenalty(bounded(figure, rng), figure=figure), samples, rng) > 1.95
 
 
 def test_how_far_joints_are_off_is_what_scipy_computes(figure: Figure, rng: np.random.Generator) -> None:

@@ -1,7 +1,6 @@
 """Covariant acceleration against angular acceleration, the gauge q -> ρ(t) q and Taylor slopes."""
 
 import numpy as np
-from penalty_slope import penalty_slope
 from random_samples import random_samples
 
 from dynsplines.solver import quaternion as quat
@@ -18,10 +17,6 @@ def angular_accelerations(samples: Samples) -> np.ndarray:
         alpha = 2 * (quat.product(q_dd, quat.inverse(q)) - quat.product(rate, rate))[:, 1:]
         total = total + np.sum(alpha**2, axis=1) / 4
     return total
-
-
-def test_the_gradient_has_taylor_slope_two(figure, rng):
-    assert penalty_slope(CovariantAcceleration(), random_samples(figure, rng), rng) > 1.95
 
 
 def test_it_is_a_quarter_of_the_squared_angular_acceleration(figure, rng):

@@ -4,7 +4,6 @@ import numpy as np
 from curvature_of import assembled, assert_near, curvature_of, jacobians
 from even_frames import evenly
 from figures import TINY, figure_of
-from penalty_slope import penalty_slope
 from random_samples import random_samples
 from small_problems import turning
 
@@ -23,10 +22,6 @@ def sizes(samples: Samples) -> Array:
         if i and link.kind in (link.kind.BALL, link.kind.HINGE):
             found.append(np.linalg.norm(links.alpha[:, i] - links.alpha[:, link.parent], axis=0))
     return np.array(found).T
-
-
-def test_the_gradient_has_taylor_slope_two(figure, rng):
-    assert penalty_slope(PeakAcceleration(), random_samples(figure, rng), rng) > 1.95
 
 
 def test_it_is_the_sum_of_eighth_powers(figure, rng):

@@ -2,7 +2,6 @@
 
 import numpy as np
 from figures import figure_of
-from penalty_slope import penalty_slope
 from random_samples import random_samples
 
 from dynsplines.solver.curve.frame import Frame
@@ -12,10 +11,6 @@ from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import UnitMagnitude
 
 BALL = '<mujoco><worldbody><body><joint type="ball"/><geom size="0.1"/></body></worldbody></mujoco>'
-
-
-def test_the_gradient_has_taylor_slope_two(figure, rng):
-    assert penalty_slope(UnitMagnitude(), random_samples(figure, rng), rng, any_length=False) > 1.95
 
 
 def test_the_square_is_the_sum_of_squared_excess_lengths(figure, rng):

@@ -1,0 +1,310 @@
+"""Every kind of soft constraint on every figure: exact gradients, residuals whose squares add up, and invariance."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from curvature_of import shifted, sides_of
+from figures import figure_named, with_armature
+from ground import FLOOR, SLOPE, random_points, stance_of
+from penalty_slope import penalty_slope
+from random_samples import at_times, random_samples
+from scipy.spatial.transform import Rotation
+
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.contacts import Footing, Grasp, Rest, Stance
+from dynsplines.solver.curve.recording import RecordedMotion
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import (
+    Attachment,
+    Bend,
+    BendLimits,
+    Contact,
+    CovariantAcceleration,
+    Flight,
+    GraspPenalty,
+    HoverPenalty,
+    JointRange,
+    Lean,
+    OvershootPenalty,
+    PeakAcceleration,
+    Penalty,
+    Placed,
+    Posture,
+    Range,
+    RestPenalty,
+    RootAcceleration,
+    Skate,
+    Speed,
+    Support,
+    Torque,
+    TrackingPenalty,
+    UnitMagnitude,
+    Upright,
+)
+from dynsplines.solver.penalty.allowance import Allowance
+from dynsplines.solver.surface import Box, Plane, Surface
+from dynsplines.solver.surface.points import Point, places_of
+
+Case = tuple[Penalty, Samples]
+Kind = Callable[[Figure, np.random.Generator], Case]
+
+UP, TILTED = np.array([0.0, 0, 1]), np.array([0.0, 0.6, 0.8])
+BLOCK = Box("block", np.array([0.1, -0.2, 0.0]), np.eye(3), np.array([2.0, 1.5, 1.0]), buried=False)
+STEP = Box("step", np.array([0.0, 0, -0.5]), np.eye(3), np.array([2.0, 2.5, 1.0]), buried=True)
+
+
+def timed(figure: Figure, rng: np.random.Generator, count: int = 8) -> Samples:
+    """Random samples at even times of two seconds."""
+    return at_times(random_samples(figure, rng, count), np.linspace(0, 2, count))
+
+
+def last(figure: Figure) -> int:
+    return len(figure.links) - 1
+
+
+def two_points(figure: Figure) -> tuple[Point, ...]:
+    return Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), Point("b", last(figure), np.array([0.0, 0.1, -0.2]))
+
+
+def below(samples: Samples, normal: Array = UP) -> Plane:
+    """A plane under both points."""
+    centres, _ = places_of(two_points(samples.figure), samples)
+    return Plane("floor", (np.einsum("i,ins->ns", normal, centres).min() - 0.3) * normal, normal)
+
+
+def plain(penalty: Penalty, count: int = 5) -> Kind:
+    return lambda figure, rng: (penalty, random_samples(figure, rng, count))
+
+
+def armed(figure: Figure, rng: np.random.Generator) -> Case:
+    return Torque(), random_samples(with_armature(figure, rng), rng)
+
+
+def contact(*surfaces: Surface, allowed: bool = False) -> Kind:
+    def case(figure: Figure, rng: np.random.Generator) -> Case:
+        samples, points = timed(figure, rng), random_points(figure, rng)
+        samples.y[:, 2] = -0.3
+        allowance = Allowance(np.array([0.0, 0.8, 2]), rng.uniform(0, 0.1, (len(points), 3))) if allowed else None
+        return Contact(points, surfaces, margin=0.02, allowed=allowance), samples
+
+    return case
+
+
+def skate(normal: Array) -> Kind:
+    def case(figure: Figure, rng: np.random.Generator) -> Case:
+        samples = random_samples(figure, rng, 6)
+        return Skate(two_points(figure), (below(samples, normal),), 1.0), samples
+
+    return case
+
+
+def hover(*, firm: bool) -> Kind:
+    def case(figure: Figure, rng: np.random.Generator) -> Case:
+        samples, intervals = timed(figure, rng, 6), ((0.2, 1.0), (1.4, 2.0))
+        penalty = HoverPenalty(two_points(figure), (below(samples),), intervals, reach=0.8, blend=0.2)
+        return replace(penalty, firm=intervals) if firm else penalty, samples
+
+    return case
+
+
+def support(figure: Figure, rng: np.random.Generator) -> Case:
+    """Footings on the first and the last link of the root's tree, one on a slope, with a flight besides."""
+    inside, slope = np.flatnonzero(figure.tables.path[:, 1]), rng.normal(size=3)
+    ends, places = (int(inside[0]), int(inside[-1])), rng.normal(size=(3, 3))
+    footings = (
+        Footing(Point("a", ends[0], places[0]), 0.0, 1.0, UP),
+        Footing(Point("b", ends[1], places[1]), 0.6, 1.6, slope / np.linalg.norm(slope)),
+        Footing(Point("c", ends[1], places[2]), 0.6, 1.2, UP),
+    )
+    return Support.of(figure, 1, footings, ((0.7, 0.9), (1.9, 2.2))), timed(figure, rng, 9)
+
+
+def planted(figure: Figure, rng: np.random.Generator) -> Case:
+    stances = stance_of(1, 0.2, 1.0), stance_of(last(figure), 0.5, 2.0), stance_of(last(figure), 0.0, 0.6)
+    return Attachment(stances), timed(figure, rng)
+
+
+def instants(figure: Figure, rng: np.random.Generator) -> Case:
+    """Points with targets at two times, one of them with a free axis."""
+    targets = [np.array([0.3, -0.2, 0.8]), np.array([0.4, np.nan, 0.2])]
+    goals = [Placed(p, t, target) for t in (0.5, 1.0) for p, target in zip(two_points(figure), targets, strict=True)]
+    return Attachment.at_instants(tuple(goals)), at_times(random_samples(figure, rng, 4), np.array([0, 0.5, 0.5, 1]))
+
+
+def resting(figure: Figure, rng: np.random.Generator) -> Case:
+    end, tilt = last(figure), np.array([0.28, 0, 0.96])
+    rests = (
+        Rest(Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), 0.1, 0.5, rolls=True),
+        Rest(Point("b", end, UP), 0.3, 1.0),
+        Rest(Point("c", end, np.array([0.2, 0.1, 0.0]), 0.02), 0.1, 1.9, Plane("slope", 3 * tilt, tilt), rolls=True),
+        Rest(Point("d", end, np.array([0.0, 0.1, 0.2]), 0.03), 0.2, 0.8),
+    )
+    return RestPenalty(rests, (Plane("floor", -50 * UP, UP),)), timed(figure, rng)
+
+
+def grasp(*, is_known: bool) -> Kind:
+    def case(figure: Figure, rng: np.random.Generator) -> Case:
+        hand, end, spot = Point("hand", 1, np.array([0.1, 0.2, -0.3])), last(figure), np.array([0.1, 0.3, 0])
+        spots = (
+            Stance(hand, 0.1, 0.8, np.array([0.1, 0, 0.2]), spot, 1.0, end, (0.0, 0.3)),
+            Stance(hand, 0.8, 1.6, spot, spot, 1.0, end, (0.3, 0.7)),
+        )
+        return GraspPenalty.of((Grasp(hand, end, "it", 0.1, 1.6, spots if is_known else ()),)), timed(figure, rng)
+
+    return case
+
+
+def flight(angular: float) -> Kind:
+    return lambda figure, rng: (Flight.of(figure, 1, ((0.2, 0.8), (1.2, 1.6)), angular), timed(figure, rng))
+
+
+def bends(figure: Figure, rng: np.random.Generator) -> Case:
+    lateral = (np.array([0.0, -1, 0]), np.array([0.0, 1, 0]))
+    joints = tuple(Bend(f"b{i}", i, lateral[i % 2], -UP) for i in figure.tables.ball_links.tolist())
+    return BendLimits(joints, least=0.3, sideways=0.2, twist=0.1), random_samples(figure, rng)
+
+
+def ranges(figure: Figure, rng: np.random.Generator, **during: float) -> tuple[Range, ...]:
+    """Every joint near a value."""
+    out = []
+    for i, link in enumerate(figure.links[1:], start=1):
+        if link.kind in (JointKind.FREE, JointKind.BALL):
+            home = tuple(Rotation.random(random_state=rng).as_quat(scalar_first=True).tolist())
+            out.append(Range(link.name, i, JointKind.BALL, 0.0, 0.3, home=home, **during))
+        if link.kind is JointKind.FREE:
+            out += [Range(link.name, i, JointKind.SLIDE, -0.1, 0.2, axis, **during) for axis in range(3)]
+        elif link.kind is not JointKind.BALL:
+            out.append(Range(link.name, i, link.kind, -0.2, 0.1, **during))
+    return tuple(out)
+
+
+def joint_range(figure: Figure, rng: np.random.Generator) -> Case:
+    return JointRange(ranges(figure, rng)), random_samples(figure, rng, 12)
+
+
+def overshoot(figure: Figure, rng: np.random.Generator) -> Case:
+    return OvershootPenalty(ranges(figure, rng, first=0.2, last=1.4), figure=figure), timed(figure, rng, 9)
+
+
+def upright(figure: Figure, rng: np.random.Generator) -> Case:
+    bodies = np.flatnonzero(figure.body_link)[:3].tolist()
+    return Upright.of(figure, bodies), random_samples(figure, rng, 5)
+
+
+def leaning(figure: Figure, rng: np.random.Generator) -> Case:
+    leans = Lean(1, np.array([0.6, 0.0, 0.8]), 0.5), Lean(last(figure), np.array([0.0, -1.0, 0.0]), 1.0)
+    return Upright(leans), at_times(random_samples(figure, rng, 4), np.array([0, 0.5, 0.5, 1]))
+
+
+def tracking(figure: Figure, rng: np.random.Generator) -> Case:
+    times = np.linspace(0, 2, 61)
+    states = figure.to_state(figure.model.qpos0 + 0.3 * np.sin(3 * times[:, None] + rng.uniform(0, 6, figure.width)))
+    penalty = TrackingPenalty(RecordedMotion(figure, times, states, np.ones_like(states)))
+    return penalty, at_times(random_samples(figure, rng), rng.uniform(0.1, 1.9, 5))
+
+
+KINDS: dict[str, Kind] = {
+    "covariant": plain(CovariantAcceleration()),
+    "unit": plain(UnitMagnitude()),
+    "root": plain(RootAcceleration()),
+    "peak": plain(PeakAcceleration()),
+    "posture": plain(Posture()),
+    "speed": lambda figure, rng: (Speed.of(figure, 0.5), random_samples(figure, rng)),
+    "torque": plain(Torque()),
+    "torque with armature": armed,
+    "contact with a floor": contact(FLOOR),
+    "contact with a slope": contact(SLOPE),
+    "contact with a block": contact(BLOCK),
+    "contact with a step": contact(STEP),
+    "contact with a floor and a block": contact(FLOOR, BLOCK),
+    "contact with an allowance": contact(FLOOR, allowed=True),
+    "skate": skate(UP),
+    "skate on a slope": skate(TILTED),
+    "hover": hover(firm=False),
+    "firm hover": hover(firm=True),
+    "support": support,
+    "flight": flight(0.0),
+    "flight with a moment": flight(0.7),
+    "planted": planted,
+    "instants": instants,
+    "rest": resting,
+    "grasp": grasp(is_known=True),
+    "grasp without a spot": grasp(is_known=False),
+    "bend": bends,
+    "range": joint_range,
+    "overshoot": overshoot,
+    "upright": upright,
+    "upright at a time": leaning,
+    "tracking": tracking,
+}
+OF_LENGTHS = {"unit", "tracking"}  # kinds that depend on the lengths of quaternions
+
+
+@pytest.fixture(params=KINDS)
+def kind(request: pytest.FixtureRequest) -> str:
+    return request.param
+
+
+def test_the_gradient_has_taylor_slope_two(kind: str, figure: Figure, rng: np.random.Generator) -> None:
+    penalty, samples = KINDS[kind](figure, rng)
+    assert penalty.evaluate(samples).any() or (kind == "bend" and not figure.tables.ball_links.size)
+    assert penalty_slope(penalty, samples, rng, any_length=kind not in OF_LENGTHS) > 1.9
+
+
+def test_one_sided_residuals_add_up_and_their_rows_are_their_gradients(kind, figure, rng) -> None:
+    penalty, samples = KINDS[kind](figure, rng)
+    sides = penalty.one_sided_residuals(samples)
+    if sides is None or not sides.at.size:
+        return
+    total = np.bincount(sides.at, np.maximum(sides.value, 0) ** 2, samples.count)
+    if kind.startswith("contact") or kind in ("bend", "range", "overshoot"):
+        np.testing.assert_allclose(total, penalty.evaluate(samples), rtol=1e-9, atol=1e-15)
+    direction, h = rng.normal(size=samples.y.shape), 1e-7
+    by = h * np.stack([direction, 0 * direction, 0 * direction])
+    after, before = sides_of(penalty, shifted(samples, by)), sides_of(penalty, shifted(samples, -by))
+    np.testing.assert_array_equal(after.at, sides.at)
+    np.testing.assert_array_equal(before.at, sides.at)
+    slope = np.einsum("pn,pn->p", sides.rows, direction[sides.at])
+    np.testing.assert_allclose((after.value - before.value) / (2 * h), slope, rtol=1e-4, atol=1e-5)
+
+
+POWERS = {"covariant": 4, "root": 4, "peak": 16, "posture": 2, "skate": 2}  # of a clip's duration
+TIMELESS = ("unit", "contact with a floor", "bend", "range", "upright", "planted", "overshoot", "instants")
+
+
+@pytest.mark.parametrize("name", [*POWERS, *TIMELESS])
+def test_a_clip_that_is_played_slower_costs_less_by_a_power(
+    name: str, figure: Figure, rng: np.random.Generator
+) -> None:
+    penalty, samples = KINDS[name](figure, rng)
+    power = POWERS.get(name, 0)
+    assert penalty.normalization.time_power == power
+    slower = Samples(figure, samples.y, samples.y_d / 3, samples.y_dd / 9, t=samples.t)
+    np.testing.assert_allclose(penalty.evaluate(slower) * 3.0**power, penalty.evaluate(samples), rtol=1e-9)
+
+
+PLACED = {"planted", "instants", "range", "overshoot", "tracking", "contact with a slope", "skate on a slope"}
+PLACED |= {"contact with a block", "contact with a step", "contact with a floor and a block", "rest", "support"}
+
+
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+@pytest.mark.parametrize("name", [name for name in KINDS if name not in PLACED])
+def test_a_motion_moved_and_turned_about_the_vertical_costs_the_same(name, coordinates, rng) -> None:
+    penalty, samples = KINDS[name](figure_named(f"ball tree, {coordinates}"), rng)
+    turn, shift = quat.from_rotation_vector(np.array([0.0, 0, 2.1])), np.array([1.3, -0.7, 0])
+    moved = [np.array(part) for part in (samples.y, samples.y_d, samples.y_dd)]
+    tables = samples.figure.tables
+    for order, part in enumerate(moved):
+        for columns in tables.position_columns.T:
+            part[:, columns] = quat.rotated(turn, part[:, columns]) + (order == 0) * shift
+        for i, columns in zip(tables.quaternion_links.tolist(), tables.quaternion_columns.T, strict=True):
+            if tables.in_world[i] or samples.figure.links[i].kind is JointKind.FREE:
+                part[:, columns] = quat.product(turn, part[:, columns])
+    values = penalty.evaluate(Samples(samples.figure, *moved, t=samples.t))
+    np.testing.assert_allclose(values, penalty.evaluate(samples), rtol=1e-7, atol=1e-10)
