@@ -1,28 +1,40 @@
-"""The verb: E falls from callback to callback, keyframes are exact in every one, any stop leaves a usable motion."""
+"""The main function of the solver: its inputs, its results, and what every callback guarantees."""
+
+from __future__ import annotations
 
 from dataclasses import replace
 from importlib import import_module
+from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import pytest
-from figures import BALL, ONE_BALL, figure_of
+from figures import BALL, ONE_BALL, TINY, figure_of
 from hinged import PENALTIES, hinge_keys, hinged
 from random_keys import TIMES, closed, distance_from_key, partial_keys, random_keys
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.quadrature import Quadrature
+from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.inbetween import _Loop, continue_from, inbetween
 from dynsplines.solver.objective import Objective
-from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
-from dynsplines.solver.problem import Problem, Settings
+from dynsplines.solver.penalty import (
+    Contact,
+    CovariantAcceleration,
+    OvershootPenalty,
+    RootAcceleration,
+    TrackingPenalty,
+    UnitMagnitude,
+)
+from dynsplines.solver.problem import SPACING, Guides, Problem, Settings, guide_of
 from dynsplines.solver.refine.parts import Part
 from dynsplines.solver.refine.subdivision import CRITERIA, split
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.search.nlopt_methods import METHODS
-from dynsplines.solver.solution import Improvement, Solution
+from dynsplines.solver.solution import AT_AN_END, Improvement, Solution
 from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point
 
@@ -368,3 +380,122 @@ def test_a_fast_point_does_not_pass_through_a_thin_wall_between_two_samples(seed
     assert np.linalg.norm(np.maximum(away, 0), axis=1).min() > radius - 0.001
     samples = motion.objective.nodes(motion.timeline.times)[0].size
     assert samples < 10 * Quadrature(points=3, longest=0.05).nodes(motion.timeline.times)[0].size
+
+
+@pytest.mark.parametrize("name", ["variable", "frames", "max_evaluations", "tolerance", "batch", "threshold"])
+def test_the_least_that_may_be_requested_is_taken_and_less_is_refused(name):
+    bounds: dict[str, Any] = {
+        "variable": (0, -1),
+        "frames": (0, -1),
+        "max_evaluations": (1, 0),
+        "tolerance": (1e-300, 0.0),
+        "batch": (1e-300, 0.0),
+        "threshold": (0.0, -1e-300),
+    }
+    least, less = bounds[name]
+    assert getattr(Settings(**{name: least}), name) == least
+    with pytest.raises(ValueError, match="settings: "):
+        Settings(**{name: less})
+
+
+def counts(settings: Settings, *spans: float, in_windows: bool = False) -> list[int]:
+    """How many frames a segment begins with; that they are evenly spaced."""
+    times = 3.0 + np.cumsum([0.0, *spans])
+    found = settings.beginning(times, in_windows=in_windows)
+    out = []
+    for a, b in pairwise(times):
+        own = found[(found > a) & (found < b)]
+        np.testing.assert_allclose(np.diff([a, *own, b]), (b - a) / (own.size + 1))
+        out.append(own.size)
+    assert sum(out) == found.size
+    return out
+
+
+def test_a_segment_begins_with_two_frames_and_with_more_only_where_it_is_longer_than_three_spacings():
+    """The frames that the spacing asks for are one fewer than its spans."""
+    assert counts(Settings(), 3 * SPACING, 2.9 * SPACING, 0.5 * SPACING) == [2, 2, 2]
+    assert counts(Settings(), 3.01 * SPACING, 4 * SPACING, 4.01 * SPACING) == [3, 3, 4]
+    assert counts(Settings(), 9.5 * SPACING, 1.0 * SPACING) == [9, 2]
+    assert counts(Settings(), 9.5 * SPACING, 1.0 * SPACING, in_windows=True) == [9, 3]
+
+
+def test_a_budget_that_long_segments_would_break_leaves_them_as_they_are():
+    spans = (9.5 * SPACING, SPACING)
+    assert counts(Settings(frames=11), *spans) == [9, 2]
+    assert counts(Settings(frames=10), *spans) == [2, 2]
+    assert counts(Settings(frames=0), *spans) == [2, 2]
+
+
+@pytest.mark.parametrize("variable", [0, 1, 5])
+def test_a_given_number_applies_in_every_segment_however_long(variable):
+    assert counts(Settings(variable=variable), 5.0, 0.001, 0.3) == [variable] * 3
+    assert Settings(variable=variable, frames=2).in_each(3, in_windows=False) == variable
+
+
+def test_in_windows_a_budget_is_shared_out_between_two_and_three_a_segment():
+    assert [Settings(frames=n).in_each(10, in_windows=True) for n in (None, 5, 19, 20, 29, 30, 90)] == [
+        3, 2, 2, 2, 2, 3, 3,
+    ]  # fmt: skip
+    assert [Settings(frames=n).in_each(10, in_windows=False) for n in (None, 0, 30)] == [2, 2, 2]
+
+
+def test_limits_are_the_last_of_the_guides_that_have_a_weight():
+    figure = figure_of(TINY)
+    states = figure.to_state(np.tile(figure.model.qpos0, (9, 1)))
+    recorded = RecordedMotion(figure, np.arange(9.0), states, np.ones_like(states))
+    limit, tracking = OvershootPenalty((), figure=figure), TrackingPenalty(recorded)
+    for penalties in ((limit, tracking), (tracking, limit)):
+        guides = guide_of(Objective.of(figure, [(penalty, 1.0) for penalty in penalties]))
+        assert isinstance(guides, Guides)
+        assert guides.parts == (tracking, limit)
+        assert guide_of(Objective.of(figure, [(tracking, 1.0), (limit, 0.0)])) is tracking
+    assert guide_of(Objective.of(figure, [(limit, 0.0)])) is None
+
+
+def solution() -> Solution:
+    figure = hinged()
+    raw = raw_timeline(figure, hinge_keys())
+    return Solution(figure, Objective.of(figure, PENALTIES), raw, raw)
+
+
+def test_a_motion_is_seen_from_its_first_keyframe_to_its_last_and_a_rounding_beyond():
+    found = solution()
+    t = np.array([0.0, 0.7, 2.0])
+    np.testing.assert_allclose(found.at(t), path_of(found.timeline).at(t))
+    assert found.at(0.7).shape == (1, 2)
+    np.testing.assert_allclose(found.at([-AT_AN_END, 2 + 0.9 * AT_AN_END]), found.at([0.0, 2.0]), atol=1e-7)
+    for outside in (-1.1 * AT_AN_END, 2 + 1.1 * AT_AN_END):
+        with pytest.raises(ValueError, match="from 0 to 2 s; there is nothing to see outside"):
+            found.at([0.5, outside])
+
+
+def test_quaternions_of_a_motion_are_unit():
+    figure = figure_of(BALL)
+    keys = [Frame.key(t, [0, 0, 1, *(2 + t) * np.array([np.cos(t), 0, np.sin(t), 0])]) for t in (0.0, 1.0, 2.0)]
+    raw = raw_timeline(figure, keys)
+    found = Solution(figure, Objective.of(figure, PENALTIES), raw, raw).at(np.linspace(0, 2, 9))
+    np.testing.assert_allclose(np.linalg.norm(found[:, 3:], axis=1), 1)
+
+
+def test_it_is_raw_if_nothing_was_evaluated_and_times_states_and_speeds_are_those_of_the_raw_spline():
+    found = solution()
+    assert found.is_raw
+    assert not replace(found, evaluations=1).is_raw
+    raw = found.raw
+    later = [replace(frame, time=frame.time + (i == 1) * 0.1) for i, frame in enumerate(raw.frames)]
+    moved = [replace(frame, state=frame.state + (i == 1) * 0.1) for i, frame in enumerate(raw.frames)]
+    for other in (
+        Timeline(tuple(later), raw.end_slope, raw.ends),
+        Timeline(tuple(moved), raw.end_slope, raw.ends),
+        Timeline(raw.frames, raw.end_slope + 0.1, raw.ends),
+    ):
+        assert not replace(found, timeline=other).is_raw
+
+
+def test_an_improvement_builds_its_path_once_and_only_when_it_is_requested():
+    built, raw = [], solution().raw
+    told = Improvement(3, 1, 0.5, {"acceleration.angular": 0.5}, lambda: built.append(1) or raw)
+    assert not built
+    np.testing.assert_array_equal(told.path.at(raw.times), path_of(raw).at(raw.times))
+    assert told.path is told.path
+    assert built == [1]

@@ -1,20 +1,27 @@
-"""The cycle that keyframes tell: its period from few of them, no alias, and nothing where there is none."""
+"""Gait cycles, their periods, and steps."""
+
+from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
+import mujoco
 import numpy as np
 import pytest
+import walkers
 from figures import EVERY_JOINT, figure_of
 from gaits import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
 from walker import FINE
 
-from dynsplines.clip.build import constraints
+from dynsplines import Keyframe, build, load
+from dynsplines.clip.build import Clip, constraints
 from dynsplines.clip.context import Context
 from dynsplines.clip.parse import chosen
 from dynsplines.clip.table import PenaltyTable
 from dynsplines.solver import quaternion as quat
+from dynsplines.solver.contacts.gait import PoseProcess
 from dynsplines.solver.contacts.gait_period import SLIP, Gait
-from dynsplines.solver.contacts.pose_vectors import PoseVectors
+from dynsplines.solver.contacts.pose_vectors import Heading, PoseVectors
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
@@ -169,3 +176,111 @@ def test_where_the_cycle_is_not_told_it_asks_for_nothing():
     values = Cycle(FIGURE, late).evaluate(Samples(FIGURE, y, 0 * y, 0 * y, t=t))
     assert values[0] == values[-1] == 0
     assert np.all(values[1:3] > 0)
+
+
+def test_bodies_of_one_dynamic_similarity_have_strides_of_one_shape():
+    """Faster and larger by the law v² ~ g h: the same period in units of √(h / g), so the same relative stride."""
+    one = gait(WALK, 0.42)
+    slower = raw_timeline(
+        FIGURE,
+        [Frame.key(2 * f.time, q) for f, q in zip(one.keys.frames, FIGURE.to_qpos(one.keys.states), strict=True)],
+    )
+    half = Gait(FIGURE, slower, SOLES, GROUND)
+    assert half.usual_period == pytest.approx(one.usual_period * 2 ** (1 - 2 * 0.3))
+
+
+def test_candidates_come_likeliest_first_between_the_periods_asked_for_and_above_the_least():
+    seen = gait(WALK, 0.3)
+    poses = PoseVectors.of(FIGURE, seen.keys)
+    assert poses is not None
+    process = PoseProcess(poses)
+    found = seen.candidates(process, (0.4, 2.6), -np.inf)
+    gains = [gait_cycle.gain for gait_cycle in found]
+    assert len(found) > 1
+    assert gains == sorted(gains, reverse=True)
+    assert abs(found[0].period / PERIOD - 1) < 0.05
+    for gait_cycle in found:
+        assert 0.4 <= gait_cycle.period <= 2.6
+        around = [process.gain(gait_cycle.period * factor) for factor in (0.985, 1.0, 1.015)]
+        assert gait_cycle.period in (0.4, 2.6) or around[1] == max(around)
+        assert gait_cycle.gain == pytest.approx(process.gain(gait_cycle.period))
+    above = seen.candidates(process, (0.4, 2.6), gains[1] - 1e-9)
+    assert [gait_cycle.period for gait_cycle in above[:1]] == [found[0].period]
+    assert len(above) <= 2
+    assert seen.candidates(process, (1.0, 1.0), -np.inf) == []
+    given = seen.with_period(0.9)
+    assert given is not None
+    assert given.period == 0.9
+
+
+def test_feet_slide_by_as_much_as_the_body_is_carried_along_besides_whatever_the_ground_is_called():
+    """Pushed forward by a share of its speed, the standing foot slides by that share of the new one."""
+    seen = gait(WALK, 0.3)
+    gait_cycle = seen.with_period(PERIOD)
+    assert gait_cycle is not None
+    assert gait_cycle.slip < 0.2
+    for share in (1.0, 3.0):
+        pushed = np.array(WALK)
+        pushed[:, 0] *= 1 + share
+        carried = gait(pushed, 0.3).with_period(PERIOD)
+        assert carried is not None
+        assert carried.slip == pytest.approx(share / (1 + share), abs=0.12)
+    low = replace(seen, surfaces=(Plane("low", np.array([0, 0, -0.7]), np.array([0.0, 0, 1])),))
+    sunk = low.with_period(PERIOD)
+    assert sunk is not None
+    assert sunk.slip == pytest.approx(gait_cycle.slip, rel=1e-6)  # low is what is lowest of them, not what touches
+
+
+@pytest.mark.parametrize("between", [(0.95, 1.06), (1.14, 1.25)])
+def test_a_likelihood_that_rises_to_an_end_of_what_may_be_has_its_peak_there(between):
+    seen = gait(WALK, 0.3)
+    poses = PoseVectors.of(FIGURE, seen.keys)
+    assert poses is not None
+    found = seen.candidates(PoseProcess(poses), between, -np.inf)
+    nearest = min(between, key=lambda end: abs(end - PERIOD))
+    assert found[0].period == pytest.approx(nearest, rel=1e-9)
+
+
+def placing(clip: Clip) -> set[str]:
+    """The names of the links whose joints place a foot."""
+    steps = clip.context.schedule.steps
+    return {link.name for link, places in zip(clip.figure.links, steps.placing.tolist(), strict=True) if places}
+
+
+def test_hips_and_knees_of_a_person_place_a_foot():
+    assert placing(load("run_and_step")) == {"left_hip", "right_hip", "left_knee", "right_knee"}
+
+
+@pytest.mark.parametrize(
+    ("text", "others"),
+    [(walkers.BIPED, "_ankle_roll"), (walkers.QUADRUPED, "trunk")],
+    ids=["feet with several points", "feet that are points"],
+)
+def test_every_joint_of_a_leg_places_a_foot_unless_it_only_turns_one(text: str, others: str, tmp_path: Path):
+    (tmp_path / "walker.xml").write_text(text, encoding="utf-8")
+    model = mujoco.MjModel.from_xml_string(text)
+    clip = build(str(tmp_path / "walker.xml"), [Keyframe(t, qpos=model.qpos0) for t in (0.0, 1.0)])
+    elsewhere = ("world", "root", "waist", "shoulder", "elbow", others)
+    expected = {link.name for link in clip.figure.links if not any(part in link.name for part in elsewhere)}
+    assert placing(clip) == expected and len(expected) >= 10
+
+
+def test_the_heading_is_the_angle_of_the_x_axis_without_jumps(rng):
+    times = np.linspace(0, 2, 6)
+    yaw = 2.8 + 1.5 * times  # beyond 180°
+    lean = quat.from_rotation_vector(np.column_stack([0 * times, rng.uniform(-0.4, 0.4, 6), 0 * times]))
+    rotations = quat.product(quat.from_rotation_vector(np.outer(yaw, [0.0, 0, 1])), lean)
+    turned = quat.product(Heading.of(times, rotations).turn(times, -1), rotations)
+    np.testing.assert_allclose(np.abs(np.sum(turned * lean, axis=1)), 1, atol=1e-12)
+
+
+def test_poses_of_a_walk_in_a_circle_are_those_of_the_walk_on_a_line():
+    picked = np.arange(0, TIME.size, TIME.size // 7)
+    poses = []
+    for angle in (0 * TIME, -1.0 + 0.4 * TIME):
+        qpos = WALK.copy()
+        qpos[:, 3:7] = quat.product(quat.from_rotation_vector(np.outer(angle, [0.0, 0, 1])), WALK[:, 3:7])
+        poses.append(PoseVectors.of(FIGURE, raw_timeline(FIGURE, [Frame.key(TIME[k], qpos[k]) for k in picked])))
+    assert poses[0] is not None
+    assert poses[1] is not None
+    np.testing.assert_allclose(poses[1].rows, poses[0].rows, atol=1e-9)

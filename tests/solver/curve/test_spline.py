@@ -1,16 +1,26 @@
-"""The spline against SciPy's, its exactness under insertion and its transpose."""
+"""Splines, quadrature and banded matrices, against SciPy and NumPy."""
 
+from __future__ import annotations
+
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from numpy.polynomial import Polynomial
 from scipy.interpolate import BSpline, CubicSpline
+from scipy.linalg import null_space
 
+from dynsplines.solver.curve import banded
+from dynsplines.solver.curve.elimination import Elimination
+from dynsplines.solver.curve.quadrature import LEAST_PER_SPAN, MOST_SAMPLES, Quadrature, gauss_nodes
 from dynsplines.solver.curve.spline import Path, Sampling, Spline, natural_end_slopes
 
 TIMES = np.array([-0.3, 0.2, 0.25, 1.4, 2.0, 3.7])
+
+
 ENDS = ["free", "clamped", "periodic"]
 
 
@@ -125,3 +135,163 @@ def test_pulled_back_is_the_transpose_of_samples(rng, ends):
     gradients = [rng.normal(size=(30, 3)) for _ in range(3)]
     forth = sum(np.sum(g * s) for g, s in zip(gradients, sampling.samples(rows), strict=True))
     np.testing.assert_allclose(np.sum(sampling.pulled_back(gradients) * rows), forth, rtol=1e-11)
+
+
+KNOTS = np.array([1.0, 1.25, 2.0, 4.0])
+
+
+@pytest.mark.parametrize("points", [1, 2, 5])
+def test_gausss_points_integrate_polynomials_of_twice_their_number_less_one_in_every_span_and_no_higher(points, rng):
+    t, w = Quadrature(points=points).nodes(KNOTS)
+    assert t.size == w.size == 3 * points
+    for k, (a, b) in enumerate(pairwise(KNOTS)):
+        own = slice(k * points, (k + 1) * points)
+        assert a < t[own][0] and np.all(np.diff(t[own]) > 0) and t[own][-1] < b
+        for degree, exact in ((2 * points - 1, True), (2 * points, False)):
+            f = Polynomial(np.append(rng.normal(size=degree), 1))
+            whole = (f.integ()(1) - f.integ()(-1)) * (b - a) / 2  # of the span as if it went from −1 to 1
+            seen = f((2 * t[own] - a - b) / (b - a))
+            assert (w[own] @ seen == pytest.approx(whole, rel=1e-11, abs=1e-11)) == exact
+    np.testing.assert_array_equal(gauss_nodes(KNOTS, points)[0], t)
+
+
+def test_cuts_divide_panels_unless_they_are_at_their_edges_or_outside():
+    quadrature = Quadrature(points=2, longest=0.5, cuts=(3.25, 1.1, 2.5003, 2.0, 0.5, 4.5))
+    np.testing.assert_allclose(quadrature.panels(KNOTS), [1, 1.1, 1.25, 1.625, 2, 2.5, 3, 3.25, 3.5, 4])
+    t, w = quadrature.nodes(KNOTS)
+    f = Polynomial([1, -2, 0.5, 3])
+    assert w @ f(t) == pytest.approx(f.integ()(4) - f.integ()(1), rel=1e-12)
+
+
+def test_even_samples_lie_in_the_middles_of_equal_cells():
+    t, w = Quadrature("uniform", 60).nodes(KNOTS)
+    np.testing.assert_allclose(t, 1.025 + 0.05 * np.arange(60), rtol=1e-12)
+    np.testing.assert_allclose(w, np.full(60, 0.05), rtol=1e-12)
+
+
+def test_of_even_samples_there_are_four_in_the_shortest_span_at_least():
+    """A span of a quarter of a second in three seconds: a twelfth, of which four make 48."""
+    assert LEAST_PER_SPAN == 4
+    for points, count in ((1, 48), (48, 48), (49, 49)):
+        assert Quadrature("uniform", points).nodes(KNOTS)[0].size == count
+    assert Quadrature("uniform", 1).nodes(np.array([0.0, 0.1, 0.3]))[0].size == 12
+    assert Quadrature("uniform", 1).nodes(np.array([0.0, 0.1, 0.301]))[0].size == 13
+
+
+def test_so_many_even_samples_that_they_would_fill_the_memory_are_refused():
+    short = LEAST_PER_SPAN / MOST_SAMPLES
+    assert Quadrature("uniform", 1).nodes(np.array([0.0, short, 1.0]))[0].size == MOST_SAMPLES
+    with pytest.raises(ValueError, match=f"would take {MOST_SAMPLES + 1} samples; use 'gauss'"):
+        Quadrature("uniform", 1).nodes(np.array([0.0, short / (1 + 0.5 / MOST_SAMPLES), 1.0]))
+
+
+def test_spans_that_are_too_long_are_cut_into_equal_panels_and_no_more_of_them_than_need_be():
+    np.testing.assert_array_equal(Quadrature().panels(KNOTS), KNOTS)
+    np.testing.assert_array_equal(Quadrature(longest=2.0).panels(KNOTS), KNOTS)
+    np.testing.assert_allclose(Quadrature(longest=1.0).panels(KNOTS), [1, 1.25, 2, 3, 4])
+    np.testing.assert_allclose(Quadrature(longest=0.5).panels(KNOTS), [1, 1.25, 1.625, 2, 2.5, 3, 3.5, 4])
+    np.testing.assert_allclose(Quadrature(longest=0.499).panels(KNOTS), [1, 1.25, 1.625, 2, 2.4, 2.8, 3.2, 3.6, 4])
+    np.testing.assert_allclose(Quadrature(longest=0.1).panels(np.array([0, 0.3])), [0, 0.1, 0.2, 0.3], atol=1e-15)
+    t, w = Quadrature(points=2, longest=1.0).nodes(KNOTS)
+    np.testing.assert_array_equal((t, w), gauss_nodes(np.array([1, 1.25, 2, 3, 4]), 2))
+
+
+def test_what_makes_no_sense_is_refused():
+    for kind in ("gauss", "uniform"):
+        assert Quadrature(kind, 1, 1e-300).points == 1
+    with pytest.raises(ValueError, match="kind = 'simpson' is not one of 'gauss', 'uniform'"):
+        Quadrature("simpson")
+    for points, longest in ((0, 1.0), (1, 0.0), (1, np.nan), (0, 0.0)):
+        with pytest.raises(ValueError, match="points and longest must be positive"):
+            Quadrature(points=points, longest=longest)
+
+
+SHAPES = [(1, 1), (6, 1), (9, 3), (20, 7), (5, 5), (4, 6)]  # the last: wider than the matrix is high
+
+
+def positive(rng: np.random.Generator, n: int, width: int) -> np.ndarray:
+    """A dense symmetric positive definite matrix with `width` − 1 diagonals below the main one."""
+    lower = np.tril(np.triu(rng.normal(size=(n, n)), 1 - width))
+    return lower @ lower.T + 0.5 * np.eye(n)
+
+
+def stored(dense: np.ndarray, width: int) -> np.ndarray:
+    """Row i: the entries of column i from the diagonal down; rubbish where the matrix has ended."""
+    n = len(dense)
+    band = np.full((n, width), 1e6)
+    for column in range(n):
+        for k in range(min(width, n - column)):
+            band[column, k] = dense[column + k, column]
+    return band
+
+
+@pytest.mark.parametrize(("n", "width"), SHAPES)
+@pytest.mark.parametrize("sides", [1, 3])
+def test_solves_are_those_with_the_dense_matrix_and_its_two_halves(rng, n, width, sides):
+    dense = positive(rng, n, width)
+    right = rng.normal(size=(n, sides))
+    kept = right.copy()
+    factor, half = banded.factored(stored(dense, width)), np.linalg.cholesky(dense)
+    assert factor is not None
+    np.testing.assert_allclose(banded.solved(factor, right), np.linalg.solve(dense, right), rtol=1e-8, atol=1e-10)
+    np.testing.assert_allclose(banded.half_solved(factor, right), np.linalg.solve(half, right), rtol=1e-8, atol=1e-10)
+    other = banded.other_half_solved(factor, right)
+    np.testing.assert_allclose(other, np.linalg.solve(half.T, right), rtol=1e-8, atol=1e-10)
+    np.testing.assert_array_equal(right, kept)
+
+
+@pytest.mark.parametrize("at", [0, 4, 8])
+def test_a_matrix_that_is_not_positive_has_no_factor(rng, at):
+    dense = positive(rng, 9, 3)
+    dense[at, at] = -1.0
+    assert banded.factored(stored(dense, 3)) is None
+    assert banded.factored(stored(np.zeros((9, 9)), 3)) is None
+
+
+@pytest.mark.parametrize("n", [3, 4, 9])
+def test_a_tridiagonal_solves_with_itself_and_its_transpose(rng, n):
+    lower, diagonal, upper = rng.normal(size=n - 1), rng.normal(size=n), rng.normal(size=n - 1)
+    dense = np.diag(lower, -1) + np.diag(diagonal) + np.diag(upper, 1)
+    factor, right = banded.Tridiagonal(lower, diagonal, upper), rng.normal(size=(n, 2))
+    np.testing.assert_allclose(dense @ factor.solved(right), right, atol=1e-9)
+    np.testing.assert_allclose(dense.T @ factor.solved(right, transposed=True), right, atol=1e-9)
+
+
+def test_a_tridiagonal_without_an_inverse_is_refused():
+    with pytest.raises(ArithmeticError):
+        banded.Tridiagonal(np.zeros(2), np.zeros(3), np.zeros(2))
+
+
+@settings(max_examples=100)
+@given(
+    st.lists(st.floats(0.01, 1), min_size=2, max_size=12),
+    st.sampled_from(["free", "periodic"]),
+    st.randoms(use_true_random=False),
+)
+def test_its_functions_span_the_splines_whose_held_rows_are_zero(gaps, ends, random):
+    spline = Spline(np.append(0.0, np.cumsum(gaps)), ends)
+    held = np.array([random.random() < 0.5 for _ in range(spline.size)])
+    held[int(random.random() * spline.size)] = False
+    basis = Elimination(spline, held)
+    matrix, rows = basis.matrix.toarray(), spline.states_and_slopes(np.eye(spline.size))
+    scale = np.abs(matrix).max()
+    np.testing.assert_allclose(rows[held] @ matrix, 0, atol=1e-9 * scale * np.abs(rows).max())
+    constraints = rows[held] / np.linalg.norm(rows[held], axis=1, keepdims=True)
+    freedoms = np.asarray(null_space(constraints)).shape[1] if held.any() else held.size
+    assert np.linalg.matrix_rank(matrix) == basis.count == freedoms
+    np.testing.assert_array_equal(basis.transposed.toarray(), matrix.T)
+
+
+@pytest.mark.parametrize("held", [[0], [0, 2, 3, 5], [0, 1, 2, 3, 4, 5, 6], [0, 3, 6, 7, 8]], ids=str)
+def test_at_samples_four_of_its_functions_are_nonzero(rng, held):
+    spline = Spline(np.cumsum(rng.uniform(0.1, 1, 7)))
+    basis = Elimination(spline, np.isin(np.arange(spline.size), held))
+    sampling = Sampling.of(spline, np.sort(rng.uniform(*spline.times[[0, -1]], 50)))
+    for ours, theirs in zip(basis.sampled(sampling).bases, sampling.bases, strict=True):
+        np.testing.assert_allclose(ours.toarray(), theirs.toarray() @ basis.matrix.toarray(), atol=1e-9)
+
+
+def test_a_square_of_rows_is_the_upper_triangle_of_their_product(rng):
+    rows = rng.normal(size=(5, 3))
+    np.testing.assert_allclose(banded.squared(rows), np.triu(rows.T @ rows), rtol=1e-12)
+    np.testing.assert_allclose(banded.squared(rows, -2.0), np.triu(-2 * rows.T @ rows), rtol=1e-12)

@@ -1,16 +1,26 @@
-"""A figure as its model has it: orientations and places are MuJoCo's, names tell links, coordinates suit the joints."""
+"""Figures of any model, and their roots."""
 
 from __future__ import annotations
+
+import itertools
 
 import mujoco
 import numpy as np
 import pytest
 from figures import BALL_TREE, CHAIN, EVERY_JOINT, LEG, MIXED, TINY, figure_of, link_named
-from oracles import kinematics
+from oracles import kinematics, mujoco_forces
 from random_keys import random_qpos
+from random_model import random_figure
+from random_samples import random_samples
+from taylor import taylor_slope
 
+from dynsplines.solver.figure.adjoint import Cotangent
+from dynsplines.solver.figure.dynamics import InverseDynamics, generalised_forces, velocities
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.naming import geom_name, names_of_joints
+from dynsplines.solver.figure.root import has_fixed_base, root_of, sliding_joints
+from tests.support.biped import BALL, BOX, CART, DOOR, DRAWER, biped, joints, scene
 
 
 @pytest.mark.parametrize("text", [BALL_TREE, EVERY_JOINT, MIXED, TINY, LEG])
@@ -116,3 +126,128 @@ def test_a_geom_without_a_name_is_called_after_its_body_and_no_two_alike():
     model = mujoco.MjModel.from_xml_string(UNNAMED)
     found = [geom_name(model, geom) for geom in range(model.ngeom)]
     assert found == ["geom 0", "sole", "foot", "leg 1", "geom 4", "leg 2", "geom 6"]
+
+
+PLANAR = biped(joints(("tx", "tz", "ry")))
+
+
+ARM = '<body><joint axis="0 0 1"/><geom size=".1"/><body pos=".2 0 0"><joint/><geom size=".1"/></body></body>'
+
+
+RAIL = '<body><joint type="slide" axis="1 0 0"/><joint type="slide"/><geom size=".1"/></body>'
+
+
+def root_bodies(xml: str) -> tuple[str, str] | None:
+    """The root's body and joint, by name."""
+    model = mujoco.MjModel.from_xml_string(xml)
+    root = root_of(model)
+    if root is None:
+        return None
+    return model.body(root.body).name, model.joint(root.joint).name
+
+
+@pytest.mark.parametrize("order", list(itertools.permutations(range(3))))
+@pytest.mark.parametrize("objects", [(BOX, BALL), (CART, DOOR), (BOX, DRAWER)])
+def test_objects_may_be_listed_before_and_after_the_robot(objects: tuple[str, str], order: tuple[int, ...]) -> None:
+    bodies = (biped(), *objects)
+    assert root_bodies(scene(*(bodies[i] for i in order))) == ("pelvis", "root")
+
+
+def test_of_two_robots_the_evidently_larger_one_is_the_figure() -> None:
+    arms = "".join(f'<body pos="0 0 .{i}"><joint/><geom size=".05"/></body>' for i in range(1, 8))
+    large = biped(prefix="b_", x=1.0, root='<freejoint name="b_root"/>').replace("</body>", arms + "</body>", 1)
+    assert root_bodies(scene(biped(), large)) == ("b_pelvis", "b_root")
+
+
+def test_two_robots_of_one_size_are_ambiguous() -> None:
+    model = mujoco.MjModel.from_xml_string(scene(BOX, biped(), biped(prefix="b_", x=1.0, root="<freejoint/>")))
+    root = root_of(model)
+    assert root is not None and root.is_ambiguous
+    assert [model.body(body).name for body in (root.body, *root.rivals)] == ["pelvis", "b_pelvis"]
+
+
+def test_the_root_is_the_first_of_the_free_links() -> None:
+    figure = figure_of(scene(BOX, biped(), BALL))
+    named = [figure.links[i].name for i in figure.tables.free_links]
+    assert named == ["root", "box_free", "ball"]
+    assert figure.tables.position_columns[:, 0].tolist() == [7, 8, 9]
+
+
+@pytest.mark.parametrize(
+    ("bodies", "root", "sliding", "is_fixed"),
+    [
+        ((PLANAR, BOX), None, 3, False),
+        ((PLANAR, DRAWER, biped(prefix="b_", root='<freejoint name="b"/>')), ("b_pelvis", "b"), 3, False),
+        ((ARM,), None, 0, True),
+        ((ARM, RAIL, BOX), ("box", "box_free"), 0, True),
+        ((RAIL,), None, 0, False),
+        ((BOX,), ("box", "box_free"), 0, False),
+    ],
+)
+def test_slides_and_hinges_are_no_root(
+    bodies: tuple[str, ...], root: tuple[str, str] | None, sliding: int, is_fixed: bool
+) -> None:
+    assert root_bodies(scene(*bodies)) == root
+    model = mujoco.MjModel.from_xml_string(scene(*bodies))
+    assert (len(sliding_joints(model)), has_fixed_base(model)) == (sliding, is_fixed)
+
+
+SEEDS = range(24)
+
+
+COORDINATES = ("auto", "world", "joint")
+
+
+def test_the_random_models_mix_what_they_should():
+    figures = [random_figure(seed, "world")[0] for seed in SEEDS]
+    kinds = [{link.kind for link in figure.links[1:]} for figure in figures]
+    assert sum(kind == set(JointKind) for kind in kinds) > 3
+    flags = [figure.tables.in_world[figure.tables.ball_links] for figure in figures]
+    assert sum(bool(flag.any() and not flag.all()) for flag in flags) > 3
+    assert any(figure.is_world for figure in figures) or any(flag.all() for flag in flags)
+    assert any(figure.tables.free_links.size > 1 for figure in figures)
+    assert any(figure.tables.free_links.size and figure.tables.free_links[0] > 1 for figure in figures)
+
+
+@pytest.mark.parametrize("coordinates", COORDINATES)
+@pytest.mark.parametrize("seed", SEEDS[:10])
+def test_bodies_are_where_mujoco_has_them_and_its_forces_are_found(seed, coordinates):
+    figure, rng = random_figure(seed, coordinates)
+    samples = random_samples(figure, rng, 3)
+    data = mujoco.MjData(figure.model)
+    qpos = figure.to_qpos(samples.y)
+    np.testing.assert_allclose(figure.to_qpos(figure.to_state(qpos)), qpos, atol=1e-12)
+    qvel, _ = velocities(samples)
+    for i in range(3):
+        data.qpos[:], data.qvel[:] = qpos[i], qvel[i]
+        mujoco.mj_fwdPosition(figure.model, data)
+        mujoco.mj_fwdVelocity(figure.model, data)
+        spin = np.zeros(6)
+        for body in range(1, figure.model.nbody):
+            link, place = figure.point_on_link(body, np.zeros(3))
+            where, offset = samples.links.points(np.array([link]), place[:, None])
+            np.testing.assert_allclose(where[:, 0, i], data.xpos[body], atol=1e-11)
+            mujoco.mj_objectVelocity(figure.model, data, mujoco.mjtObj.mjOBJ_XBODY, body, spin, 0)
+            np.testing.assert_allclose(samples.links.omega[:, link, i], spin[:3], atol=1e-9)
+            velocity = samples.links.x_d[:, link, i] + np.cross(spin[:3], offset[:, 0, i])
+            np.testing.assert_allclose(velocity, spin[3:], atol=1e-8)
+    expected = mujoco_forces(samples)
+    np.testing.assert_allclose(generalised_forces(samples), expected, atol=1e-9 * np.abs(expected).max())
+
+
+@pytest.mark.parametrize("coordinates", ["auto", "joint"])
+@pytest.mark.parametrize("seed", range(8))
+def test_the_adjoint_of_forces_has_taylor_slope_two(seed, coordinates):
+    figure, rng = random_figure(seed, coordinates)
+    samples = random_samples(figure, rng, 3)
+    shape = (3, len(figure.links), samples.count)
+    for_moment, for_force = rng.normal(size=shape), rng.normal(size=shape)
+    cotangent = Cotangent(samples)
+    InverseDynamics(samples.links).pull_back(cotangent, for_moment, for_force)
+    gradients = cotangent.gradients()
+
+    def value(point: np.ndarray) -> float:
+        inverse = InverseDynamics(Samples(figure, *point).links)
+        return float(np.sum(for_moment * inverse.moment) + np.sum(for_force * inverse.force))
+
+    assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), np.stack(gradients), rng) > 1.95

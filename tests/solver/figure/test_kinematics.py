@@ -1,19 +1,34 @@
-"""The batched kinematics and its adjoint, against MuJoCo and Taylor expansions."""
+"""Kinematics, wrenches and torques against MuJoCo and differences."""
 
 from __future__ import annotations
+
+from unittest import mock
 
 import mujoco
 import numpy as np
 import pytest
-from oracles import kinematics
+from closed_forms import WOOD, assert_near
+from figures import BALL_TREE, figure_of, with_armature
+from oracles import kinematics, mujoco_forces
+from random_model import random_figure
 from random_samples import random_samples
 from taylor import taylor_slope
 
+from dynsplines.solver import compiled
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.figure.adjoint import QUANTITIES, Cotangent
+from dynsplines.solver.array import Array, Index
+from dynsplines.solver.figure.adjoint import QUANTITIES, Cotangent, Quantity
 from dynsplines.solver.figure.algebra import turned_back, vector_product
+from dynsplines.solver.figure.dynamics import velocities
+from dynsplines.solver.figure.effort_rows import Pushes, joint_rows, wrench_rows
+from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.forward import boxes
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.root_wrench import RootWrench, height, weight
+from dynsplines.solver.figure.turns import turning
+from dynsplines.solver.figure.wrenches import Wrenches
+from dynsplines.solver.penalty import Torque
+from dynsplines.solver.penalty.curvature import jacobian
 
 
 def test_link_positions_and_orientations_are_those_of_mj_kinematics(figure, rng):
@@ -99,3 +114,212 @@ def test_boxes_are_around_the_vertices_of_a_turned_mesh(rng):
     centre, half = boxes(model, data, np.array([0]))
     corners = model.mesh_vert @ data.geom_xmat[0].reshape(3, 3).T + data.geom_xpos[0]
     assert np.all(np.abs(corners - centre) <= half + 1e-6)
+
+
+ALL = ("force", "torque", "force_d", "torque_d", "torque_dd")
+
+
+BUFFERS: dict[str, Quantity] = {
+    "force": "x",
+    "torque": "turn",
+    "force_d": "x_d",
+    "torque_d": "omega",
+    "torque_dd": "alpha",
+}
+
+
+def some(figure: Figure, samples: Samples, rng: np.random.Generator, names: tuple[str, ...] = ALL) -> Wrenches:
+    """On every link, in any order, at any sample."""
+    link = rng.permutation(np.tile(np.arange(len(figure.links)), 3))
+    vectors = {name: rng.normal(size=(3, link.size)) for name in names}
+    return Wrenches(rng.integers(0, samples.count, link.size), link, **vectors)
+
+
+def by_adjoint(samples: Samples, given: Wrenches) -> np.ndarray:
+    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
+        here = np.arange(rows.size)
+        for name, buffer in BUFFERS.items():
+            vectors = getattr(given, name)
+            if vectors is not None:
+                cotangent.buffer(buffer)[:, given.link[rows], here] += vectors[:, rows]
+
+    return jacobian(samples, given.at, seeded)[:, : given.orders]
+
+
+def check(figure: Figure, rng: np.random.Generator) -> None:
+    """With the compiled kernel, if there is one, and without."""
+    samples = random_samples(figure, rng)
+    for names in (ALL, ("force",), ("torque",), ("force", "torque"), ("force_d", "torque_d"), ("torque_dd",)):
+        given = some(figure, samples, rng, names)
+        expected = by_adjoint(samples, given)
+        if np.abs(expected).max() > 0.1:
+            assert_near(given.rows(samples), expected, 1e-11)
+            with mock.patch.object(compiled, "kernel", None):
+                assert_near(given.rows(samples), expected, 1e-11)
+
+
+def test_rows_are_those_of_the_adjoint_sweep(figure, rng):
+    check(figure, rng)
+
+
+def test_joined_wrenches_have_the_rows_of_all_parts(figure, rng):
+    samples = random_samples(figure, rng)
+    parts = [some(figure, samples, rng, names) for names in (("force", "torque"), ("force", "torque_d"))]
+    rows = Wrenches.joined(parts).rows(samples)
+    expected = [part.rows(samples) for part in parts]
+    np.testing.assert_allclose(rows[:, 0], np.concatenate([part[:, 0] for part in expected]), atol=1e-12)
+    np.testing.assert_allclose(rows[len(expected[0]) :], expected[1], atol=1e-12)
+    assert not rows[: len(expected[0]), 1].any()
+
+
+@pytest.mark.parametrize("coordinates", ["auto", "joint"])
+@pytest.mark.parametrize("seed", range(8))
+def test_rows_times_the_motion_are_what_mujoco_measures(seed, coordinates):
+    """Places and turns change by J v, velocities and spins by J a + J' v."""
+    figure, rng = random_figure(seed, coordinates)
+    sample = random_samples(figure, rng, count=1)
+    model, data = figure.model, mujoco.MjData(figure.model)
+    data.qpos, (data.qvel, acceleration) = figure.to_qpos(sample.y)[0], (part[0] for part in velocities(sample))
+    mujoco.mj_forward(model, data)
+    given = some(figure, sample, rng, ("force", "torque", "force_d", "torque_d"))
+    rows = given.rows(sample)
+    found = rows[:, 0] @ sample.y_d[0] + rows[:, 1] @ sample.y_dd[0]
+    expected = np.empty(given.at.size)
+    first = np.zeros((2, 3, model.nv))
+    for p, link in enumerate(given.link):
+        body = figure.links[link].body if link else 0
+        if body and model.body_jntnum[body] > 1:  # an intermediate link is no body of MuJoCo's
+            expected[p] = found[p]
+            continue
+        mujoco.mj_jac(model, data, first[0], first[1], data.xpos[body], body)
+        places, turns = first.copy()
+        mujoco.mj_jacDot(model, data, first[0], first[1], data.xpos[body], body)
+        linear, angular = places @ acceleration + first[0] @ data.qvel, turns @ acceleration + first[1] @ data.qvel
+        force, torque, force_d, torque_d = (given.vectors[name][:, p] for name in ALL[:4])
+        expected[p] = force @ places @ data.qvel + torque @ turns @ data.qvel + force_d @ linear + torque_d @ angular
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-10 * np.abs(expected).max())
+
+
+def test_force_and_moment_are_those_of_mj_inverse_at_the_root(figure, rng):
+    samples = random_samples(figure, rng)
+    wrench = RootWrench(samples, 1)
+    expected = mujoco_forces(samples)[:, :6]
+    rotation, root = samples.links.rotation[:, :, 1], samples.links.x[:, 1]
+    at_root = wrench.moment + np.cross(wrench.centre - root, wrench.force, axis=0)
+    scale = np.abs(expected).max()
+    np.testing.assert_allclose(wrench.force.T, expected[:, :3], atol=1e-11 * scale)
+    np.testing.assert_allclose(np.einsum("ijs,is->sj", rotation, at_root), expected[:, 3:], atol=1e-11 * scale)
+
+
+def test_the_centre_and_the_mass_are_mujocos(figure, rng):
+    samples = random_samples(figure, rng)
+    wrench = RootWrench(samples, 1)
+    for i, qpos in enumerate(figure.to_qpos(samples.y)):
+        np.testing.assert_allclose(wrench.centre[:, i], kinematics(figure.model, qpos).subtree_com[1], atol=1e-12)
+    np.testing.assert_allclose(wrench.mass, figure.model.body_subtreemass[1])
+    np.testing.assert_allclose(weight(figure, 1), np.linalg.norm(figure.gravity) * figure.model.body_subtreemass[1])
+
+
+def test_a_slender_rod_is_as_high_as_it_is_long():
+    text = """<mujoco><worldbody><body><freejoint/><inertial pos="1 2 3" mass="6" diaginertia="2 2 1e-9"/></body>
+    </worldbody></mujoco>"""
+    assert height(figure_of(text), 1) == pytest.approx(2)
+
+
+def test_the_adjoint_has_taylor_slope_two(figure, rng):
+    samples = random_samples(figure, rng)
+    bars = rng.normal(size=(3, 3, samples.count))
+    cotangent = Cotangent(samples)
+    RootWrench(samples, 1).pull_back(cotangent, *bars)
+
+    def value(point: np.ndarray) -> float:
+        wrench = RootWrench(Samples(figure, *point), 1)
+        return float(np.sum(bars * np.array([wrench.force, wrench.moment, wrench.centre])))
+
+    gradients = np.stack(cotangent.gradients())
+    assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), gradients, rng) > 1.95
+
+
+def test_without_gravity_the_weight_is_still_a_unit():
+    text = BALL_TREE.replace('gravity="0 0 -9.81"', 'gravity="0 0 0"')
+    figure = figure_of(text)
+    assert weight(figure, 1) == pytest.approx(9.81 * figure.model.body_subtreemass[1])
+
+
+SEEDS = range(12)
+
+
+def some_pushes(samples: Samples, root: int, rng: np.random.Generator) -> Pushes:
+    """On links of one root's tree, two at one sample and link."""
+    link = rng.choice(np.flatnonzero(samples.figure.tables.path[:, root]), 7)
+    at = np.sort(rng.integers(0, samples.count, 7))
+    link[1], at[1] = link[0], at[0]
+    return Pushes(at, link, rng.normal(0, 0.1, (3, 7)), rng.normal(0, 50, (3, 7)))
+
+
+def swept(samples: Samples, root: int, pushes: Pushes | None) -> Array:
+    """The wrench's rows by one adjoint sweep each, (S, 6, 3, N)."""
+    at = np.repeat(np.arange(samples.count), 6)
+
+    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
+        bars = np.zeros((2, 3, rows.size))
+        bars[rows % 6 // 3, rows % 3, np.arange(rows.size)] = 1.0
+        wrench = RootWrench(copies, root)
+        if pushes is None:
+            wrench.pull_back(cotangent, bars[0], bars[1])
+            return
+        push, copy = np.nonzero(pushes.at[:, None] == at[rows])  # every row's own copy gets its sample's
+        own = Pushes(copy, pushes.link[push], pushes.offset[:, push], pushes.force[:, push])
+        own.pull_back(wrench, cotangent, bars[0], bars[1])
+
+    return jacobian(samples, at, seeded).reshape(samples.count, 6, 3, -1)
+
+
+def check_wrench(figure: Figure, rng: np.random.Generator) -> int:
+    """Compares those of every free root; how many there are."""
+    samples, roots = random_samples(figure, rng), figure.tables.free_links
+    for root in roots:
+        for pushes in (None, some_pushes(samples, root, rng)):
+            wrench = RootWrench(samples, root)
+            found = wrench_rows(wrench, pushes)
+            assert_near(found, swept(samples, root, pushes), 1e-10)
+            assert_near(wrench_rows(wrench, pushes, moment=False), found[:, :3], 1e-12)
+    return roots.size
+
+
+def check_efforts(figure: Figure, rng: np.random.Generator) -> int:
+    """Compares the rows of all joints' efforts with sweeps of the torque; how many there are."""
+    samples = random_samples(figure, rng)
+    (efforts,) = Torque().residuals(samples)
+    count = len(efforts.value)
+    at = np.repeat(np.arange(samples.count), count)
+
+    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
+        bar = np.zeros((count, rows.size))
+        bar[rows % count, np.arange(rows.size)] = 1.0
+        (own,) = Torque().residuals(copies)
+        own.pulled_back(cotangent, bar)
+
+    if count:
+        expected = jacobian(samples, at, seeded).reshape(samples.count, count, 3, -1)
+        assert_near(joint_rows(samples), expected, 1e-10)
+    return count
+
+
+def test_rows_of_efforts_are_those_of_the_adjoint_sweep(figure, rng):
+    assert check_wrench(figure, rng) == figure.tables.free_links.size > 0
+    assert check_efforts(figure, rng) > 0
+    assert check_efforts(with_armature(figure, rng), rng) > 0
+
+
+@pytest.mark.parametrize("coordinates", ["auto", "joint"])
+def test_so_they_are_on_random_models(coordinates):
+    assert sum(check_wrench(*random_figure(seed, coordinates)) for seed in SEEDS) > 5
+    assert sum(check_efforts(*random_figure(seed, coordinates)) for seed in SEEDS) > 50
+
+
+def test_so_they_are_where_quaternions_in_the_world_follow_each_other(rng):
+    figure = figure_of(WOOD, "world")
+    assert not np.array_equal(turning(figure), figure.tables.beyond)
+    assert check_wrench(figure, rng) == 2
+    assert check_efforts(figure, rng) == 3 * figure.tables.ball_links.size

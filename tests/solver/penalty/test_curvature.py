@@ -1,5 +1,6 @@
-"""The Gauss-Newton curvature of every penalty against differences of residuals that are written down here, the
-one-sided residuals of contact and bend limits, and the weak form's promises."""
+"""Gauss-Newton curvature, one-sided residuals, sums, and predictions of the weak form."""
+
+from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
@@ -20,14 +21,16 @@ from curvature_of import (
 )
 from even_frames import evenly
 from every_penalty import clip, every_penalty
-from figures import BALL, figure_of, with_armature
+from figures import BALL, TINY, figure_of, with_armature
 from ground import FLOOR, SLOPE, random_points
+from random_samples import random_samples
 from small_problems import slider, turning
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Objective
@@ -38,10 +41,13 @@ from dynsplines.solver.penalty import (
     Normalization,
     Penalty,
     RootAcceleration,
+    Sum,
     Torque,
 )
-from dynsplines.solver.penalty.block import Block, Dense, every
+from dynsplines.solver.penalty import one_sided as one_sided_module
+from dynsplines.solver.penalty.block import Block, Dense, Entries, every
 from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.penalty.one_sided import OneSidedResiduals
 from dynsplines.solver.refine import euler_lagrange
 from dynsplines.solver.refine.euler_lagrange import WeakForm
 from dynsplines.solver.refine.subdivision import midpoints, split
@@ -204,3 +210,69 @@ def test_the_weak_form_ranks_the_segment_that_dips_into_the_floor_first():
     contact = Contact((Point("ball", 1, np.zeros(3), 0.1),), (FLOOR,))
     objective = Objective.of(figure, [(RootAcceleration(), 1.0), (contact, 50.0)]).renormalised(path_of(raw))
     assert np.argmax(WeakForm(objective, path_of(raw)).decrements(midpoints(raw))) == 3
+
+
+SAMPLES, WIDTH = 5, 7
+
+
+def residuals_at(rng: np.random.Generator, at: list[int]) -> OneSidedResiduals:
+    return OneSidedResiduals(np.array(at, int), rng.normal(size=len(at)), rng.normal(size=(len(at), WIDTH)))
+
+
+@pytest.mark.parametrize("at_once", [2 * WIDTH, 10**6])
+@pytest.mark.parametrize("at", [[0, 0, 3, 4], [4, 1, 1, 0, 4], []])
+def test_what_a_change_moves_and_forces_pull_back_are_the_matrix_and_its_transpose(at_once, at, rng, monkeypatch):
+    monkeypatch.setattr(one_sided_module, "ENTRIES_AT_ONCE", at_once)
+    change, sides = rng.normal(size=(SAMPLES, WIDTH)), residuals_at(rng, at)
+    np.testing.assert_allclose(sides.moved(change), np.sum(sides.rows * change[sides.at], axis=1), rtol=1e-12)
+    forces = rng.normal(size=len(at))
+    for pushed in (forces, forces * (np.arange(len(at)) % 2), 0 * forces):
+        pulled, expected = np.ones((2, SAMPLES, WIDTH))
+        np.add.at(expected, sides.at, pushed[:, None] * sides.rows)
+        sides.pull_back(pushed, pulled)
+        np.testing.assert_allclose(pulled, expected, atol=1e-13)
+
+
+def test_weights_of_a_block_are_in_its_residuals_and_their_rows(rng):
+    figure, at, column = figure_of(TINY), np.array([0, 1, 1]), np.array([2, 0, 5])
+    samples, weight = random_samples(figure, rng, 2), np.array([4.0, 0.25, 9.0])
+    entries = Entries(at, 0, column, np.array([1.0, -2.0, 3.0])), Entries(at, 0, column + 1)
+    sides = Block(at, np.array([0.1, 0.2, 0.3]), entries, weight, one_sided=True).one_sided_residuals(samples)
+    np.testing.assert_allclose(sides.value, [0.2, 0.1, 0.9])
+    expected = np.zeros((3, figure.width))
+    expected[np.arange(3), column], expected[np.arange(3), column + 1] = [2.0, -1.0, 9.0], [2.0, 0.5, 3.0]
+    np.testing.assert_allclose(sides.rows, expected)
+
+
+def test_joined_they_follow_one_another(rng):
+    first, second = residuals_at(rng, [3, 0, 3]), residuals_at(rng, [1, 4])
+    joined = OneSidedResiduals.joined([first, second])
+    assert joined.at.tolist() == [3, 0, 3, 1, 4]
+    np.testing.assert_array_equal(joined.value, np.append(first.value, second.value))
+    np.testing.assert_array_equal(joined.select(np.array([2, 3])).rows, [first.rows[2], second.rows[0]])
+
+
+def test_its_value_gradient_and_curvature_are_the_sums_of_its_parts(figure, rng):
+    samples, parts = random_samples(figure, rng, 4), (CovariantAcceleration(), Torque())
+    both, scale = Sum(parts, "both"), rng.uniform(1, 2, 4)
+    assert both.name == "both"
+    assert both.normalization == parts[0].normalization
+    into, own = Cotangent(samples), [Cotangent(samples) for _ in parts]
+    values = [part.evaluate(samples, one, scale) for part, one in zip(parts, own, strict=True)]
+    np.testing.assert_allclose(both.evaluate(samples, into, scale), values[0] + values[1])
+    for found, *expected in zip(into.gradients(), *(one.gradients() for one in own), strict=True):
+        np.testing.assert_allclose(found, sum(expected), atol=1e-9 * (1 + np.abs(sum(expected)).max()))
+    phi = rng.normal(size=(4, 3))
+    found, *expected = (curvature_of(one, samples, scale).quadratic(phi, 0, 4) for one in (both, *parts))
+    np.testing.assert_allclose(found, sum(expected), rtol=1e-9, atol=1e-9 * np.abs(found).max())
+    assert both.one_sided_residuals(samples) is None
+
+
+def test_its_sides_are_those_of_the_parts_that_have_some_one_after_the_other(figure, rng):
+    samples = random_samples(figure, rng, 4)
+    samples.y[:, 2] = -0.3
+    floor, slope = (Contact(random_points(figure, rng), (surface,)) for surface in (FLOOR, SLOPE))
+    found = sides_of(Sum((floor, Torque(), slope), "all"), samples)
+    expected = [sides_of(part, samples) for part in (floor, slope)]
+    for name in ("at", "value", "rows"):
+        np.testing.assert_array_equal(getattr(found, name), np.concatenate([getattr(each, name) for each in expected]))

@@ -1,15 +1,26 @@
-"""What counts as little: a centimetre, a degree or ten of one violation; costs of motion fall as a clip gets slower."""
+"""References, tolerances and the check of custom penalties."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
 import numpy as np
 import pytest
-from figures import BALL, CHAIN, figure_of
+from bends import limits_of
+from figures import BALL, BALL_TREE, CHAIN, figure_of
 from ground import FLOOR
+from random_samples import at_times, random_samples
 
+from dynsplines import models
 from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Grasp, Rest, Stance
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import (
     Attachment,
     Bend,
@@ -22,7 +33,9 @@ from dynsplines.solver.penalty import (
     HoverPenalty,
     JointRange,
     Lean,
+    Normalization,
     PeakAcceleration,
+    Penalty,
     Placed,
     Posture,
     Range,
@@ -30,13 +43,22 @@ from dynsplines.solver.penalty import (
     RootAcceleration,
     Sum,
     Torque,
+    UnitMagnitude,
     Upright,
 )
+from dynsplines.solver.penalty.allowance import Allowance
+from dynsplines.solver.penalty.block import Block, Dense, Entries
+from dynsplines.solver.penalty.check import check
 from dynsplines.solver.penalty.joints.self_contact import Bar, SelfContact
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface.points import Point
 
 UP, X = np.array([0.0, 0, 1]), np.array([1.0, 0, 0])
+
+
 ORIGIN = Point("middle", 1, np.zeros(3))
+
+
 CENTIMETRE = {
     "contact": Contact((ORIGIN,), (FLOOR,)),
     "grounded": HoverPenalty((ORIGIN,), (FLOOR,), ((-1.0, 1.0),), reach=10.0),
@@ -127,3 +149,180 @@ def test_two_radians_a_unit_of_spacing_squared_count_as_the_references_of_accele
     y = np.array([[0, 0, 1, 1, 0, 0, 0.0]])
     lifted = Samples(root, y, 0 * y, np.array([[0, 0, 2, 0, 0, 0, 0.0]]))
     np.testing.assert_allclose(RootAcceleration().evaluate(lifted), RootAcceleration().normalization.reference)
+
+
+def test_it_goes_in_straight_lines_and_stays_beyond_the_ends():
+    allowance = Allowance(np.array([1.0, 2, 4]), np.array([[0.0, 1, 3], [2, 0, 0]]))
+    found = allowance.at(np.array([0.0, 1, 1.5, 2, 3, 4, 9]))
+    np.testing.assert_allclose(found, [[0, 0, 0.5, 1, 2, 3, 3], [2, 2, 1, 0, 0, 0, 0]])
+
+
+def deepest(heights: list[float], *, allowing: bool) -> tuple[float, float]:
+    """How deep a ball gets between keyframes at these heights a second apart, and its largest acceleration upward."""
+    figure = figure_of(BALL)
+    keys = [Frame.key(float(i), [0, 0, z + 0.1, 1, 0, 0, 0]) for i, z in enumerate(heights)]
+    contact = Contact((Point("ball", 1, np.zeros(3), 0.1),), (FLOOR,))
+    if allowing:
+        contact = contact.allowing(figure, raw_timeline(figure, keys))
+    penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0), (contact, 30.0)]
+    motion = inbetween(Problem(figure, keys, penalties, Settings(tolerance=1e-4, frames=30)))
+    height = motion.path.at(t := np.linspace(0, len(heights) - 1, 2001))[:, 2] - 0.1
+    return float(-height.min()), float(np.abs(np.gradient(np.gradient(height, t), t)).max())
+
+
+@pytest.mark.slow
+def test_between_two_keyframes_in_the_floor_a_point_stays_as_deep_and_does_not_whip():
+    depth, pull = deepest([-0.03, -0.03, -0.03, -0.03], allowing=True)
+    assert depth == pytest.approx(0.03, abs=1e-3)
+    assert pull < 0.1
+    _, whipped = deepest([-0.03, -0.03, -0.03, -0.03], allowing=False)
+    assert whipped > 1.0
+
+
+def test_a_knee_that_a_keyframe_bends_backward_may_do_so_near_it_and_nowhere_else():
+    figure = figure_of(models.figure_text("human"))
+    knee = next(link for link in figure.links if link.name == "left_knee")
+    keys = []
+    for i, angle in enumerate([20.0, -6.0, 20.0]):
+        qpos = np.array(figure.model.qpos0)
+        qpos[knee.qpos : knee.qpos + 4] = quat.from_rotation_vector(np.radians([0, angle, 0]))
+        keys.append(Frame.key(float(i), qpos))
+    timeline = raw_timeline(figure, keys)
+    link = figure.links.index(knee)
+    bend = Bend("left_knee", link, np.array([0.0, 1, 0]), np.array([0.0, 0, -1]))
+    limits = BendLimits((bend,)).allowing(figure, timeline)
+    assert limits.allowed is not None
+    np.testing.assert_allclose(np.degrees(limits.allowed.excess[0]), [[0, 6, 0]], atol=1e-9)
+    np.testing.assert_allclose(np.degrees(limits.allowed.at(np.array([0.5, 1.5]))[0]), [[3, 3]], atol=1e-9)
+    fixed = np.ones(figure.width, bool)
+    fixed[knee.qpos : knee.qpos + 4] = False
+    partial = [keys[0], Frame(keys[1].time, keys[1].state, fixed), keys[2]]
+    free = BendLimits((bend,)).allowing(figure, raw_timeline(figure, partial)).allowed
+    assert free is not None
+    assert not free.excess.any()
+
+
+def test_bends_are_tolerated_beyond_each_of_their_five_bounds_as_far_as_specified(rng):
+    figure = figure_of(BALL_TREE)
+    samples = at_times(random_samples(figure, rng, 40), np.linspace(0, 1, 40))
+    limits = limits_of(figure)
+    allowed = Allowance(np.array([0.0, 0.4, 1]), rng.uniform(0.1, 0.9, (5, len(limits.joints), 3)))
+    term = replace(limits, allowed=allowed)
+    flexion, sideways, twist = limits.angles(samples)
+    least, aside, turned = limits.least, limits.sideways, limits.twist
+    over = np.array([least - flexion, sideways - aside, -sideways - aside, twist - turned, -twist - turned])
+    over = np.maximum(over - allowed.at(samples.t), 0)
+    assert over.any(axis=(1, 2)).all()
+    np.testing.assert_allclose(term.evaluate(samples), np.sum(over**2, axis=(0, 1)), rtol=1e-12)
+    sides = term.one_sided_residuals(samples)
+    assert sides is not None
+    counted = np.bincount(sides.at, np.maximum(sides.value, 0) ** 2, samples.count)
+    np.testing.assert_allclose(counted, term.evaluate(samples), rtol=1e-12)
+
+
+FIGURE = figure_of(BALL_TREE)
+
+
+@dataclass(frozen=True)
+class Power(Penalty):
+    """Height to a power of the root's x', its gradient too large by a share."""
+
+    power: int
+    error: float = 0.0
+    worth: float = 1.0
+
+    @property
+    def name(self) -> str:
+        return "power"
+
+    @property
+    def normalization(self) -> Normalization:
+        return Normalization(1.0)
+
+    def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
+        x = samples.y_d[:, 0]
+        height = np.sqrt(self.worth * (x**self.power + 20.0))
+
+        def pulled_back(cotangent: Cotangent, bar: Array) -> None:
+            if self.power:
+                rate = self.worth * self.power * x ** (self.power - 1) / (2 * height)
+                cotangent.buffer("y_d")[:, 0] += (1 + self.error) * bar[0] * rate
+
+        yield Dense(height[None], pulled_back)
+
+
+class Odd(Power):
+    """The same, and what is wrong with it by `power`."""
+
+    def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
+        values = np.ones(samples.count)
+        values[1 + self.power] = (np.nan, -1e-9)[self.power]
+        yield Dense(np.zeros((1, samples.count)), lambda cotangent, bar: None, more=values)
+
+
+@pytest.mark.parametrize("penalty", [CovariantAcceleration(), RootAcceleration(), Torque(), UnitMagnitude()])
+def test_soft_constraints_that_ship_pass(penalty):
+    check(penalty, FIGURE)
+
+
+@pytest.mark.parametrize("power", [0, 1, 3, 4])
+@pytest.mark.parametrize("worth", [1e-6, 1e6])
+def test_an_exact_gradient_passes_even_of_what_is_flat_or_linear_and_in_any_unit(power, worth):
+    for seed in range(2):
+        check(Power(power, 0.0, worth), FIGURE, seed=seed)
+
+
+@pytest.mark.parametrize("power", [1, 2, 3])
+@pytest.mark.parametrize("error", [-0.02, 1.0])
+def test_a_gradient_that_is_off_by_a_share_is_refused_with_its_slope_of_about_one(power, error):
+    with pytest.raises(ValueError, match=r"^penalty 'power': its gradient is not that .* slope [01]\.\d\d, not 2$"):
+        check(Power(power, error), FIGURE)
+    with pytest.raises(ValueError, match=r"slope 1\.0\d, not 2"):
+        check(Power(1, error), FIGURE)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "words"),
+    [
+        (0, r"a value is nan; finite ones from 0 on are penalties"),
+        (1, r"a value is -1e-09; finite"),
+    ],
+)
+def test_values_that_are_none_are_refused(wrong, words):
+    with pytest.raises(ValueError, match=words):
+        check(Odd(wrong), FIGURE)
+
+
+@dataclass(frozen=True)
+class Excess(Power):
+    """The excess of the root's x' over a bound, one-sided."""
+
+    bound: float = 0.0
+
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        at = np.arange(samples.count)
+        slope = Entries(at, 1, np.zeros_like(at), 1 + self.error)
+        yield Block(at, samples.y_d[:, 0] - self.bound, (slope,), one_sided=True)
+
+
+class Early(Excess):
+    """The same during the first second alone."""
+
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        for block in super().residuals(samples):
+            yield replace(block, weight=((samples.t > 0) & (samples.t < 1)).astype(float))
+
+
+def test_samples_lie_at_several_times_of_the_first_second():
+    check(Early(1, bound=-1.0), FIGURE)
+
+
+def test_a_one_sided_penalty_is_checked_only_where_a_residual_is_positive():
+    check(Excess(1, bound=-1.0), FIGURE)
+    with pytest.raises(ValueError, match=r"its gradient is not that"):
+        check(Excess(1, error=1.0, bound=-1.0), FIGURE)
+    for error in (0.0, 1.0):
+        with pytest.raises(
+            ValueError, match=r"^penalty 'power': no residual was positive .* nothing was checked; pass"
+        ):
+            check(Excess(1, error=error, bound=100.0), FIGURE)

@@ -1,4 +1,6 @@
-"""Depths in planes and boxes against mj_geomDistance, their gradients, and every face from both sides."""
+"""Signed distances to surfaces, static geoms, and what touches them."""
+
+from __future__ import annotations
 
 import mujoco
 import numpy as np
@@ -6,7 +8,34 @@ import pytest
 from scipy.spatial.transform import Rotation
 from taylor import taylor_slope
 
-from dynsplines.solver.surface import Box, Plane, static_surfaces
+from dynsplines.clip.obstacles import obstacles
+from dynsplines.clip.table import SceneTable
+from dynsplines.scene.compose import compose
+from dynsplines.solver.surface import (
+    Box,
+    Capsule,
+    Cylinder,
+    HeightField,
+    Hull,
+    Plane,
+    Sphere,
+    Surface,
+    hull_of,
+    static_surfaces,
+)
+from dynsplines.solver.surface.heights import (
+    DEEP,
+    FAR,
+    clearance_gradients,
+    clearances,
+    ground_at,
+    height_over,
+    heights,
+    heights_nearby,
+)
+from dynsplines.solver.surface.static import DOWN, LEVEL
+from dynsplines.solver.surface.surface import GROUNDED, UPRIGHT
+from dynsplines.solver.surface.touch import SCENERY, bolted, counts_all, grounds, movers, solids
 
 SCENE = """
 <mujoco><worldbody>
@@ -155,3 +184,445 @@ def test_spheres_are_near_where_they_have_a_depth(buried, rng):
         np.testing.assert_array_equal(near, surface.depth(points, radius)[0] > 0)
         assert near.any()
         assert not near[:3].any()
+
+
+HAIR = 1e-5
+
+
+WEDGE = "0 0 0  1 0 0  0 1 0  0 0 1"
+
+
+def surfaces(*geoms: str, assets: str = "", floor: str = '<geom name="floor" type="plane" size="9 9 1"/>') -> dict:
+    text = f"<mujoco><asset>{assets}</asset><worldbody>{floor}{''.join(geoms)}</worldbody></mujoco>"
+    return {surface.name: surface for surface in static_surfaces(mujoco.MjModel.from_xml_string(text))}
+
+
+def of(geom: str, **told: str) -> Surface:
+    return surfaces(geom.replace("<geom", '<geom name="it"'), **told)["it"]
+
+
+@pytest.mark.parametrize(("over", "buried"), [(GROUNDED - HAIR, True), (GROUNDED + HAIR, False), (-3.0, True)])
+def test_a_box_is_buried_whose_lowest_corner_is_on_the_floor_or_below_and_so_is_a_mesh(over, buried):
+    box = of(f'<geom type="box" size=".3 .2 .1" pos="0 0 {over + 0.1}"/>')
+    assert isinstance(box, Box) and box.buried == buried
+    turned = of(f'<geom type="box" size=".3 .4 .1" pos="0 0 {over + 0.5}" zaxis="0 .6 .8" />')
+    lowest = 0.5 - np.abs(turned.axes[2]) @ [0.3, 0.4, 0.1]  # type: ignore[attr-defined]
+    level = of(f'<geom type="box" size=".3 .4 .1" pos="0 0 {over + 0.5 - lowest}" zaxis="0 .6 .8" />')
+    assert isinstance(level, Box) and level.buried == buried
+    assets = '<mesh name="m" vertex="0 0 -1 1 0 0 0 1 0 -1 -1 0"/>'
+    mesh = of(f'<geom type="mesh" mesh="m" pos="0 0 {over + 1}"/>', assets=assets)
+    lift = mesh.corners[2].min() - over  # type: ignore[attr-defined]
+    mesh = of(f'<geom type="mesh" mesh="m" pos="0 0 {over + 1 - lift}"/>', assets=assets)
+    assert isinstance(mesh, Hull) and mesh.buried == buried
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+@pytest.mark.parametrize(("over", "stands"), [(GROUNDED - HAIR, True), (GROUNDED + HAIR, False), (-1.0, True)])
+def test_a_cylinder_that_stands_on_the_floor_continues_below_it(over, stands, sign):
+    found = of(f'<geom type="cylinder" size=".2 .5" pos="1 2 {over + 0.5}" zaxis="0 0 {sign}"/>')
+    assert isinstance(found, Cylinder)
+    top = found.centre + found.half * found.axis * (1 if stands else sign)
+    np.testing.assert_allclose(top, [1, 2, over + 1], atol=1e-9)
+    assert found.half == pytest.approx(0.5 + DOWN / 2 * stands)
+    assert found.radius == 0.2
+
+
+@pytest.mark.parametrize(("rise", "stands"), [(UPRIGHT + HAIR, True), (UPRIGHT - HAIR, False)])
+def test_a_cylinder_that_leans_stands_as_long_as_its_end_looks_up_more_than_sideways(rise, stands):
+    lean = np.sqrt(1 - rise**2)
+    deep = 0.5 * rise + 0.2 * lean  # from its middle down to its rim
+    for over, reaches in ((GROUNDED - 1e-4, True), (GROUNDED + 1e-4, False)):
+        found = of(f'<geom type="cylinder" size=".2 .5" pos="0 0 {deep + over}" zaxis="{lean} 0 {rise}"/>')
+        assert isinstance(found, Cylinder)
+        assert (found.half > 1) == (stands and reaches)
+
+
+def test_the_floor_is_the_highest_of_the_planes_that_are_level():
+    tilt = np.sqrt(1 - (LEVEL - 1e-4) ** 2)
+    floor = (
+        '<geom type="plane" size="9 9 1" pos="0 0 -2"/><geom type="plane" size="9 9 1" pos="0 0 1"/>'
+        f'<geom type="plane" size="9 9 1" pos="0 0 5" zaxis="{tilt} 0 {LEVEL - 1e-4}"/>'
+    )
+    for z, buried in ((1.1, True), (1.2, False)):
+        box = of(f'<geom type="box" size=".1 .1 .1" pos="0 0 {z}"/>', floor=floor)
+        assert isinstance(box, Box) and box.buried == buried
+    bare = of('<geom type="box" size=".1 .1 .1" pos="0 0 -9"/>', floor="")
+    assert isinstance(bare, Box) and not bare.buried
+
+
+def test_planes_come_first_as_mujoco_has_them():
+    found = surfaces(
+        '<geom name="ball" size=".1" pos="0 0 1"/>',
+        '<geom name="ramp" type="plane" size="1 1 1" zaxis="0 .6 .8" pos="1 2 3"/>',
+    )
+    assert list(found) == ["floor", "ramp", "ball"]
+    plane = found["ramp"]
+    assert isinstance(plane, Plane)
+    np.testing.assert_allclose(plane.point, [1, 2, 3])
+    np.testing.assert_allclose(plane.normal, [0, 0.6, 0.8], atol=1e-12)
+
+
+def volume(hull: Hull) -> float:
+    """By the divergence theorem: positive if triangles look outward."""
+    a, b, c = (hull.corners[:, hull.faces[:, k]] for k in range(3))
+    return float(np.sum(a * np.cross(b, c, axis=0)) / 6)
+
+
+@pytest.mark.parametrize("collides", ["", 'contype="0" conaffinity="0"'])
+def test_a_mesh_becomes_its_hull_where_it_is_with_all_triangles_outward_whether_or_not_mujoco_has_made_one(collides):
+    """A wedge and a point inside it; its first vertex is where the body is, turned a quarter about z."""
+    found = of(
+        f'<geom type="mesh" mesh="m" pos="3 0 2" euler="0 0 90" {collides}/>',
+        assets=f'<mesh name="m" inertia="exact" vertex="{WEDGE} .1 .1 .1"/>',
+        floor='<geom name="other" size=".1" contype="0" conaffinity="0"/>' if collides else "",
+    )
+    assert isinstance(found, Hull)
+    assert found.corners.shape == (3, 4)
+    assert found.faces.shape == (4, 3)
+    assert volume(found) == pytest.approx(1 / 6, rel=1e-5)
+    np.testing.assert_allclose(sorted(np.ptp(found.corners, axis=1)), [1, 1, 1], atol=1e-6)
+    assert found.distance(found.corners.mean(axis=1)[:, None])[0] < 0
+
+
+def test_a_height_field_is_as_high_and_as_wide_as_mujoco_has_it():
+    found = of(
+        '<geom type="hfield" hfield="h" pos="1 2 3"/>',
+        assets='<hfield name="h" nrow="2" ncol="3" size="4 5 .6 .1" elevation="0 1 2 3 4 5"/>',
+    )
+    assert isinstance(found, HeightField)
+    np.testing.assert_allclose(found.half, [4, 5])
+    np.testing.assert_allclose(sorted(found.elevation.ravel()), 0.6 * np.arange(6) / 5, atol=1e-6)
+    assert found.elevation.shape == (2, 3)
+    np.testing.assert_allclose(found.centre, [1, 2, 3])
+
+
+def test_a_mesh_in_a_plane_is_no_surface():
+    flat = '<mesh name="m" inertia="shell" vertex="0 0 0 1 0 0 0 1 0 1 1 0" face="0 1 2 1 3 2"/>'
+    assert not surfaces('<geom type="mesh" mesh="m" contype="0" conaffinity="0"/>', assets=flat, floor="")
+
+
+RADIUS, DIGIT = 1.25, 2.0**-50  # the last of what the sums of radius and size can tell
+
+
+CUBE = np.array([[x, y, z] for x in (-1.0, 1) for y in (-1.0, 1) for z in (-1.0, 1)])
+
+
+CORNERS = hull_of(CUBE)
+
+
+assert CORNERS is not None
+
+
+ROUND = np.array([2.25, 0, 0]), np.array([-1.0, 0, 0])
+
+
+RIM = np.array([1.75, 0, 2]), np.array([-0.6, 0, -0.8])  # 3 : 4 : 5 from an edge at x = z = 1
+
+
+TOUCHES: dict[str, tuple[Surface, np.ndarray, np.ndarray]] = {
+    # where a sphere touches, and which way it goes deeper; every number is exact in binary
+    "plane": (Plane("p", np.zeros(3), np.array([0.0, 0, 1])), np.array([0, 0, 1.25]), np.array([0, 0, -1.0])),
+    "box": (Box("b", np.zeros(3), np.eye(3), np.ones(3), sideways=1.0), np.array([0, 0, 2.25]), np.array([0, 0, -1.0])),
+    "sphere": (Sphere("s", np.zeros(3), 1.0), *ROUND),
+    "capsule": (Capsule("c", np.zeros(3), np.array([0.0, 0, 1]), 1.0, 1.0), *ROUND),
+    "cylinder": (Cylinder("y", np.zeros(3), np.array([0.0, 0, 1]), 1.0, 1.0), *RIM),
+    "hull": (Hull("h", *CORNERS), *RIM),
+    "height field": (HeightField("f", np.array([0, 0, 1.0]), np.eye(3), np.ones(2), np.zeros((3, 3))), *RIM),
+}
+
+
+@pytest.mark.parametrize("name", TOUCHES)
+def test_what_just_touches_is_not_in_it_and_what_is_any_nearer_is(name):
+    surface, centre, way = TOUCHES[name]
+    where = centre.reshape(3, 1, 1)
+    depth, gradient = surface.depth(where, np.array([RADIUS]))
+    assert not depth.any() and not gradient.any()
+    depth, gradient = surface.depth(where, np.array([RADIUS + DIGIT]))
+    assert 0 < depth[0, 0] < 1e-15
+    np.testing.assert_allclose(gradient[:, 0, 0], way, atol=1e-12)
+    if name != "height field":  # which tells a bound alone
+        for radius, near in ((RADIUS, False), (RADIUS + DIGIT, True)):
+            assert surface.near(where, np.array([radius])).all() == near
+
+
+EDGE = 1.0 + DIGIT
+
+
+OVER: dict[str, tuple[Surface, tuple[float, float], tuple[float, float], float]] = {
+    # two places over its edge, and how high it is there; every number is exact in binary
+    "box": (Box("b", np.zeros(3), np.eye(3), np.ones(3)), (1.0, -0.5), (0.25, 1.0), 1.0),
+    "sunk box": (Box("b", np.zeros(3), np.eye(3), np.ones(3), buried=True), (-1.0, 0.5), (0.25, -1.0), 1.0),
+    "hull": (Hull("h", *CORNERS), (1.0, -0.5), (0.25, -1.0), 1.0),
+    "upright cylinder": (Cylinder("y", np.zeros(3), np.array([0.0, 0, 1]), 1.0, 1.0), (1.0, 0.0), (0.0, -1.0), 1.0),
+    "height field": (
+        HeightField("f", np.array([0, 0, 1.0]), np.eye(3), np.ones(2), np.zeros((3, 3))), (1.0, 0.5), (-0.5, -1.0), 1.0,
+    ),
+    "upright capsule": (Capsule("c", np.zeros(3), np.array([0.0, 0, 1]), 1.0, 1.0), (1.0, 0.0), (0.0, -1.0), 1.0),
+    "sphere": (Sphere("s", np.zeros(3), 1.0), (1.0, 0.0), (0.0, -1.0), 0.0),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", OVER)
+def test_over_the_edge_of_a_surface_is_over_it_and_a_last_digit_farther_out_is_not(name):
+    surface, *places, top = OVER[name]
+    for place in places:
+        x, y = place
+        at = np.array([[[x]], [[y]], [[3.0]]])
+        np.testing.assert_allclose(surface.height(at), 3.0 - top, atol=1e-12)
+        beside = at.copy()
+        axis = int(np.argmax(np.abs(place)))
+        beside[axis] *= EDGE
+        assert np.isinf(surface.height(beside)).all()
+
+
+@pytest.mark.parametrize("buried", [False, True])
+def test_in_a_box_one_is_below_its_top_as_far_as_its_bottom_and_in_one_that_is_buried_however_deep(buried):
+    box = Box("b", np.array([0.0, 0, 3]), np.diag([1.0, -1.0, -1.0]), np.array([0.5, 0.75, 0.25]), buried=buried)
+    for z, over in ((3.5, True), (2.75 + DIGIT * 2, True), (2.75, buried), (2.0, buried)):
+        found = box.height(np.array([[[0.5]], [[-0.75]], [[z]]])).item()
+        assert found == (z - 3.25 if over else np.inf)
+
+
+def test_along_a_lying_bar_one_is_over_it_up_to_its_ends_and_across_it_up_to_its_radius():
+    for bar, end in (
+        (Cylinder("y", np.zeros(3), np.array([1.0, 0, 0]), 1.0, 0.5), (1.0, 0.5)),
+        (Capsule("c", np.zeros(3), np.array([1.0, 0, 0]), 1.0, 0.5), (1.5, 0.0)),
+    ):
+        for x, y, high in ((0.0, 0.0, 0.5), (1.0, 0.0, 0.5), (-1.0, 0.0, 0.5), (0.5, 0.5, 0.0), (0.5, -0.5, 0.0)):
+            np.testing.assert_allclose(bar.height(np.array([[[x]], [[y]], [[3.0]]])), 3 - high, atol=1e-7)
+        assert np.isfinite(bar.height(np.array([[[end[0]]], [[0.0]], [[3.0]]]))).all()
+        assert np.isinf(bar.height(np.array([[[end[0] + 1e-9]], [[0.0]], [[3.0]]]))).all()
+        assert np.isinf(bar.height(np.array([[[0.5]], [[0.5 + 1e-9]], [[3.0]]]))).all()
+
+
+def test_of_two_surfaces_as_high_as_each_other_the_first_is_the_nearest_and_deep_below_is_neither():
+    floors = [Plane(name, np.zeros(3), np.array([0.0, 0, 1])) for name in ("one", "other")]
+    for z, height, nearest in ((0.5, 0.25, 0), (0.25 - DEEP, -DEEP, 0), (0.25 - DEEP - DIGIT, FAR, -1)):
+        found, which = heights(floors, np.array([[[0.0]], [[0.0]], [[z]]]), np.array([0.25]))
+        assert (found.item(), which.item()) == (height, nearest)
+
+
+ARM = """
+<mujoco><asset><mesh name="rock" vertex="0 0 0 .1 0 0 0 .1 0 0 0 .1 .1 .1 .1"/></asset>
+<worldbody>
+  <geom name="floor" type="plane" size="1 1 1"/><geom name="wall" type="box" size=".1 1 1" pos="2 0 0"/>
+  <body name="base"><geom name="base" type="cylinder" size=".1 .05"/>
+    <geom name="cover" type="mesh" mesh="rock" contype="0" conaffinity="0"/>
+    <body name="one" pos="0 0 .04"><joint name="yaw" axis="0 0 1"/><geom name="one" type="capsule" size=".05"
+      fromto="0 0 0 0 0 .3"/><geom name="look" type="mesh" mesh="rock" contype="0" conaffinity="0"/>
+      <body name="two" pos="0 0 .3"><joint name="pitch" axis="0 1 0"/><geom name="two" type="mesh" mesh="rock"/></body>
+    </body></body>
+  <body name="mark" mocap="true" pos="0 0 3"><geom name="mark" size=".1" contype="0" conaffinity="0"/></body>
+  <body name="cart" pos="0 1 .1"><joint name="rail" type="slide" axis="1 0 0"/><geom name="cart" size=".15"/></body>
+  <body name="lift" pos="0 -1 .1"><joint name="lift" type="slide" axis="0 0 1"/><geom name="lift" size=".15"/></body>
+  <body name="die" pos="1 0 0"><freejoint/><geom name="die" size=".1"/></body>
+</worldbody></mujoco>"""
+
+
+def named(model: mujoco.MjModel, geoms: list[int]) -> list[str]:
+    return [model.geom(g).name for g in geoms]
+
+
+def test_what_is_only_to_be_seen_and_what_a_programme_moves_do_not_count():
+    model = mujoco.MjModel.from_xml_string(ARM)
+    assert named(model, solids(model)) == ["floor", "wall", "base"]
+    assert named(model, movers(model)) == ["one", "two", "cart", "lift", "die"]
+    assert [surface.name for surface in static_surfaces(model)] == ["floor", "wall", "base"]
+
+
+MOCAP = """
+<mujoco><worldbody>
+  <body name="table" mocap="true"><geom name="top" type="box" size="1 1 .1"/>
+    <body name="vase" pos="0 0 .2"><geom name="vase" size=".1"/><geom name="look" size=".2" {seen}/></body></body>
+  <body name="base" mocap="true" pos="2 0 0"><geom name="base" size=".1"/>
+    <body name="arm" pos="0 0 .5"><joint name="elbow"/><geom name="arm" size=".1"/></body></body>
+  <body name="pull" mocap="true" pos="3 0 0"><geom name="pull" size=".1"/></body>
+  <body name="grip" mocap="true" pos="4 0 0"><geom name="grip" size=".1"/><site name="grip"/></body>
+  <body name="ball" pos="0 0 1"><freejoint/><geom name="ball" size=".1"/><site name="ball"/></body>
+</worldbody><equality><connect body1="ball" body2="pull" anchor="0 0 0"/><weld site1="grip" site2="ball"/></equality>
+</mujoco>"""
+
+
+def test_colliding_mocap_bodies_are_obstacles_unless_they_are_handles_of_the_figure():
+    model = mujoco.MjModel.from_xml_string(MOCAP.format(seen='contype="0" conaffinity="0"'))
+    assert named(model, solids(model)) == ["top", "vase", "base"]
+    assert named(model, movers(model)) == ["arm", "ball"]
+    touching = {(model.body(body).name, model.geom(geom).name) for body, geom in bolted(model)}
+    assert touching == {("arm", "base")}
+
+
+def test_floors_are_the_planes_that_no_programme_moves_and_that_face_up():
+    plane = '<geom name="{}" type="plane" size="1 1 1" euler="{} 0 0"/>'
+    turned = {"floor": 0, "ramp": 7, "steep": 9, "wall": 90, "ceiling": 180}
+    planes = "".join(plane.format(name, angle) for name, angle in turned.items())
+    mark = f'<body mocap="true">{plane.format("mark", 0)}</body>'
+    box = '<geom name="box" type="box" size="1 1 1"/>'
+    model = mujoco.MjModel.from_xml_string(f"<mujoco><worldbody>{planes}{box}{mark}</worldbody></mujoco>")
+    assert named(model, grounds(model)) == ["floor", "ramp"]  # 8 degrees lie between
+
+
+def test_limbs_are_bolted_to_what_they_are_in_at_rest_unless_they_can_leave_it():
+    model = mujoco.MjModel.from_xml_string(ARM)
+    found = {(model.body(body).name, model.geom(geom).name) for body, geom in bolted(model)}
+    # the arm's first limb turns in its socket and reaches into the floor, the cart cannot leave it; lift and die can
+    assert found == {("one", "base"), ("one", "floor"), ("cart", "floor")}
+
+
+def test_a_clips_obstacle_is_bolted_to_the_first_limb_alone():
+    """An arm stands on a table that a clip adds; its hand at rest on the table may leave it."""
+    arm = """<mujoco><worldbody><geom name="table" type="box" size="1 1 .5" contype="0" conaffinity="{}"/>
+      <body name="upper" pos="0 0 .52"><joint axis="0 0 1"/><geom type="capsule" size=".03" fromto="0 0 0 .3 0 0"/>
+        <body name="hand" pos=".3 0 0"><joint axis="0 1 0"/><geom type="capsule" size=".03" fromto="0 0 0 .3 0 0"/>
+      </body></body></worldbody></mujoco>"""
+    for bit, bodies in ((1, {"upper", "hand"}), (1 | SCENERY, {"upper"})):
+        model = mujoco.MjModel.from_xml_string(arm.format(bit))
+        assert {model.body(body).name for body, _ in bolted(model)} == bodies
+
+
+ROOM = """
+<mujoco><worldbody>
+  <geom name="ground" type="plane" size="1 1 1" contype="0" conaffinity="0"/>
+  <geom name="hull" type="box" size="4 4 3" {hull}/><geom name="bench" type="box" size=".1 1 .2" pos="2 0 0" {bench}/>
+  <body name="leg" pos="0 0 1"><freejoint/><geom name="bone" type="capsule" size=".05 .2" contype="0" conaffinity="0"/>
+    <geom name="skin" type="capsule" size=".06 .2" {skin}/>
+    <body name="toe"><joint/><geom name="nail" size=".01" contype="0" conaffinity="0"/></body></body>
+</worldbody>{more}</mujoco>"""
+
+
+SEEN = 'contype="0" conaffinity="0"'
+
+
+def room(hull: str = SEEN, bench: str = SEEN, skin: str = SEEN, more: str = "") -> mujoco.MjModel:
+    return mujoco.MjModel.from_xml_string(ROOM.format(hull=hull, bench=bench, skin=skin, more=more))
+
+
+def test_where_something_collides_the_hull_of_a_room_is_no_obstacle_and_bones_are_not_kept_clear():
+    model = room(bench="", skin="")
+    assert named(model, solids(model)) == ["ground", "bench"]
+    assert named(model, movers(model)) == ["skin"]
+    assert not counts_all(model)
+    alone = room(skin="")  # planes are grounds whatever they say
+    assert named(alone, solids(alone)) == ["ground"]
+
+
+def test_a_pair_of_geoms_that_may_touch_makes_both_collide():
+    model = room(more='<contact><pair geom1="bench" geom2="skin"/></contact>')
+    assert named(model, solids(model)) == ["ground", "bench"]
+    assert named(model, movers(model)) == ["skin"]
+
+
+def test_a_model_of_which_nothing_collides_is_looked_at_with_all_of_its_geoms():
+    model = room()
+    assert counts_all(model)
+    assert named(model, solids(model)) == ["ground", "hull", "bench"]
+    assert named(model, movers(model)) == ["bone", "skin", "nail"]
+
+
+def test_a_figure_that_collides_with_nothing_in_a_room_that_does_is_kept_clear_with_all_of_its_geoms():
+    model = room(bench="")
+    assert named(model, solids(model)) == ["ground", "bench"]
+    assert named(model, movers(model)) == ["bone", "skin", "nail"]
+
+
+def test_what_a_clip_adds_is_in_the_way_whether_or_not_anything_else_collides():
+    for skin in (SEEN, ""):
+        text = ROOM.format(hull=SEEN, bench=SEEN, skin=skin, more="")
+        ball = {"name": "ball", "radius": 0.1, "position": [1, 0, 0.1]}
+        table = SceneTable.model_validate({"step": {"x": 1.0, "height": 0.2}, "sphere": [ball]})
+        model = compose(mujoco.MjSpec.from_string(text), obstacles(table)).model()
+        assert {"ground", "step", "ball"} <= set(named(model, solids(model)))
+        assert ("hull" in named(model, solids(model))) == (skin == SEEN)
+
+
+UP = np.array([0.0, 0, 1])
+
+
+FLOOR = Plane("floor", np.zeros(3), UP)
+
+
+BOX = Box("box", np.array([0.0, 0.0, 0.2]), np.eye(3), np.array([0.5, 0.5, 0.2]))
+
+
+TILT = np.array([np.sin(0.4), 0, np.cos(0.4)])
+
+
+REACH = 0.1
+
+
+def test_within_reach_of_an_edge_it_is_the_nearer_of_both(rng):
+    """Over a box and its floor: the top's where a point is over it or within 7 cm of it, in any direction; what lies
+    between that and 10 cm depends on the direction."""
+    points = np.vstack([rng.uniform(-0.8, 0.8, (2, 1, 400)), rng.uniform(0.0, 0.7, (1, 1, 400))])
+    found, where = heights_nearby([FLOOR, BOX], points, np.array([0.05]), REACH)
+    beyond = np.maximum(np.abs(points[:2]) - 0.5, 0).max(axis=0)[0]
+    z = points[2, 0] - 0.05
+    top_is_nearer, on_top, on_floor = np.abs(z - 0.4) + 0.05 < np.abs(z), beyond == 0, beyond > REACH
+    reached = top_is_nearer & (beyond < 0.7 * REACH) & ~on_top & (z > 0.26)
+    assert reached.sum() > 10
+    np.testing.assert_allclose(found[0, reached], z[reached] - 0.4, atol=1e-12)
+    np.testing.assert_allclose(found[0, on_floor], z[on_floor], atol=1e-12)
+    high = on_top & (beyond == 0) & (np.abs(points[:2]).max(axis=0)[0] < 0.5 - REACH) & (z > 0.26)
+    np.testing.assert_allclose(found[0, high], z[high] - 0.4, atol=1e-12)
+    np.testing.assert_allclose(height_over([FLOOR, BOX], where, np.array([0.05]))[0], found, atol=1e-12)
+    np.testing.assert_array_less(np.linalg.norm((where - points)[:, 0], axis=0), REACH + 1e-12)
+
+
+@pytest.mark.parametrize(("height", "is_on_top"), [(0.07, False), (0.08, True)])
+def test_the_ground_below_wins_unless_that_beside_is_nearer_by_5_cm(height, is_on_top):
+    low = Box("low", np.array([0.0, 0.0, 0.05]), np.eye(3), np.array([0.5, 0.5, 0.05]))
+    points = np.array([[[0.55, -0.55]], [[0.0, 0.0]], [[height + 0.05] * 2]])
+    found, _ = heights_nearby([FLOOR, low], points, np.array([0.05]), REACH)
+    np.testing.assert_allclose(found, height - 0.1 * is_on_top, atol=1e-12)
+
+
+def test_over_a_slope_it_is_that_of_the_slope_unless_it_is_far_off():
+    slope = Plane("slope", np.zeros(3), TILT)
+    points = np.array([[0.0, 0.3], [0.0, 0.0], [0.06, 0.0]])[:, None]
+    found, _ = heights_nearby([slope], points, np.array([0.05]), REACH)
+    np.testing.assert_allclose(found, height_over([slope], points, np.array([0.05]))[0], atol=0.06)
+    assert found[0, 0] == pytest.approx(0.06 * TILT[2] - 0.05)
+
+
+@pytest.mark.parametrize("normal", [UP, TILT])
+def test_the_ground_of_a_point_is_the_plane_below_it(normal, rng):
+    plane = Plane("plane", rng.normal(size=3), normal)
+    point = plane.point + 0.04 * normal + np.cross(normal, rng.normal(size=3))
+    found = ground_at([plane], point, 0.03, REACH)
+    assert found is not None
+    np.testing.assert_allclose(found.normal, normal, atol=1e-12)
+    elsewhere = rng.normal(size=(3, 5))
+    np.testing.assert_allclose(found.height(elsewhere), plane.height(elsewhere), atol=1e-12)
+
+
+def test_next_to_an_edge_it_is_the_plane_that_ends_there_and_where_nothing_is_there_is_none():
+    found = ground_at([FLOOR, BOX], np.array([0.55, 0.1, 0.46]), 0.05, REACH)
+    assert found is not None
+    assert found.height(np.array([0.7, 0.0, 0.41])) == pytest.approx(0.01)
+    assert ground_at([BOX], np.array([2.0, 0.0, 0.4]), 0.05, REACH) is None
+    height, _ = heights_nearby([BOX], np.array([[[2.0]], [[0.0]], [[0.4]]]), np.array([0.05]), REACH)
+    assert height[0, 0] == FAR
+
+
+ONE_BOX = """<mujoco><worldbody><geom type="box" size=".5 .3 .2" pos=".1 .2 .2" euler="0 0 40"/>
+<body mocap="true"><geom size="1e-6"/></body></worldbody></mujoco>"""
+
+
+def test_clearances_are_distances_by_mujoco_for_points_above_the_top_of_a_box(rng):
+    """The floor is nearer for some of the points, and the gradients are those of the values."""
+    model = mujoco.MjModel.from_xml_string(ONE_BOX)
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    box = Box("box", data.geom_xpos[0].copy(), data.geom_xmat[0].reshape(3, 3).copy(), model.geom_size[0].copy())
+    bottoms = rng.uniform([-1, -1, 0.4], [1, 1, 0.9], (200, 3))
+    expected = np.empty(len(bottoms))
+    for i, place in enumerate(bottoms):
+        data.mocap_pos[0] = place
+        mujoco.mj_kinematics(model, data)
+        expected[i] = min(mujoco.mj_geomDistance(model, data, 0, 1, 9.0, None) + 1e-6, place[2])
+    points = (bottoms + 0.05 * UP).T[:, None]
+    found, origin = clearances([FLOOR, box], points, np.array([0.05]))
+    gradient = clearance_gradients([FLOOR, box], origin[0], points[:, 0], np.full(200, 0.05))
+    np.testing.assert_allclose(found[0], expected, atol=1e-9)
+    step, h = rng.normal(size=points.shape), 1e-6
+    rise = [clearances([FLOOR, box], points + s * step, np.array([0.05]))[0] for s in (-h, h)]
+    np.testing.assert_allclose((rise[1] - rise[0]) / (2 * h), np.einsum("is,ins->ns", gradient, step), atol=1e-4)

@@ -1,20 +1,55 @@
-"""The contact penalty: which points it makes of a body, its values by hand, its gradient, both sides of the surface."""
+"""Contacts, stances, targets, grasps and resting points: values, and motions that obey them."""
+
+from __future__ import annotations
+
+import itertools
 
 import mujoco
 import numpy as np
 import pytest
-from ground import FLOOR, random_points
+from even_frames import evenly
+from every_penalty import clip
+from figures import BALL, figure_of
+from ground import FLOOR, random_points, stance_of
 from oracles import kinematics
-from random_samples import random_samples
+from random_keys import TIMES
+from random_samples import at_times, random_samples
+from taylor import taylor_slope
 
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.contacts import Grasp, Rest, Stance, resting_objects, stances
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
+from dynsplines.solver.contacts.thresholds import Thresholds
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.quadrature import Quadrature
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Contact
-from dynsplines.solver.surface import Box, static_surfaces
-from dynsplines.solver.surface.points import body_points
+from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import (
+    Attachment,
+    Contact,
+    CovariantAcceleration,
+    GraspPenalty,
+    Placed,
+    RestPenalty,
+    RootAcceleration,
+    UnitMagnitude,
+    slipped,
+)
+from dynsplines.solver.penalty.ground.rest import Rolling
+from dynsplines.solver.problem import Problem, Settings
+from dynsplines.solver.refine.subdivision import by_weak_form
+from dynsplines.solver.surface import Box, Plane, static_surfaces
+from dynsplines.solver.surface.points import Point, body_points
 
 BLOCK = Box("block", np.array([0.1, -0.2, 0.0]), np.eye(3), np.array([2.0, 1.5, 1.0]), buried=False)
+
+
 STEP = Box("step", np.array([0.0, 0, -0.5]), np.eye(3), np.array([2.0, 2.5, 1.0]), buried=True)
 
 
@@ -57,3 +92,323 @@ def test_a_capsule_across_the_edge_of_a_box_is_noticed():
     for shift in np.linspace(-0.05, 0.05, 11):
         state = np.array([[shift, 0, 0.2 + 0.024 - 0.004, 1, 0, 0, 0]])
         assert contact.evaluate(Samples(figure, state, 0 * state, 0 * state))[0] > 0
+
+
+FOOT = Point("foot", 1, np.array([0.0, 0, -0.5]), 0.1)
+
+
+def test_it_is_the_squared_distance_from_the_drifting_spot_while_the_stance_lasts(figure, rng):
+    t = np.array([0.0, 0.49, 0.5, 0.75, 1.0, 1.01])
+    samples = at_times(random_samples(figure, rng, 6), t)
+    stance = stance_of(1, 0.5, 1.0)
+    offset = np.einsum("ijs,j->is", samples.links.rotation[:, :, 1], stance.point.position)
+    away = samples.links.x[:, 1] + offset - np.array([0.1, 0.2, 0])[:, None]
+    away -= np.array([0.03, 0, 0.01])[:, None] * (t - 0.5) / 0.5
+    expected = np.where((t >= 0.5) & (t <= 1.0), np.sum(away**2, axis=0), 0)
+    np.testing.assert_allclose(Attachment((stance,)).evaluate(samples), expected, rtol=1e-12)
+    assert np.count_nonzero(expected) == 3
+
+
+def found(places: list[tuple[float, float]]) -> tuple[Stance, ...]:
+    """The stances of a ball on a stick whose foot is at these (x, height) in keyframes a second apart."""
+    model = mujoco.MjModel.from_xml_string(BALL)
+    figure = Figure(model)
+    keys = [Frame.key(float(i), [x, 0, z + 0.6, 1, 0, 0, 0]) for i, (x, z) in enumerate(places)]
+    return stances(KeyframePoints.of(figure, raw_timeline(figure, keys), (FOOT,), (FLOOR,)))
+
+
+def test_two_keyframes_with_the_point_on_one_spot_plant_it_between_them():
+    (stance,) = found([(0.0, 0.3), (0.5, 0.005), (0.52, -0.005), (1.0, 0.3)])
+    assert (stance.first, stance.last) == (1.0, 2.0)
+    np.testing.assert_allclose(stance.place(np.array([1.0, 1.5, 2.0]))[0], [0.5, 0.51, 0.52])
+    np.testing.assert_allclose(stance.place(np.array([1.0, 1.5, 2.0]))[2], [0.105, 0.1, 0.095])
+
+
+@pytest.mark.parametrize(
+    "places",
+    [
+        [(0.0, 0.0), (0.06, 0.0)],  # slid
+        [(0.0, 0.0), (0.0, 0.02)],  # lifted
+        [(0.0, -0.02), (0.0, 0.0)],  # below the floor
+        [(0.0, 0.0), (0.0, 0.3), (0.0, 0.0)],  # a hop
+    ],
+)
+def test_a_point_that_moved_or_left_the_surface_is_not_planted(places):
+    assert found(places) == ()
+
+
+def test_no_points_or_no_surfaces_plant_nothing(figure, rng):
+    keys = [Frame.key(float(i), figure.to_qpos(figure.to_state(rng.normal(size=figure.width)))) for i in range(2)]
+    timeline = raw_timeline(figure, keys)
+    assert stances(KeyframePoints.of(figure, timeline, (), (FLOOR,))) == ()
+    assert stances(KeyframePoints.of(figure, timeline, (FOOT,))) == ()
+
+
+BOX = """<mujoco><worldbody><body name="box"><freejoint name="box"/><geom type="box" size=".1 .2 .3"/></body>
+</worldbody></mujoco>"""
+
+
+def box_keys(figure: Figure, places: list[list[float]], told: list[bool]) -> Timeline:
+    """Keyframes a second apart of a box at places, turned alike; those that are not told leave its place free."""
+    masks = [np.array([each] * 3 + [True] * 4) for each in told]
+    turned = quat.from_rotation_vector([0.3, 0.2, 0.1])
+    keys = [
+        Frame.key(float(i), [*place, *turned], mask) for i, (place, mask) in enumerate(zip(places, masks, strict=True))
+    ]
+    return raw_timeline(figure, keys)
+
+
+def test_of_several_things_those_lie_still_that_do_not_move_whatever_the_others_do():
+    names = ("first", "second", "third")
+    bodies = "".join(f'<body name="{name}"><freejoint name="{name}"/><geom size=".1"/></body>' for name in names)
+    figure = figure_of(f"<mujoco><worldbody>{bodies}</worldbody></mujoco>")
+    for still in itertools.product([False, True], repeat=3):
+        poses = np.tile([0.0, 0, 1, 1, 0, 0, 0], (2, 3, 1))
+        poses[1, ~np.array(still), 0] += 0.3
+        keys = raw_timeline(figure, [Frame.key(float(i), pose.ravel()) for i, pose in enumerate(poses)])
+        found = resting_objects(KeyframePoints.of(figure, keys, ()), [1, 2, 3])
+        assert [stance.point.name for stance in found] == [
+            name for name, lies in zip(names, still, strict=True) for _ in range(3 * lies)
+        ]
+
+
+def test_a_thing_lies_still_between_keyframes_that_both_say_the_same_of_it():
+    figure = figure_of(BOX)
+    here, there = [0.0, 0, 0.3], [0.01, 0, 0.3]
+    found = resting_objects(
+        KeyframePoints.of(figure, box_keys(figure, [here, here, there, there], [True] * 4), ()), [1]
+    )
+    assert [(stance.first, stance.last) for stance in found] == [(0.0, 1.0)] * 3 + [(2.0, 3.0)] * 3
+    np.testing.assert_allclose([stance.landed for stance in found], [stance.spot for stance in found], atol=1e-12)
+    for told in ([True, False], [False, True], [False, False]):
+        assert resting_objects(KeyframePoints.of(figure, box_keys(figure, [here, here], told), ()), [1]) == ()
+    assert resting_objects(KeyframePoints.of(figure, box_keys(figure, [here, here], [True, True]), ()), []) == ()
+
+
+TARGET = np.array([0.3, -0.2, 0.8])
+
+
+def placed(link: int, time: float, target: Array = TARGET) -> Placed:
+    return Placed(Point("p", link, np.array([0.1, 0.2, -0.3])), time, target)
+
+
+def placement_of(figure: Figure, *times: float) -> Attachment:
+    """Points of the first and the last link at every time, one of them with a free axis."""
+    last = len(figure.links) - 1
+    loose = np.array([0.4, np.nan, 0.2])
+    return Attachment.at_instants(tuple(point for t in times for point in (placed(1, t, loose), placed(last, t))))
+
+
+def some(figure: Figure, rng: np.random.Generator) -> Samples:
+    return at_times(random_samples(figure, rng, 6), np.array([0.0, 0.5, 0.5, 0.7, 1.0, 1.3]))
+
+
+def test_it_is_the_squared_distance_along_the_given_axes_at_its_time(figure, rng):
+    samples = some(figure, rng)
+    last = len(figure.links) - 1
+    values = placement_of(figure, 0.5, 1.3).evaluate(samples)
+    for i in (1, 2, 5):
+        data = kinematics(figure.model, figure.to_qpos(samples.y[i]))
+        expected = 0.0
+        for link, target in ((1, [0.4, np.nan, 0.2]), (last, TARGET)):
+            body = data.body(figure.links[link].body)
+            at = body.xpos + body.xmat.reshape(3, 3) @ [0.1, 0.2, -0.3]
+            expected += np.nansum((at - target) ** 2)
+        assert values[i] == pytest.approx(expected, rel=1e-9)
+    assert not values[[0, 3, 4]].any()
+
+
+QUADRATURES = [Quadrature(), Quadrature("gauss", 4, 0.05), Quadrature("uniform", 37)]
+
+
+@pytest.mark.parametrize("quadrature", QUADRATURES, ids=["gauss", "panels", "uniform"])
+def test_the_objective_holds_it_once_at_its_time_and_leaves_the_others_as_they_were(figure, rng, quadrature):
+    path = path_of(clip(figure, rng))
+    instants = (float(TIMES[1]), float(TIMES[-1]))
+    placement = placement_of(figure, *instants)
+    others = [(CovariantAcceleration(), 2.0), (UnitMagnitude(), 1.0)]
+    plain = Objective.of(figure, others, quadrature=quadrature).integrals(path)
+    found = Objective.of(figure, [*others, (placement, 3.0)], quadrature=quadrature).integrals(path)
+    np.testing.assert_allclose(found[:2], plain, rtol=1e-12)
+    at = Samples(figure, *path.motion(np.array(instants)), t=np.array(instants))
+    assert found[2] == pytest.approx(placement.evaluate(at).sum(), rel=1e-12)
+
+
+@pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
+def test_the_objectives_gradient_has_taylor_slope_two(figure, rng, ends):
+    timeline = evenly(clip(figure, rng, ends), 1)
+    placement = placement_of(figure, float(TIMES[0]), float(TIMES[1]), float(TIMES[2]))
+    problem = Objective.of(figure, [(placement, 2.0)]).on(timeline)
+    x = problem.unknowns.start + 0.1 * rng.normal(size=problem.unknowns.size)
+    found = problem(x)
+    assert found.parts["attach.placement"] > 0
+    assert taylor_slope(lambda z: problem(z).value, x, found.gradient, rng) > 1.95
+
+
+def test_frames_between_keyframes_promise_nothing_of_it(figure, rng):
+    """A frame's cardinal function is zero at all other frames, and so at the keyframe's time."""
+    timeline = clip(figure, rng)
+    others = [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 5.0)]
+    plain = by_weak_form(Objective.of(figure, others), timeline)
+    with_it = by_weak_form(Objective.of(figure, [*others, (placement_of(figure, float(TIMES[1])), 9.0)]), timeline)
+    np.testing.assert_allclose(with_it, plain, rtol=1e-12)
+
+
+BALL_WITH_SITE = (
+    '<mujoco><worldbody><body><freejoint/><geom size=".1"/><site pos=".1 .2 -.3"/></body></worldbody></mujoco>'
+)
+
+
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+@pytest.mark.parametrize("which", [0, 1])
+def test_a_reachable_place_is_reached_within_a_millimetre(coordinates, which):
+    figure = figure_of(BALL_WITH_SITE, coordinates)
+    free = np.zeros(7, bool)
+    keys = [Frame.key(float(i), [0.1 * i, 0, 1, 1, 0, 0, 0]) for i in range(3)]
+    keys[which] = Frame.key(float(which), keys[which].state, free)
+    placement = Attachment.at_instants((placed(1, float(which)),))
+    penalties = [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 1.0), (placement, 30.0)]
+    motion = inbetween(Problem(figure, keys, penalties))
+    data = kinematics(figure.model, motion.at(float(which))[0])
+    assert np.linalg.norm(data.site_xpos[0] - TARGET) < 1e-3
+
+
+UP, TILT = np.array([0.0, 0, 1]), np.array([0.28, 0, 0.96])
+
+
+LOW_FLOOR = Plane("floor", -50 * UP, UP)
+
+
+def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, RestPenalty]:
+    samples = at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6))
+    last, slope = len(figure.links) - 1, Plane("slope", -50 * UP + 3 * TILT, TILT)
+    rests = (
+        Rest(Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), 0.1, 0.5, rolls=True),
+        Rest(Point("b", last, UP), 0.3, 1.0),
+        Rest(Point("c", last, np.array([0.2, 0.1, 0.0]), 0.02), 0.1, 0.9, slope, rolls=True),
+        Rest(Point("d", last, np.array([0.0, 0.1, 0.2]), 0.03), 0.2, 0.8),
+        Rest(Point("c again", last, np.array([0.2, 0.1, 0.0]), 0.02), 0.5, 1.0, rolls=True),
+    )
+    return samples, RestPenalty(rests, (LOW_FLOOR,))
+
+
+def test_the_value_by_hand(figure, rng):
+    samples, resting = case(figure, rng)
+    expected = np.zeros(6)
+    for rest in resting.rests:
+        links = samples.links
+        offset = np.einsum("ijs,j->is", links.rotation[:, :, rest.point.link], rest.point.position)
+        place, normal = links.x[:, rest.point.link] + offset, UP if rest.ground is None else TILT
+        lowest = offset - rest.rolls * rest.point.radius * normal[:, None]
+        velocity = links.x_d[:, rest.point.link] + np.cross(links.omega[:, rest.point.link].T, lowest.T).T
+        height = normal @ (place + 50 * UP[:, None]) - (3 if rest.ground else 0) - rest.point.radius
+        during = (samples.t >= rest.first) & (samples.t <= rest.last)
+        expected += during * (height**2 + Thresholds.of(samples.figure).settling ** 2 * np.sum(velocity**2, axis=0))
+    np.testing.assert_allclose(resting.evaluate(samples), expected, rtol=1e-9)
+
+
+def test_a_foot_rests_where_nobody_said_that_it_should():
+    figure = figure_of(BALL)
+    foot, floor = Point("foot", 1, np.zeros(3), 0.1), Plane("floor", np.zeros(3), UP)
+    keys = [Frame.key(float(i), [x, 0, 0.3, 1, 0, 0, 0]) for i, x in enumerate([0.0, 1.0])]
+    penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
+
+    def direction(weight: float) -> float:
+        resting = RestPenalty((Rest(foot, 0.4, 0.6),), (floor,))
+        motion = inbetween(Problem(figure, keys, [*penalties, (resting, weight)], Settings(tolerance=1e-4)))
+        qpos = motion.at(np.linspace(0.4, 0.6, 100))
+        return float(np.ptp(qpos[:, 0]) + np.abs(qpos[:, 2] - 0.1).max())
+
+    assert direction(0.0) > 0.3
+    assert direction(3000.0) < 0.01
+
+
+@pytest.mark.parametrize("angle", [-0.7, 0.0, 1.2])
+def test_a_sphere_that_rolls_goes_as_far_as_it_has_turned(angle):
+    start = quat.from_rotation_vector([0.2, -0.4, 0.9])
+    turned = quat.product(quat.from_rotation_vector([0, angle, 0]), start)[:, None]
+    for rolls, ground, way in ((True, None, 1.0), (True, Plane("floor", np.zeros(3), UP), 1.0), (False, None, 0.0)):
+        rest = Rest(Point("ball", 1, np.zeros(3), 0.05), 0.0, 1.0, ground, rolls)
+        found = Rolling.of(rest, start).displacement(turned)
+        np.testing.assert_allclose(found[:, 0], [way * 0.05 * angle, 0, 0], atol=1e-12)
+
+
+TWO = """<mujoco><worldbody>
+<body name="hand"><freejoint/><geom size=".1"/></body>
+<body name="box"><freejoint/><geom type="box" size=".2 .3 .1"/></body>
+</worldbody></mujoco>"""
+
+
+HAND = Point("hand", 1, np.array([0.1, 0.2, -0.3]))
+
+
+def grasps(figure: Figure) -> tuple[Grasp, Grasp]:
+    """One whose spot drifts and then stays, with more and more slack, and one whose spot nobody knows."""
+    last = len(figure.links) - 1
+    spots = (
+        Stance(HAND, 0.1, 0.4, np.array([0.1, 0, 0.2]), np.array([0.1, 0.3, 0]), 1.0, last, (0.0, 0.3)),
+        Stance(HAND, 0.4, 0.8, np.array([0.1, 0.3, 0]), np.array([0.1, 0.3, 0]), 1.0, last, (0.3, 0.7)),
+    )
+    return Grasp(HAND, last, "it", 0.1, 0.8, spots), Grasp(Point("b", last, np.ones(3)), 1, "it", 0.3, 1.0)
+
+
+def grasp_case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, tuple[Grasp, Grasp]]:
+    return at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6)), grasps(figure)
+
+
+def known(samples: Samples, grasp: Grasp) -> Array:
+    """(S, 3) the way from the spot to the hand, as far as it is beyond the slack."""
+    links = samples.links
+    away = np.empty((samples.count, 3))
+    for s, t in enumerate(samples.t):
+        share = np.clip((t - 0.1) / 0.3, 0, 1)
+        spot = np.array([0.1, 0.3 * share, 0.2 * (1 - share)])
+        hand = links.x[:, grasp.point.link, s] + links.rotation[:, :, grasp.point.link, s] @ grasp.point.position
+        whole = hand - links.x[:, grasp.link, s] - links.rotation[:, :, grasp.link, s] @ spot
+        far = float(np.linalg.norm(whole))
+        away[s] = max(far - np.interp(t, [0.1, 0.8], [0, 0.7]), 0) / far * whole
+    return away
+
+
+def sliding(samples: Samples, grasp: Grasp) -> Array:
+    """(S, 3) how fast the hand moves on the body, in that link's axes, by differences along y', y''."""
+    h = 1e-5
+    there = [
+        slipped(Samples(samples.figure, samples.y + k * h * samples.y_d, samples.y_d, samples.y_dd), grasp)
+        for k in (-1, 1)
+    ]
+    return ((there[1] - there[0]) / (2 * h)).T
+
+
+def test_the_value_is_the_distance_from_the_spot_or_what_the_hand_slides_on_the_body_in_a_twentieth_of_a_second(
+    figure, rng
+):
+    samples, (first, second) = grasp_case(figure, rng)
+    t = samples.t
+    expected = ((t >= 0.1) & (t <= 0.8)) * np.sum(known(samples, first) ** 2, axis=1)
+    settling = Thresholds.of(samples.figure).settling
+    expected += ((t >= 0.3) & (t <= 1.0)) * settling**2 * np.sum(sliding(samples, second) ** 2, axis=1)
+    np.testing.assert_allclose(GraspPenalty.of((first, second)).evaluate(samples), expected, rtol=1e-6)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("is_known", [True, False])
+def test_a_hand_stays_on_a_box_that_turns_where_the_raw_spline_loses_it(is_known):
+    figure = figure_of(TWO)
+    spot, keys = np.array([0.9, 0, 0]), []
+    for i in range(2):
+        box, turn = np.array([0.5, 0.4, 0.3]) * i, [np.cos(0.6 * i), 0, 0, np.sin(0.6 * i)]
+        keys.append(Frame.key(float(i), [*(box + quat.rotated(turn, spot)), 1, 0, 0, 0, *box, *turn]))
+    hand = Point("hand", 1, np.zeros(3))
+    spots = (Stance(hand, 0, 1, spot, spot, link=2),) if is_known else ()
+    grasp = Grasp(hand, 2, "box", 0.0, 1.0, spots)
+    others = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
+
+    def worst(weight: float) -> float:
+        penalties = [*others, (GraspPenalty.of((grasp,)), weight)]
+        motion = inbetween(Problem(figure, keys, penalties, Settings(tolerance=1e-5)))
+        samples = Samples(figure, *(figure.to_state(motion.at(np.linspace(0, 1, 80))),) * 3)
+        return float(np.linalg.norm(slipped(samples, grasp) - spot[:, None], axis=0).max())
+
+    assert worst(0.0) > 0.1
+    assert worst(300.0) < 0.003

@@ -1,25 +1,42 @@
-"""Skate: the value by hand, from velocities by differences of positions; gradient, curvature; what it does to feet."""
+"""Skating and hovering: values, and motions that obey them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
 
 import mujoco
 import numpy as np
 import pytest
-from curvature_of import assembled, curvature_of
+from curvature_of import assembled, curvature_of, sides_of
 from figures import BALL, figure_of
-from random_samples import random_samples
+from random_samples import at_times, random_samples
 
+from dynsplines.solver.contacts.grounded import grounded_intervals, open_intervals
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, Skate, UnitMagnitude
+from dynsplines.solver.penalty import (
+    Contact,
+    CovariantAcceleration,
+    HoverPenalty,
+    Penalty,
+    RootAcceleration,
+    Skate,
+    UnitMagnitude,
+)
+from dynsplines.solver.penalty.block import summed
 from dynsplines.solver.penalty.ground.skate import SwingSegments
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point, places_of
 
 UP = np.array([0.0, 0, 1])
+
+
 TILTED = np.array([0.0, 0.6, 0.8])
 
 
@@ -74,7 +91,11 @@ def test_without_points_or_surfaces_nothing_skates(figure, rng):
 
 
 FOOT = Point("foot", 1, np.zeros(3), 0.1)
+
+
 FLOOR = Plane("floor", np.zeros(3), UP)
+
+
 STEP = Box("step", np.array([0.5, 0, 0.1]), np.eye(3), np.array([0.5, 0.5, 0.1]))
 
 
@@ -134,3 +155,155 @@ def test_a_point_that_swings_is_as_fast_as_it_likes(rng):
     samples = Samples(figure, y, y_d, 0 * y, t=t)
     free, all_ = Skate(points, (floor,), swings=SwingSegments.of(figure, keys, points)), Skate(points, (floor,))
     np.testing.assert_array_equal(free.evaluate(samples), all_.evaluate(samples) * [0, 1])
+
+
+def case(figure: Figure, rng: np.random.Generator, count: int = 6) -> tuple[Samples, HoverPenalty]:
+    samples = at_times(random_samples(figure, rng, count), np.linspace(0, 1, count))
+    points = some_points(samples)
+    centres, _ = places_of(points, samples)
+    floor = Plane("floor", (centres[2].min() - 0.3) * UP, UP)
+    return samples, HoverPenalty(points, (floor,), ((0.1, 0.5), (0.7, 1.0)), reach=0.8, blend=0.2)
+
+
+def test_the_value_is_continuous_where_the_lowest_point_passes_over_the_edge_of_a_step():
+    step = Box("step", np.array([0.5, 0, 0.1]), np.eye(3), np.array([0.5, 0.5, 0.1]))
+    grounded = HoverPenalty((Point("foot", 1, np.zeros(3), 0.1),), (FLOOR, step), ((0.0, 1.0),))
+    y = np.array([[x, 0, 0.35, 1, 0, 0, 0] for x in (-1e-9, 1e-9)])
+    left, right = grounded.evaluate(at_times(Samples(figure_of(BALL), y, 0 * y, 0 * y), np.array([0.5, 0.5])))
+    assert left > 1e-4
+    np.testing.assert_allclose(left, right, rtol=1e-6)
+
+
+def lowest(samples: Samples, grounded: HoverPenalty, blend: float | np.ndarray) -> np.ndarray:
+    """The smooth minimum of the heights of the two points, (S,)."""
+    (floor,) = grounded.surfaces
+    assert isinstance(floor, Plane)
+    centres, _ = places_of(grounded.points, samples)
+    height = centres[2] - floor.point[2] - np.array([0.05, 0])[:, None]
+    return np.maximum(-blend * np.log(np.sum(np.exp(-height / blend), axis=0)), 0)
+
+
+def test_the_value_by_hand(figure, rng):
+    samples, grounded = case(figure, rng)
+    low = lowest(samples, grounded, 0.2)
+    expected = np.where([False, True, True, False, True, True], 0.64 * (1 - np.exp(-((low / 0.8) ** 2))), 0)
+    np.testing.assert_allclose(grounded.evaluate(samples), expected, rtol=1e-9)
+    assert np.count_nonzero(expected) > 1
+
+
+def test_without_points_or_surfaces_nothing_hovers(figure, rng):
+    samples, hover = case(figure, rng)
+    assert not replace(hover, points=(), intervals=((0.0, 1.0),)).evaluate(samples).any()
+    assert not replace(hover, surfaces=(), intervals=((0.0, 1.0),)).evaluate(samples).any()
+
+
+def test_where_it_is_firm_it_is_ten_times_the_square_of_the_height(figure, rng):
+    samples, fading = case(figure, rng)
+    firm = replace(fading, firm=fading.intervals[1:])
+    values, before = firm.evaluate(samples), fading.evaluate(samples)
+    assert np.array_equal(values[:4], before[:4])  # until 0.7 s
+    np.testing.assert_allclose(values[4:], 10 * lowest(samples, fading, 0.04)[4:] ** 2, rtol=1e-9)
+    assert values[4:].min() > 0
+
+
+@pytest.mark.parametrize("height", [-0.005, 0.0, 0.01])
+def test_in_the_model_a_body_on_the_ground_rises(height):
+    """A ball at a height [m] rises by 2 cm. The model is linear in the height, the cost fades with it."""
+    grounded = HoverPenalty((FOOT,), (FLOOR,), ((0.0, 1.0),))
+    y = np.array([[0, 0, 0.1 + height + rise, 1, 0, 0, 0] for rise in (0.0, 0.02)])
+    start, end = (at_times(Samples(figure_of(BALL), row, 0 * row, 0 * row), np.array([0.5])) for row in y[:, None])
+    sides = sides_of(grounded, start)
+    predicted = np.sum(np.maximum(sides.value + sides.rows @ (y[1] - y[0]), 0) ** 2)
+    assert predicted == pytest.approx(grounded.evaluate(end)[0], rel=0.3)
+
+
+def grounded(
+    figure: Figure, keys: Timeline, points: tuple[Point, ...], surfaces: tuple[Plane, ...], flights: tuple = ()
+) -> tuple:
+    """The segments between keyframes in which the lowest of the points is on the ground."""
+    down = KeyframePoints.of(figure, keys, points, surfaces).touches
+    return grounded_intervals(keys, down, np.zeros(down.size - 1, bool), flights)
+
+
+def on_a_path(heights: list[float], weight: float, flights: tuple = ()) -> float:
+    """How high a ball gets in the middle third of keyframes with these heights."""
+    figure = figure_of(BALL)
+    keys = [Frame.key(0.5 * i, [0.5 * i, 0, z + 0.1, 1, 0, 0, 0]) for i, z in enumerate(heights)]
+    intervals = grounded(figure, raw_timeline(figure, keys), (FOOT,), (FLOOR,), flights)
+    penalties: list[tuple[Penalty, float]] = [
+        (CovariantAcceleration(), 1.0),
+        (RootAcceleration(), 1.0),
+        (UnitMagnitude(), 1.0),
+    ]
+    penalties.append((HoverPenalty((FOOT,), (FLOOR,), intervals), weight))
+    motion = inbetween(Problem(figure, keys, penalties, Settings(tolerance=1e-4)))
+    middle = 0.5 * (len(heights) - 1) * np.linspace(1 / 3, 2 / 3, 200)
+    return float(motion.at(middle)[:, 2].max() - 0.1)
+
+
+def test_a_body_that_floated_between_keyframes_on_the_ground_comes_down():
+    assert on_a_path([-0.3, 0.0, 0.0, -0.3], 0.0) > 0.04
+    assert on_a_path([-0.3, 0.0, 0.0, -0.3], 1.0) < 0.01
+
+
+def test_segments_with_an_end_in_the_air_are_left_out():
+    figure = figure_of(BALL)
+    keys = [Frame.key(float(i), [0, 0, z + 0.1, 1, 0, 0, 0]) for i, z in enumerate([0.0, 0.04, 0.0, 0.3, 0.0])]
+    timeline = raw_timeline(figure, keys)
+    assert grounded(figure, timeline, (FOOT,), (FLOOR,)) == ((0.0, 1.0), (1.0, 2.0))
+    assert grounded(figure, timeline, (FOOT,), (FLOOR,), ((1.5, 1.7),)) == ((0.0, 1.0), (1.0, 1.5), (1.7, 2.0))
+    down, flight, is_hop = np.array([False, True, True, True, False]), ((0.5, 3.5),), np.zeros(4, bool)
+    assert grounded_intervals(timeline, down, is_hop, flight) == ()
+    assert grounded_intervals(timeline, ~down, is_hop, flight, 0.1) == ((0.0, 0.4), (3.6, 4.0))
+    assert grounded_intervals(timeline, ~down, is_hop, ((-0.5, 4.5),)) == ()
+    assert grounded_intervals(timeline, ~down, is_hop, flight, 0.6) == ()
+    assert grounded(figure, timeline, (), (FLOOR,)) == grounded(figure, timeline, (FOOT,), ()) == ()
+
+
+POST = '<mujoco><worldbody><body><freejoint/><geom type="box" size=".05 .05 .5"/></body></worldbody></mujoco>'
+
+
+FOOT_OF_IT = Point("foot", 1, np.array([0, 0, -0.5]))
+
+
+def open_of(heights: list[float], free: set[int], flights: tuple = (), step: float = 1.0) -> tuple:
+    """Which segments, by the times of their keyframes, are open of a post's keyframes, some of no height."""
+    figure = figure_of(POST)
+    states = [np.array([0, 0, z + 0.5, 1, 0, 0, 0]) for z in heights]
+    fixed = [np.arange(7) != (2 if i in free else -1) for i in range(len(heights))]
+    keys = [Frame(step * i, *both, np.arange(7) == 2) for i, both in enumerate(zip(states, fixed, strict=True))]
+    timeline = raw_timeline(figure, keys)
+    down = KeyframePoints.of(figure, timeline, (FOOT_OF_IT,), (FLOOR,)).touches
+    return open_intervals(timeline, down, ~timeline.fixed[:, 2], flights)
+
+
+def test_segments_are_open_whose_keyframes_stand_at_a_height_of_nobodys():
+    assert open_of([0.0, 0.0, 0.0, 0.0], {2}) == ((1.0, 2.0), (2.0, 3.0))
+    assert open_of([0.0, 0.0, 0.0], set()) == ()
+    assert open_of([0.0, 0.0, 0.0, 0.0], {1}, ((1.5, 1.7),)) == ((0.0, 1.0),)
+    assert open_of([0.0, 0.0, 0.0, 0.0], {1, 2}, ((1.0, 2.0),)) == ((0.0, 1.0), (2.0, 3.0))
+
+
+def test_of_segments_into_the_air_a_quarter_is_open():
+    assert open_of([0.2, 0.0, 0.2, 0.0], {1}) == ((0.75, 1.0), (1.0, 1.25))
+    assert open_of([0.2, 0.0, 0.2, 0.0], {1}, step=2.0) == ((1.5, 2.0), (2.0, 2.5))
+    assert open_of([0.0, 0.0, 0.2], {1}) == ((0.0, 1.0), (1.0, 1.25))
+    assert open_of([0.2, 0.0, 0.0], {1, 2}) == ((0.75, 1.0), (1.0, 2.0))
+    assert open_of([0.0, 0.2, 0.0], {1}) == ()  # it hangs itself
+    assert open_of([0.2, 0.2, 0.0], set()) == ()
+
+
+@pytest.mark.parametrize(("step", "tolerated"), [(0.15, True), (0.5, False)])
+def test_the_height_of_keyframes_that_are_close_in_time_is_tolerated_between_them(step, tolerated):
+    figure = figure_of(BALL)
+    keys = [Frame.key(i * step, [0, 0, z + 0.1, 1, 0, 0, 0]) for i, z in enumerate([0.0, 0.03, 0.03, 0.0])]
+    hover = HoverPenalty((FOOT,), (FLOOR,), ((0.0, 3 * step),)).allowing(figure, raw_timeline(figure, keys))
+    middle = np.array([1.5 * step])
+
+    def cost(z: float) -> float:
+        samples = Samples.still(figure, np.array([[0, 0, z + 0.1, 1, 0, 0, 0]]), t=middle)
+        return float(summed(hover.residuals(samples), samples)[0])
+
+    lower, higher = cost(0.03), cost(0.05)
+    assert (lower == 0) == tolerated
+    assert higher == pytest.approx(0.05**2 * -np.expm1(-((0.02 if tolerated else 0.05) ** 2) / 0.05**2))

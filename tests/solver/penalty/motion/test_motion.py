@@ -1,0 +1,368 @@
+"""Accelerations, velocities, torques and cycles: values, and motions that obey them."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import mujoco
+import numpy as np
+import pytest
+from curvature_of import assembled, assert_near, assert_squares, curvature_of, jacobians
+from even_frames import evenly
+from figures import BALL_TREE, CHAIN, HUMAN_AND_CHAINS, TINY, figure_of, with_armature
+from gaits import FIGURE, GROUND, SOLES, TIME, WALK, gait
+from oracles import mujoco_forces
+from penalty_slope import penalty_slope
+from random_samples import random_samples
+from scipy.spatial.transform import Rotation, Slerp
+from small_problems import turning
+
+from dynsplines.clip.build import constraints
+from dynsplines.clip.context import Context
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.contacts import Steps
+from dynsplines.solver.contacts.gait_period import Gait
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.figure.adjoint import Cotangent
+from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.size import Size
+from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import (
+    Between,
+    CovariantAcceleration,
+    Cycle,
+    PeakAcceleration,
+    Posture,
+    RootAcceleration,
+    Torque,
+    UnitMagnitude,
+)
+from dynsplines.solver.problem import Problem, Settings
+from dynsplines.solver.search.descent import optimised
+
+
+def angular_accelerations(samples: Samples) -> np.ndarray:
+    """Σ |ω'|²/4 of the state's quaternion blocks, and θ''²/4 of hinges."""
+    total = 0.25 * np.sum(samples.y_dd[:, samples.figure.tables.hinge_columns] ** 2, axis=1)
+    for columns in samples.figure.tables.quaternion_columns.T:
+        q, q_d, q_dd = (a[:, columns] for a in (samples.y, samples.y_d, samples.y_dd))
+        rate = quat.product(q_d, quat.inverse(q))
+        alpha = 2 * (quat.product(q_dd, quat.inverse(q)) - quat.product(rate, rate))[:, 1:]
+        total = total + np.sum(alpha**2, axis=1) / 4
+    return total
+
+
+def test_it_is_a_quarter_of_the_squared_angular_acceleration(figure, rng):
+    samples = random_samples(figure, rng)
+    np.testing.assert_allclose(CovariantAcceleration().evaluate(samples), angular_accelerations(samples), rtol=1e-11)
+
+
+def sizes(samples: Samples) -> Array:
+    """(S, joints): |α − α_parent| of ball joints and hinges, by the links' angular accelerations."""
+    links, found = samples.links, []
+    for i, link in enumerate(samples.figure.links):
+        if i and link.kind in (link.kind.BALL, link.kind.HINGE):
+            found.append(np.linalg.norm(links.alpha[:, i] - links.alpha[:, link.parent], axis=0))
+    return np.array(found).T
+
+
+def test_it_is_the_sum_of_eighth_powers(figure, rng):
+    samples = random_samples(figure, rng)
+    np.testing.assert_allclose(PeakAcceleration().evaluate(samples), np.sum(sizes(samples) ** 8, axis=1), rtol=1e-10)
+
+
+def test_the_curvature_is_that_of_the_fourth_powers_times_seven_quarters(rng):
+    for coordinates in ("world", "joint"):
+        figure = figure_of(TINY, coordinates)
+        samples = random_samples(figure, rng, 4)
+        scale, phi = rng.uniform(0.5, 2, 4), rng.normal(size=(4, 3, 2))
+        moved = np.einsum("sron,soa->sran", jacobians(lambda seen: sizes(seen) ** 4, samples), phi)
+        flat = moved.reshape(*moved.shape[:2], -1)
+        expected = 7 / 4 * 2 * scale[:, None, None] * np.einsum("srx,sry->sxy", flat, flat)
+        assert_near(assembled(curvature_of(PeakAcceleration(), samples, scale), phi), expected)
+
+
+def test_a_peak_comes_down():
+    peaks = []
+    for weight in (0.0, 3.0):
+        objective, raw = turning([90.0, -60.0, 100.0, -100.0], 0)
+        terms = [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 10.0), (PeakAcceleration(), weight)]
+        objective = Objective.of(objective.figure, terms).renormalised(path_of(raw))
+        path = path_of(optimised(objective, evenly(raw, 3)))
+        peaks.append(sizes(objective.samples(path, np.linspace(0, 4, 401))).max())
+    assert peaks[1] < 0.9 * peaks[0]
+
+
+@pytest.fixture(params=HUMAN_AND_CHAINS, ids=["human", "human, joints", "fixed balls", "fixed ball and hinge"])
+def jointed(request) -> Figure:
+    text, coordinates = request.param
+    return figure_of(text, coordinates)
+
+
+PLACING = 2  # a link that places a foot
+
+
+def stepping(figure: Figure, links: list[int]) -> Between:
+    """A timeline of one segment, in which these links take a step and the roots' mean velocities are zero."""
+    steps, placing = np.zeros((len(figure.links), 1), bool), np.zeros(len(figure.links), bool)
+    steps[links], placing[PLACING] = True, True
+    times, roots = np.array([0.0, 1.0]), len(roots_of(figure))
+    turning, across = np.zeros((3, roots, 1)), np.zeros((2, roots, 1))
+    return Between(times, turning, across, Steps(times, steps, steps[:, 0], placing), np.array([True]))
+
+
+def residuals(samples: Samples, exempt: list[int]) -> np.ndarray:
+    """Half the velocities of joints and roots, those of roots times √12 and √2, of other joints, except those that
+    place a foot, times 2, (S, r)."""
+    figure, y_d, omega = samples.figure, samples.y_d, samples.links.omega
+    balls = [i for i, link in enumerate(figure.links) if i and link.kind is JointKind.BALL and i not in exempt]
+    relative = [(1 if i == PLACING else 2) * (omega[:, i] - omega[:, figure.links[i].parent]) for i in balls]
+    is_moving = ~np.isin(figure.tables.hinge_links, exempt)
+    hinges, hinge_links = figure.tables.hinge_columns[is_moving], figure.tables.hinge_links[is_moving]
+    roots = roots_of(figure)
+    turning = [np.sqrt(12) * omega[:, i] for i in roots]
+    across = [np.sqrt(2) * y_d[:, figure.links[i].qpos : figure.links[i].qpos + 2] for i in roots]
+    bending = np.where(hinge_links == PLACING, 1, 2) * y_d[:, hinges]
+    return 0.5 * np.hstack([*(part.T for part in (*relative, *turning)), bending, *across])
+
+
+def roots_of(figure: Figure) -> list[int]:
+    """The links with a free joint that carry others."""
+    carrying = {link.parent for link in figure.links[1:]}
+    return [i for i, link in enumerate(figure.links) if i in carrying and i and link.kind is JointKind.FREE]
+
+
+def test_the_value_is_the_speed_of_the_joints_by_differences(figure, rng):
+    samples, h = random_samples(figure, rng, 4), 1e-6
+    expected = np.zeros(4)
+    before, after = (figure.to_qpos(samples.y + s * samples.y_d) for s in (-h, h))
+    for link in figure.links[1:]:
+        if link.kind is JointKind.BALL:
+            some = slice(link.qpos, link.qpos + 4)
+            a, b = (Rotation.from_quat(np.roll(q[:, some], -1, axis=1)) for q in (before, after))
+            expected += np.sum(((a.inv() * b).as_rotvec() / (2 * h)) ** 2, axis=1) / 4
+        elif link.kind is JointKind.HINGE:
+            expected += ((after - before)[:, link.qpos] / (2 * h)) ** 2 / 4
+    for i in roots_of(figure):
+        qpos, size = figure.links[i].qpos, Size.of(figure).length
+        expected += np.sum(((after - before)[:, qpos : qpos + 2] / (2 * h)) ** 2, axis=1) / 2 / size**2
+        a, b = (Rotation.from_quat(q[:, qpos + 3 : qpos + 7], scalar_first=True) for q in (before, after))
+        expected += 3 * np.sum(((a.inv() * b).as_rotvec() / (2 * h)) ** 2, axis=1)
+    np.testing.assert_allclose(Posture().evaluate(samples), expected, rtol=1e-5)
+
+
+@pytest.mark.parametrize("exempt", [[], [2]])
+def test_the_gradient_has_taylor_slope_two(jointed, rng, exempt):
+    penalty = Posture(between=stepping(jointed, exempt))
+    assert penalty_slope(penalty, random_samples(jointed, rng, 5), rng) > 1.95
+
+
+@pytest.mark.parametrize("exempt", [[], [2]])
+def test_it_and_its_curvature_are_squares_of_velocities(jointed, rng, exempt):
+    penalty = Posture(between=stepping(jointed, exempt))
+    assert_squares(penalty, lambda seen: residuals(seen, exempt), random_samples(jointed, rng, 3), rng)
+
+
+def test_a_root_that_turns_and_travels_evenly_between_its_keyframes_costs_nothing(rng):
+    figure, times = figure_of(BALL_TREE), np.array([0.0, 0.4, 1.1])
+    (root,) = roots_of(figure)
+    first, places = figure.links[root].qpos, rng.normal(size=(3, 3))
+    slerp = Slerp(times, Rotation.random(3, random_state=rng))
+    t, h = np.array([0.1, 0.3, 0.5, 1.0]), 1e-5
+
+    def states(t: np.ndarray) -> np.ndarray:
+        qpos = np.tile(figure.model.qpos0, (t.size, 1))
+        qpos[:, first : first + 3] = np.transpose([np.interp(t, times, column) for column in places.T])
+        qpos[:, first + 3 : first + 7] = slerp(t).as_quat(scalar_first=True)
+        return np.asarray(figure.to_state(qpos))
+
+    frames = [Frame.key(k, state) for k, state in zip(times.tolist(), states(times), strict=True)]
+    y_d = (states(t + h) - states(t - h)) / (2 * h)
+    samples = Samples(figure, states(t), y_d, 0 * y_d, t=t)
+    assert Posture().evaluate(samples).min() > 1
+    none = np.zeros(len(figure.links), bool)
+    no_steps = Steps(times, np.zeros((len(figure.links), 2), bool), none, none)
+    between = Between.of(figure, raw_timeline(figure, frames), no_steps)
+    np.testing.assert_allclose(Posture(between=between).evaluate(samples), 0, atol=1e-6)
+
+
+def swing(weight: float) -> float:
+    """How far [degrees] the second joint of a chain swings between keyframes 2 s apart, all within 60°."""
+    figure = figure_of(CHAIN.format("ball"))
+    keys = []
+    for i, angle in enumerate([0, 60, 60, 0]):
+        bent = quat.from_rotation_vector(np.radians([0, angle, 0]))
+        keys.append(Frame.key(2.0 * i, np.concatenate([[1, 0, 0, 0], bent])))
+    penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
+    motion = inbetween(Problem(figure, keys, [*penalties, (Posture(), weight)], Settings(tolerance=1e-5)))
+    q = motion.at(np.linspace(0, 6, 601))[:, 4:]
+    return float(np.degrees(quat.angle_between(np.array([1.0, 0, 0, 0]), q)).max())
+
+
+def test_a_joint_overshoots_less():
+    assert swing(1.0) < 65 < swing(0.0) - 3
+
+
+def test_it_is_the_squared_acceleration_of_root_and_slides_and_feels_nothing_else(figure, rng):
+    samples = random_samples(figure, rng)
+    counted = [0, 1, 2] + [link.qpos for link in figure.links[1:] if link.kind is link.kind.SLIDE]
+    np.testing.assert_allclose(
+        RootAcceleration().evaluate(samples), np.sum(samples.y_dd[:, counted] ** 2, axis=1), rtol=1e-14
+    )
+    cotangent = Cotangent(samples)
+    RootAcceleration().evaluate(samples, cotangent)
+    g0, g1, g2 = cotangent.gradients()
+    assert not g0.any()
+    assert not g1.any()
+    expected = np.zeros_like(g2)
+    expected[:, counted] = 2 * samples.y_dd[:, counted]
+    np.testing.assert_array_equal(g2, expected)
+
+
+@pytest.mark.parametrize("armature", [False, True])
+def test_it_is_the_sum_of_squares_of_mj_inverses_joint_entries(figure, rng, armature):
+    figure = with_armature(figure, rng) if armature else figure
+    samples = random_samples(figure, rng)
+    joints = np.array([figure.model.jnt_type[j] != mujoco.mjtJoint.mjJNT_FREE for j in figure.model.dof_jntid])
+    expected = np.sum(mujoco_forces(samples)[:, joints] ** 2, axis=1)
+    np.testing.assert_allclose(Torque().evaluate(samples), expected, rtol=1e-9)
+
+
+BALL = '<mujoco><worldbody><body><joint type="ball"/><geom size="0.1"/></body></worldbody></mujoco>'
+
+
+def test_the_square_is_the_sum_of_squared_excess_lengths(figure, rng):
+    samples = random_samples(figure, rng)
+    expected = sum((samples.y[:, c] ** 2).sum(axis=1) - 1 for c in figure.tables.quaternion_columns.T[:1]) ** 2
+    for columns in figure.tables.quaternion_columns.T[1:]:
+        expected = expected + ((samples.y[:, columns] ** 2).sum(axis=1) - 1) ** 2
+    np.testing.assert_allclose(UnitMagnitude().evaluate(samples), expected, rtol=1e-12)
+
+
+def test_the_reference_is_the_penalty_of_one_percent():
+    np.testing.assert_allclose(UnitMagnitude().normalization.reference, (1.01**2 - 1) ** 2, rtol=0.02)
+
+
+def test_a_raw_spline_that_is_far_off_unit_length_does_not_make_it_soft():
+    figure = figure_of(BALL)
+    turns = [[1.0, 0, 0, 0], [0.1, 1, 0, 0], [1, 0.1, 0, 0]]
+    raw = path_of(raw_timeline(figure, [Frame.key(t, q) for t, q in zip((0.0, 0.1, 3.0), turns, strict=True)]))
+    firm, soft = (Objective.of(figure, [(UnitMagnitude(most=m), 2.0)]).renormalised(raw).terms[0] for m in (0.01, 1e9))
+    np.testing.assert_allclose(firm.factor, 2.0 / (0.01 * 3.0), rtol=1e-12)
+    assert soft.factor < firm.factor / 2
+
+
+LYING = """<mujoco><worldbody><body pos="0 0 1" quat=".7071 .7071 0 0"><freejoint/><geom size=".1"/>
+  <body pos="0 -.3 0" quat=".8 0 .6 0"><joint type="ball"/><geom size=".1" pos="0 -.1 0"/></body>
+</body></worldbody></mujoco>"""
+
+
+LAIN = [(LYING, "world"), (LYING, "joint")]  # whose model has its root turned
+
+
+@pytest.fixture(
+    params=[*HUMAN_AND_CHAINS, *LAIN],
+    ids=["human", "human, joints", "fixed balls", "fixed ball and hinge", "turned root", "turned root, joints"],
+)
+def cycled(request, rng) -> Cycle:
+    text, coordinates = request.param
+    figure = figure_of(text, coordinates)
+    keys = [Frame.key(0.3 * k, qpos) for k, qpos in enumerate(figure.to_qpos(random_samples(figure, rng, 6).y))]
+    gait_cycle = Gait(figure, raw_timeline(figure, keys), (), ()).with_period(0.7)
+    assert gait_cycle is not None and gait_cycle.trust.max() > 0
+    return Cycle(figure, gait_cycle)
+
+
+def at_its_times(cycle: Cycle, rng: np.random.Generator, count: int) -> tuple[Samples, np.ndarray]:
+    """Random samples at some of the times that the gait cycle covers, and which."""
+    some = rng.choice(cycle.gait_cycle.times.size, count, replace=False)
+    seen = random_samples(cycle.figure, rng, count)
+    return Samples(seen.figure, seen.y, seen.y_d, seen.y_dd, cycle.gait_cycle.times[some]), some
+
+
+def cycle_residuals(cycle: Cycle, y: np.ndarray, some: np.ndarray) -> np.ndarray:
+    """How far joints, hinges and the root's height are off, (S, r), the trust aside."""
+    figure, gait_cycle = cycle.figure, cycle.gait_cycle
+    qpos, out = figure.to_qpos(y), []
+    for i, link in enumerate(figure.tables.quaternion_links):
+        own = qpos[:, quaternion_columns(figure.links[link])]
+        off = Rotation.from_quat(np.roll(gait_cycle.rotations[some, i], -1, 1)).inv()
+        out.append(2 * (off * Rotation.from_quat(np.roll(own, -1, 1))).as_quat(canonical=True)[:, :3])
+    out.append(qpos[:, figure.tables.hinge_columns] - gait_cycle.angles[some])
+    out.append(gait_cycle.poses.map.up * (qpos[:, figure.tables.position_columns[2]] - gait_cycle.heights[some]))
+    return np.hstack(out)
+
+
+def test_the_deviation_is_the_angle_by_which_joints_are_off(cycled, rng):
+    samples, some = at_its_times(cycled, rng, 5)
+    halves = (
+        cycle_residuals(cycled, samples.y, some)[:, : 3 * cycled.figure.tables.quaternion_links.size].reshape(5, -1, 3)
+        / 2
+    )
+    np.testing.assert_allclose(cycled.deviation(samples).T, 2 * np.arcsin(np.linalg.norm(halves, axis=2)), rtol=1e-6)
+
+
+def test_the_gradient_has_taylor_slope_two_of_cycles(cycled, rng):
+    assert penalty_slope(cycled, at_its_times(cycled, rng, 5)[0], rng) > 1.95
+
+
+def test_it_and_its_curvature_are_squares_of_how_far_joints_are_off(cycled, rng):
+    samples, some = at_its_times(cycled, rng, 3)
+    trust = np.sqrt(cycled.gait_cycle.trust[some])[:, None]
+    assert_squares(cycled, lambda seen: trust * cycle_residuals(cycled, seen.y, some), samples, rng)
+
+
+@pytest.mark.slow
+def test_a_walk_with_few_keyframes_is_nearer_to_the_real_one_and_goes_through_them():
+    keys = [Frame.key(TIME[k], WALK[k]) for k in range(0, TIME.size, 280)]
+    penalties = constraints(Context.of(FIGURE, gait(WALK, 0.7).keys, GROUND, "walk"), {}).penalties
+    off = {}
+    for some in (penalties, [(p, w) for p, w in penalties if p.name != "cycle"]):
+        motion = inbetween(Problem(FIGURE, keys, some, Settings(frames=30, tolerance=1e-2)))
+        reached = TIME[keys[-1].time >= TIME][::20]
+        found = motion.at(reached)[:, FIGURE.tables.quaternion_columns.T]
+        real = WALK[: 20 * reached.size : 20][:, FIGURE.tables.quaternion_columns.T]
+        off[len(some)] = np.degrees(quat.angle_between(found, real).mean())
+        met = motion.at([key.time for key in keys])[:, FIGURE.tables.quaternion_columns.T]
+        wanted = np.array([key.state for key in keys])[:, FIGURE.tables.quaternion_columns.T]
+        assert quat.angle_between(met, wanted).max() < 1e-6
+    assert off[len(penalties)] < 0.6 * off[len(penalties) - 1]
+
+
+def test_the_path_to_begin_with_is_the_cycle_at_variable_frames_and_keeps_the_keyframes():
+    seen = gait(WALK, 0.7)
+    gait_cycle = seen.infer()
+    assert gait_cycle is not None and len(SOLES) == 4
+    cycle = Cycle(FIGURE, gait_cycle)
+    initial_guess = cycle.initial_guess(seen.keys, None)
+    spacing = gait_cycle.period / 8
+    needed = sum(int(np.ceil(span / spacing - 1e-9)) - 1 for span in np.diff(seen.keys.times))
+    assert initial_guess.variable_count == needed
+    assert np.diff(initial_guess.times).max() <= 1.001 * spacing
+    fixed = [frame for frame in initial_guess.frames if not frame.is_variable]
+    np.testing.assert_array_equal([f.state for f in fixed], seen.keys.states)
+    loose = np.array([frame.state for frame in initial_guess.frames if frame.is_variable])
+    times = np.array([frame.time for frame in initial_guess.frames if frame.is_variable])
+    off = cycle.deviation(Samples(FIGURE, loose, 0 * loose, 0 * loose, times))
+    assert np.degrees(off.max()) < 0.1
+    turns = FIGURE.tables.quaternion_columns.T
+    assert np.einsum("tqi,tqi->tq", loose[:, turns], path_of(seen.keys).at(times)[:, turns]).min() > 0
+    for present in (0, 5):
+        keys = evenly(seen.keys, present)
+        assert cycle.initial_guess(keys, 0).variable_count == keys.variable_count
+
+
+def test_what_it_leads_with_is_as_long_as_the_clip_though_the_last_keyframe_fixes_nothing():
+    seen = gait(WALK, 0.7)
+    *before, last = seen.keys.frames
+    keys = replace(seen.keys, frames=(*before, Frame.variable(last.time, last.state)))
+    gait_cycle = seen.infer()
+    assert gait_cycle is not None
+    initial_guess = Cycle(FIGURE, gait_cycle).initial_guess(keys, None)
+    np.testing.assert_array_equal(initial_guess.times[[0, -1]], keys.times[[0, -1]])
+    np.testing.assert_array_equal(initial_guess.frames[-1].state, last.state)
