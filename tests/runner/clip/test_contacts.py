@@ -1,21 +1,38 @@
-"""The clip's [[contact]] tables: what they become, what they replace, and every mistake in one line."""
+"""Contacts and grasps of a clip."""
+
+from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
+import mujoco
 import numpy as np
 import pytest
+from move import in_carried
+from oracles import kinematics
+from quiet import quiet
 from rekeyed import with_keys
 
+import dynsplines
 from dynsplines import inbetween as solve
-from dynsplines import recordings
+from dynsplines import recordings, solving
 from dynsplines.clip import load as clips
+from dynsplines.clip.mirror import mirrored_tables
+from dynsplines.clip.parse import table_of
+from dynsplines.clip.text import written
+from dynsplines.edit.edits import trimmed
+from dynsplines.edit.files import retimed_tables
 from dynsplines.errors import UserError
+from dynsplines.measure.quantities import Side
 from dynsplines.measure.report import report
-from dynsplines.solver.contacts import Rest, Stance
+from dynsplines.measure.violation import violations
+from dynsplines.solver.contacts import Grasp, Rest, Stance
+from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.spline import path_of as path
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import Attachment, Contact, RestPenalty, Sum
+from dynsplines.solver.penalty import Attachment, Contact, GraspPenalty, RestPenalty, Sum
 from dynsplines.solver.surface.points import places_of
 
 STEP = """
@@ -196,3 +213,295 @@ def test_the_distance_from_a_specified_position_is_reported_if_keyframes_put_the
     rows = [violation for violation in solved.violations if violation.kind == "contact"]
     assert bool(rows) == (off > 0.01)
     assert all(violation.amount == pytest.approx(off, abs=1e-6) for violation in rows)
+
+
+SCENE = """
+figure = "human"
+[[scene.box]]
+name = "crate's walls"
+body = "crate"
+size = [0.3, 0.3, 0.3]
+mass = 4
+[[scene.sphere]]
+name = "crate's knob"
+body = "crate"
+position = [0, 0, 0.18]
+radius = 0.03
+mass = 1
+"""
+
+
+HOLD = """
+[[grasp]]
+hand = "{hand}_hand"
+body = "crate"
+from = {start}
+to = {end}
+"""
+
+
+CRATE = "roots.crate = {{position = [{x}, 0, {z}], rotation = {{rotvec = [0, {pitch}, 0]}}}}"
+
+
+AT = CRATE.format(x=0.42, z=1.0, pitch=0)
+
+
+def keyframe(time: float, *lines: str) -> str:
+    return "\n".join(["[[keyframe]]", f"time = {time}", *lines, ""])
+
+
+STANDING = "root.position = [0, 0, 0.93]\nroot.rotation = {rotvec = [0, 0, 0]}"
+
+
+HANDS = "sites.left_hand = [0.42, 0.17, 1.0]\nsites.right_hand = [0.42, -0.17, 1.0]"
+
+
+def lift(*more: str, hands: tuple[str, ...] = ("left", "right")) -> str:
+    """Hands at a crate in the air, which is then moved to three places without a word about the arms."""
+    rows = [
+        keyframe(0.0, 'others = "rest"', AT),
+        keyframe(0.6, STANDING, AT, HANDS),
+        keyframe(1.0, STANDING, CRATE.format(x=0.36, z=1.2, pitch=15)),
+        keyframe(1.5, STANDING, CRATE.format(x=0.44, z=1.1, pitch=-10)),
+        keyframe(2.1, STANDING),
+    ]
+    return SCENE + "".join(HOLD.format(hand=hand, start=0.6, end=1.5) for hand in hands) + "".join([*rows, *more])
+
+
+def place(clip: clips.Clip, qpos: np.ndarray, hand: str) -> np.ndarray:
+    """(3,) where a hand is on the crate, by MuJoCo."""
+    data = kinematics(clip.figure.model, qpos)
+    crate = data.body("crate")
+    return crate.xmat.reshape(3, 3).T @ (data.site(hand).xpos - crate.xpos)
+
+
+def spot_of(grasp: Grasp, *times: float) -> np.ndarray:
+    """(T, 3) where it is on the body."""
+    found = grasp.spot(np.array(times))
+    assert found is not None
+    return found.T
+
+
+def parts(clip: clips.Clip, name: str) -> list:
+    found = [penalty for penalty, _ in clip.penalties if penalty.name == name]
+    return [part for penalty in found for part in (penalty.parts if isinstance(penalty, Sum) else (penalty,))]
+
+
+@pytest.fixture(scope="module")
+def lifted() -> clips.Clip:
+    return recordings.from_text(lift(), name="lift")
+
+
+def test_boxes_that_name_a_body_are_parts_of_one_that_moves_freely(lifted):
+    model = lifted.figure.model
+    crate = model.body("crate")
+    assert crate.mass == pytest.approx(5) and crate.jntnum == 1 and crate.geomnum == 2
+    assert model.joint("crate").type == mujoco.mjtJoint.mjJNT_FREE
+    assert "crate's walls" not in {surface.name for surface in lifted.context.surfaces}
+
+
+def test_a_saved_motion_holds_the_body_at_the_same_places(lifted, tmp_path):
+    motion = dynsplines.inbetween(lifted)
+    motion.save(tmp_path / "lifted.npz")
+    loaded = dynsplines.load_motion(tmp_path / "lifted.npz")
+    for saved, grasp in zip(loaded.clip.context.schedule.grasps, lifted.context.schedule.grasps, strict=True):
+        np.testing.assert_allclose(spot_of(saved, 0.6, 1.0, 1.5), spot_of(grasp, 0.6, 1.0, 1.5), atol=1e-9)
+    terms = [one.report()["after"]["terms"]["attach.grasp"] for one in (motion, loaded)]
+    assert terms[0] == pytest.approx(terms[1], rel=1e-6)
+
+
+def test_a_grasp_is_where_the_keyframes_have_the_site_on_the_body_and_arms_left_free_begin_there(lifted):
+    grasps = lifted.context.schedule.grasps
+    assert [grasp.name for grasp in grasps] == ["left_hand on crate", "right_hand on crate"]
+    arm = lifted.figure.model.joint("left_shoulder").qposadr[0]
+    for grasp, y in zip(grasps, (0.17, -0.17), strict=True):
+        assert (grasp.first, grasp.last, lifted.figure.links[grasp.link].name) == (0.6, 1.5, "crate")
+        np.testing.assert_allclose(spot_of(grasp, 0.6, 0.8, 1.0, 1.5), [[0, y, 0]] * 4, atol=1e-5)
+        for key in lifted.keys[2:4]:
+            np.testing.assert_allclose(place(lifted, key.state, grasp.point.name), [0, y, 0], atol=1e-5)
+            assert not key.fixed[arm : arm + 4].any() and key.known[arm : arm + 4].all()
+    (holding,) = parts(lifted, "attach.grasp")
+    assert isinstance(holding, GraspPenalty) and [w for p, w in lifted.penalties if p is holding] == [750]
+
+
+def test_a_grasp_gives_way_where_a_keyframe_puts_the_body_out_of_reach(lifted):
+    told = {}
+    far = recordings.from_text(lift().replace("[0.36, 0, 1.2]", "[0.98, 0, 1.2]"), name="far")
+    for name, clip in {"near": lifted, "far": far}.items():
+        key, grasp = clip.keys[2], next(each for each in clip.context.schedule.grasps if each.point.name == "left_hand")
+        arm = clip.figure.model.joint("left_shoulder").qposadr[0]
+        assert key.known[arm : arm + 4].all() and not key.fixed[arm : arm + 4].any()
+        short = np.linalg.norm(place(clip, key.state, "left_hand") - [0, 0.17, 0])
+        np.testing.assert_allclose(spot_of(grasp, 1.0)[0], place(clip, key.state, "left_hand"), atol=1e-6)
+        np.testing.assert_allclose(spot_of(grasp, 0.6)[0], [0, 0.17, 0], atol=1e-6)
+        told[name] = short, next(spot.slack for spot in grasp.spots if spot.first < 0.8 < spot.last)
+    assert told["near"][0] < 1e-5 and not any(told["near"][1])
+    assert 0.02 < told["far"][0] < 0.15
+    np.testing.assert_allclose(told["far"][1], np.array([0, 1.0]) * told["far"][0], atol=1e-6)
+
+
+def test_a_thing_lies_where_it_was_put_until_it_is_held_and_again_after(lifted):
+    own = slice(lifted.figure.model.joint("crate").qposadr[0], None)
+    assert all(key.fixed[own].all() for key in lifted.keys)
+    np.testing.assert_array_equal(lifted.keys[4].state[own], lifted.keys[3].state[own])
+    stances = [s for part in parts(lifted, "attach.stance") if isinstance(part, Attachment) for s in part.stances]
+    assert {(s.first, s.last) for s in stances if s.point.name == "crate"} == {(0.0, 0.6), (1.5, 2.1)}
+    late = recordings.from_text(lift().replace(AT, "", 1), name="late")
+    np.testing.assert_array_equal(late.keys[0].state[own], lifted.keys[0].state[own])
+    assert late.keys[0].fixed[own].all()
+    free = lift().replace(CRATE.format(x=0.36, z=1.2, pitch=15), 'others = "previous"')
+    assert not recordings.from_text(free, name="free").keys[2].fixed[own].any()
+
+
+def test_a_thing_lies_still_in_the_part_of_a_segment_before_and_after_its_hold():
+    """The hold begins and ends between keyframes."""
+
+    def stances(text: str) -> set[tuple[float, float]]:
+        clip = recordings.from_text(text, name="lift")
+        found = [s for part in parts(clip, "attach.stance") if isinstance(part, Attachment) for s in part.stances]
+        crate = [s for s in found if s.point.name == "crate"]
+        assert all(np.array_equal(s.spot, s.landed) for s in crate if s.first in (0.6, 1.4))
+        return {(s.first, s.last) for s in crate}
+
+    late = lift().replace("from = 0.6", "from = 0.7").replace("to = 1.5", "to = 1.4")
+    assert stances(late) == {(0.0, 0.6), (0.6, 0.7), (1.4, 1.5), (1.5, 2.1)}
+    thrown = keyframe(2.1, STANDING, CRATE.format(x=0.9, z=1.0, pitch=0))
+    assert stances(late.replace(keyframe(2.1, STANDING), thrown)) == {(0.0, 0.6), (0.6, 0.7)}
+    caught = late.replace(keyframe(0.6, STANDING, AT, HANDS), "").replace("[0.42, 0, 1.0]", "[3, 0, 1.5]")
+    assert (0.0, 0.7) not in stances(caught)
+
+
+def test_a_note_names_a_thing_that_nothing_holds_or_places_after_a_hold(lifted):
+    assert not [note for note in lifted.notes if "crate" in note]
+    dropped = lift().replace(CRATE.format(x=0.44, z=1.1, pitch=-10), "")
+    (note,) = [note for note in recordings.from_text(dropped, name="dropped").notes if "crate" in note]
+    assert note.startswith("keyframe 5 does not place 'crate', which nothing holds after 1.5 s")
+    placed = dropped.replace(keyframe(2.1, STANDING), keyframe(2.1, STANDING, AT))
+    assert not [note for note in recordings.from_text(placed, name="placed").notes if "crate" in note]
+
+
+def test_a_crate_does_not_rise_before_hands_hold_it():
+    rows = (
+        keyframe(0.0, 'others = "rest"', AT),
+        keyframe(0.6, STANDING, AT, HANDS),
+        keyframe(1.2, STANDING, CRATE.format(x=0.42, z=1.2, pitch=0)),
+    )
+    holds = "".join(HOLD.format(hand=hand, start=0.9, end=1.2) for hand in ("left", "right"))
+    clip = recordings.from_text(SCENE + holds + "".join(rows), name="late")
+    curve, own = path(inbetween(clip.problem).timeline), clip.figure.model.joint("crate").qposadr[0]
+    places = clip.figure.to_qpos(curve.at(np.linspace(0.0, 0.9, 91)))[:, own : own + 3]
+    assert np.linalg.norm(places - [0.42, 0, 1.0], axis=1).max() < 0.005
+
+
+@pytest.mark.slow
+def test_a_crate_that_keyframes_leave_free_goes_with_the_hands():
+    up = HANDS.replace("1.0]", "1.2]")
+    rows = keyframe(0.6, STANDING, AT, HANDS), keyframe(1.0, STANDING, up), keyframe(1.4, STANDING, up)
+    grasps = "".join(HOLD.format(hand=hand, start=0.6, end=1.4) for hand in ("left", "right"))
+    clip = recordings.from_text(SCENE + grasps + keyframe(0.0, 'others = "rest"', AT) + "".join(rows), name="hands")
+    for hand, y in (("left_hand", 0.17), ("right_hand", -0.17)):
+        np.testing.assert_allclose(place(clip, clip.keys[2].state, hand), [0, y, 0], atol=1e-5)
+
+
+@pytest.mark.slow
+def test_hands_stay_within_millimetres_where_the_raw_spline_loses_the_crate_and_the_report_says_so(lifted):
+    clip = lifted
+    motion = inbetween(replace(clip.problem, settings=replace(clip.settings, variable=1, frames=8)))
+    timelines = motion.timeline, motion.raw
+    sides: list[dict[str, Any]]
+    sides = [Side.of(clip, motion.objective, timeline, motion.raw).quantities() for timeline in timelines]
+    for timeline, side, is_raw in zip(timelines, sides, (False, True), strict=True):
+        assert [(row["hand"], row["body"]) for row in side["grasps"]] == [
+            ("left_hand", "crate"),
+            ("right_hand", "crate"),
+        ]
+        states = clip.figure.to_qpos(path(timeline).at(np.linspace(0.6, 1.5, 200)))
+        for row in side["grasps"]:
+            track = np.array([place(clip, qpos, row["hand"]) for qpos in states])
+            moved = np.linalg.norm(track - track[0], axis=1).max()
+            assert row["moved, m"] == pytest.approx(moved, abs=3e-4)
+            assert moved > 0.006 if is_raw else moved <= 0.003
+        lost = {each.name for each in violations(clip, timeline, motion.raw) if each.kind == "grasp"}
+        assert bool(lost) == is_raw
+    time = np.linspace(0.0, 2.1, 60)
+    found = in_carried(clip, time, motion.at(time))
+    assert found["deepest"] <= 0.03 and "crate" in found["where"]
+    assert sides[0]["penetration of held objects, m"]["deepest"] == pytest.approx(found["deepest"], abs=0.003)
+
+
+@pytest.mark.slow
+def test_limbs_stay_out_of_what_is_carried_and_not_of_what_is_not_held():
+    for hands, expected in (((), 0), (("left",), 1)):
+        found = parts(recordings.from_text(lift(hands=hands), name="lift"), "collision.body")
+        assert sum(isinstance(part, Contact) and part.carrier > 0 for part in found) == expected
+
+
+def test_a_grasp_with_a_position_and_one_that_was_not_placed():
+    free = lift(hands=()).replace(HANDS, "")
+    grasp = HOLD.format(hand="left", start=0.7, end=0.9)
+    (unknown,) = recordings.from_text(free + grasp, name="free").context.schedule.grasps
+    assert unknown.spots == ()
+    (known,) = recordings.from_text(free + grasp + "position = [0, 0.15, 0.05]\n", name="free").context.schedule.grasps
+    np.testing.assert_allclose(spot_of(known, 0.7, 0.8, 0.9), [[0, 0.15, 0.05]] * 3)
+
+
+MISTAKES = {
+    "no such site": (HOLD.format(hand="lift", start=0, end=1), ["grasp 1 ('lift_hand' on 'crate')", "'left_hand'?"]),
+    "no such body": (HOLD.format(hand="left", start=0, end=1).replace("crate", "crat"), ["no body 'crat'", "'crate'"]),
+    "a body that does not move": (
+        HOLD.format(hand="left", start=0, end=1).replace('"crate"', '"floor"'), ["'floor' does not move", "[[contact]]"]
+    ),
+    "its own body": (HOLD.format(hand="left", start=0, end=1).replace('"crate"', '"left_forearm"'), ["on that body"]),
+    "backwards": (HOLD.format(hand="left", start=1, end=0.5), ["from = 1 s is not before to = 0.5 s"]),
+    "outside": (HOLD.format(hand="left", start=1, end=3), ["outside the clip"]),
+    "two at once": (HOLD.format(hand="left", start=0, end=1) * 2, ["grasp 2", "overlaps grasp 1", "one thing"]),
+    "keyframes that contradict it": (
+        HOLD.format(hand="left", start=0, end=0.6), ["keyframe 2", "m from where keyframe 1 has it on the body"]
+    ),
+    "mass of what stands still": ("[[scene.box]]\nsize = [1, 1, 1]\nposition = [5, 0, 0]\nmass = 1\n", ["'mass'"]),
+    "a body's name twice": (
+        '[[scene.box]]\nbody = "pelvis"\nsize = [1, 1, 1]\n', ["the model already has a body or joint of that name"]
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", MISTAKES)
+def test_every_error_is_reported_in_one_line_that_names_it(case):
+    more, words = MISTAKES[case]
+    with pytest.raises(UserError) as caught:
+        recordings.from_text(lift(hands=()) + more, name="wrong")
+    assert "\n" not in str(caught.value)
+    for word in ["wrong.toml", *words]:
+        assert word in str(caught.value)
+
+
+def test_a_mirrored_clip_holds_with_the_other_hand_and_both_may_hold_one_thing():
+    both = lift(hands=("left",)) + HOLD.format(hand="right", start=0.6, end=1.0)
+    clip = recordings.from_text(both, name="both")
+    mirrored = mirrored_tables(table_of(both, "both"), clip.figure, Mirror.of(clip.figure))
+    other = recordings.from_text(written(mirrored), name="other")
+    one, two = ([(each.name, each.last) for each in made.context.schedule.grasps] for made in (clip, other))
+    assert one == [("left_hand on crate", 1.5), ("right_hand on crate", 1.0)]
+    assert two == [("right_hand on crate", 1.5), ("left_hand on crate", 1.0)]
+    starts = (made.context.schedule.grasps[0].spots[0].spot for made in (other, clip))
+    np.testing.assert_allclose(next(starts), next(starts) * [1, -1, 1], atol=1e-6)
+
+
+@pytest.mark.slow
+def test_at_another_speed_and_in_a_part_of_the_clip_grasps_keep_their_place():
+    """Of the raw spline, which with free ends loses the crate by no more than a grasp may drift."""
+    clip = recordings.from_text(lift() + '[solve]\nends = "free"\n', name="lift")
+    fast = retimed_tables(table_of(clip.text, "lift"), 2.0)
+    assert [(row.start, row.end) for row in fast.grasp] == [(0.3, 0.75)] * 2
+    part = trimmed(solving.unsolved(clip).saved(quiet(), with_report=False), 0.8, 1.3)
+    (left, right) = clips.clip_from_motion(part).context.schedule.grasps
+    assert (left.first, left.last, right.last) == (0.8, 1.3, 1.3)
+    assert [penalty.name for penalty, _ in clips.clip_from_motion(part).penalties].count("attach.grasp") == 1
+
+
+def test_older_names_of_tables_and_values_are_errors_with_their_present_ones():
+    rest = 'figure = "human"\n[[keyframe]]\ntime = 0\nothers = "rest"\n[[keyframe]]\ntime = 1\n'
+    with pytest.raises(UserError, match=r"^old.toml: \[\[hold\]\] is named \[\[grasp\]\] now$"):
+        recordings.from_text(rest + "[[hold]]\n", name="old")
+    with pytest.raises(UserError, match=r"keyframe 2 \(t = 1 s\): others = 'hold' is named others = 'previous' now$"):
+        recordings.from_text(rest + 'others = "hold"\n', name="old")

@@ -1,15 +1,25 @@
-"""Where figures of other makes than the human's stand."""
+"""The points on which figures stand, and keyframes that are put down on the ground."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import mujoco
 import numpy as np
 import pytest
+import shipped
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from oracles import kinematics
+from rekeyed import with_keys
 
+from dynsplines import inbetween, load, recordings
+from dynsplines.clip.build import Clip
 from dynsplines.clip.contacts import contacts
 from dynsplines.clip.posing.places import rounded, sole_points
 from dynsplines.clip.table import ContactTable
 from dynsplines.errors import UserError
+from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
@@ -18,10 +28,18 @@ LEG = """<body name="{name}_thigh" pos="{x} {y} 0"><joint name="{name}_hip" axis
   <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/>
   <body name="{name}_shin" pos="0 0 -.3"><joint name="{name}_knee" axis="0 1 0"/>
     <geom type="capsule" size=".02" fromto="0 0 0 0 0 -.3"/>{foot}</body></body>"""
+
+
 SPHERE = '<geom name="{name}_foot" size=".04" pos="0 0 -.3"/>'
+
+
 BOX = """<body name="{name}_ankle" pos="0 0 -.3"><joint name="{name}_ankle" axis="0 1 0"/>
   <geom name="{name}_sole" type="box" size=".1 .04 .01" pos=".03 0 -.03"/></body>"""
+
+
 SITE = '<site name="{name}_toe" pos="0 0 -.34"/>'
+
+
 IN_SPHERE = SPHERE + '<site name="{name}_toe" pos="0 0 -.3"/>'
 
 
@@ -36,7 +54,10 @@ ROUND = """<body name="{name}_ankle" pos="0 0 -.3"><joint name="{name}_ankle" ax
   <geom name="{name}_in" type="cylinder" size=".02" fromto="-.06 -.02 -.03 .15 -.02 -.03"/>
   <geom name="{name}_out" type="cylinder" size=".02" fromto="-.06 .02 -.03 .15 .02 -.03"/></body>"""
 
+
 FOUR = {"fl": (0.3, 0.1), "fr": (0.3, -0.1), "bl": (-0.3, 0.1), "br": (-0.3, -0.1)}
+
+
 TWO = {"l": (0.0, 0.1), "r": (0.0, -0.1)}
 
 
@@ -56,10 +77,18 @@ def soles(figure: Figure) -> list[str]:
 
 
 PLANE = '<joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 0 1"/><joint axis="0 1 0"/>'
+
+
 BESIDE = '<body name="ball" pos="1 0 .1"><freejoint name="ball"/><geom name="ball" size=".1"/></body>'
+
+
 OTHER = """<body pos="0 2 .4"><freejoint/><geom type="box" size=".1 .1 .05"/>
   <body><joint axis="0 1 0"/><geom name="peg" type="capsule" size=".02" fromto="0 0 0 0 0 -.3"/></body>{}</body>"""
+
+
 OTHER_LEG = '<body><joint axis="0 1 0"/><geom name="leg" type="capsule" size=".02" fromto="0 .1 0 0 .1 -.3"/></body>'
+
+
 FEET = {
     "spheres of four legs": (figure_of(FOUR, SPHERE), ["fl_foot", "fr_foot", "bl_foot", "br_foot"]),
     "corners of soles": (figure_of(TWO, BOX), [f"{side}_sole {k}" for side in "lr" for k in (1, 2, 3, 4)]),
@@ -169,3 +198,281 @@ def test_feet_of_level_legs_are_those_of_the_rest_pose_within_the_ranges():
     assert soles(spider("40 80")) == ["leg0", "leg90", "leg180", "leg270"]
     assert soles(spider("-40 80")) == []  # the rest pose is within the ranges
     assert soles(spider("1 80")) == []  # the trunk is still lower
+
+
+HEAD = 'figure = "human"\n'
+
+
+STANDING = 'others = "rest"\n'  # at 0.93 m
+
+
+AIRBORNE = 'others = "rest"\nroot.position = [0, 0, 1.5]\n'
+
+
+CROUCHED = """others = "rest"
+joints.left_hip = {rotvec = [0, -80, 0]}
+joints.left_knee = {rotvec = [0, 100, 0]}
+joints.right_hip = {rotvec = [0, -80, 0]}
+joints.right_knee = {rotvec = [0, 100, 0]}
+joints.left_ankle = {rotvec = [0, -20, 0]}
+joints.right_ankle = {rotvec = [0, -20, 0]}
+"""
+
+
+OPEN = 'root.position = [0, 0, "free"]\n'
+
+
+NEARLY = 2e-3  # [m] that marks on soles and the geoms round them differ by
+
+
+def read(*bodies: str, head: str = HEAD, tail: str = "") -> Clip:
+    """Keyframes half a second apart."""
+    keys = "".join(f"[[keyframe]]\ntime = {i / 2}\n{body}" for i, body in enumerate(bodies))
+    return recordings.from_text(f"{head}{keys}{tail}", name="c")
+
+
+def clearance(problem: Clip, qpos: Array) -> float:
+    """[m] between the geoms that move and those that do not, by MuJoCo; negative for a depth."""
+    model = problem.figure.model
+    data = kinematics(model, qpos)
+    moves = model.body_weldid[model.geom_bodyid] != 0
+    fixed, moving = np.flatnonzero(~moves), np.flatnonzero(moves)
+    return min(mujoco.mj_geomDistance(model, data, int(a), int(b), 3.0, None) for a in fixed for b in moving)
+
+
+def site(problem: Clip, qpos: Array, name: str) -> Array:
+    data = kinematics(problem.figure.model, qpos)
+    return np.array(data.site(name).xpos)
+
+
+def path(problem: Clip, count: int = 60) -> Array:
+    """qpos (count, nq) along the motion."""
+    motion = inbetween(problem)
+    return motion.at(np.linspace(motion.start, motion.end, count))
+
+
+def test_legs_that_are_bent_stand_on_the_ground():
+    problem = read(STANDING, CROUCHED + OPEN, STANDING)
+    key = problem.keys[1]
+    assert clearance(problem, key.state) == pytest.approx(0, abs=NEARLY)
+    assert key.state[2] < 0.7 and not key.fixed[2] and key.posed is not None and key.posed[2]
+    high = Frame(key.time, key.state + np.array([0, 0, 0.4, *[0] * (key.state.size - 3)]), key.fixed)
+    again = with_keys(problem, [problem.keys[0], high, problem.keys[2]])
+    assert again.keys[1].state[2] == pytest.approx(key.state[2], abs=1e-6)
+
+
+@settings(deadline=None, max_examples=6)
+@given(st.lists(st.floats(-90, 90), min_size=6, max_size=6), st.floats(-40, 40))
+def test_any_pose_does_to_a_hair(angles, lean):
+    legs = "".join(
+        f"joints.{side}_{joint} = {{rotvec = [0, {angles.pop():.3f}, 0]}}\n"
+        for side in ("left", "right")
+        for joint in ("hip", "knee", "ankle")
+    )
+    turn = f"root.rotation = {{rotvec = [{lean:.3f}, 0, 0]}}\n"
+    problem = read(STANDING, f'others = "rest"\n{legs}{turn}{OPEN}', STANDING)
+    assert clearance(problem, problem.keys[1].state) == pytest.approx(0, abs=0.02)  # by the mesh of a head or a hand
+
+
+def test_a_figure_of_no_height_but_the_first_does_not_float_away():
+    above = 'others = "rest"\nroot.position = [0, 0, 1.1]\n'
+    problem = read(above, CROUCHED + OPEN, f"{STANDING}{OPEN}", CROUCHED + OPEN)
+    gaps = [clearance(problem, qpos) for qpos in path(problem)[20:]]
+    assert max(gaps) < 0.05 and min(gaps) > -0.01
+    hangs = read(above, "joints.left_shoulder = {rotvec = [0, -80, 0]}\n")
+    assert clearance(hangs, hangs.keys[1].state) == pytest.approx(0, abs=NEARLY)
+
+
+def test_nor_does_one_whose_height_nobody_says():
+    problem = read(f"{STANDING}{OPEN}", CROUCHED + OPEN)
+    assert [clearance(problem, key.state) for key in problem.keys] == pytest.approx([0, 0], abs=NEARLY)
+    assert max(clearance(problem, qpos) for qpos in path(problem)) < 0.04
+
+
+def test_feet_stay_where_they_stand_if_the_root_may_go_anywhere():
+    problem = read(STANDING, f'{CROUCHED}root.position = "free"\n', STANDING)
+    at = {name: site(problem, problem.keys[0].state, name) for name in ("left_heel", "right_toe")}
+    for name, place in at.items():
+        np.testing.assert_allclose(site(problem, problem.keys[1].state, name), place, atol=1e-3)
+    assert problem.keys[1].state[0] < -0.2  # the pelvis goes back over the heels
+    key = read(STANDING, f'{CROUCHED}root.position = ["free", 0.02, "free"]\n', STANDING).keys[1]
+    assert key.state[1] == 0.02 and key.fixed[:3].tolist() == [False, True, False]
+    assert key.state[0] < -0.2
+    seen = path(problem)
+    for name, place in at.items():
+        assert max(np.linalg.norm((site(problem, qpos, name) - place)[:2]) for qpos in seen) < 0.01
+
+
+def test_feet_that_are_far_from_where_they_stood_do_not_drag_the_root_along():
+    lunge = """others = "rest"
+joints.left_hip = {rotvec = [0, -50, 0]}
+joints.right_hip = {rotvec = [0, 50, 0]}
+joints.left_ankle = {rotvec = [0, 50, 0]}
+joints.right_ankle = {rotvec = [0, -50, 0]}
+root.position = "free"
+"""
+    problem = read(STANDING, lunge, STANDING)
+    key = problem.keys[1]
+    assert clearance(problem, key.state) == pytest.approx(0, abs=NEARLY)
+    assert key.posed is not None and key.posed[:3].tolist() == [False, False, True]
+
+
+@pytest.mark.parametrize(
+    ("bodies", "tail"),
+    [
+        ((AIRBORNE, CROUCHED + OPEN, AIRBORNE), ""),
+        ((STANDING, CROUCHED + OPEN, STANDING), '[[penalty]]\nkind = "flight"\nintervals = [[0.2, 0.8]]\n'),
+        (('others = "rest"\nroot.position = [0, 0, 3]\n', CROUCHED + OPEN), ""),
+        (
+            (
+                STANDING,
+                "joints.left_hip = {rotvec = [0, -80, 0]}\njoints.right_hip = {rotvec = [0, -70, 0]}\n",
+                AIRBORNE,
+            ),
+            "",
+        ),
+    ],
+    ids=["between two in the air", "in a flight", "high up", "of legs that are not known"],
+)
+def test_what_is_in_doubt_is_left(bodies, tail):
+    key = read(*bodies, tail=tail).keys[1]
+    assert key.posed is None or not key.posed[2]
+
+
+def test_a_leap_between_crouches_stays_one():
+    """However low: the figure leaves the ground well before its apex, and comes back well after."""
+    apex = 1.08
+    hop = CROUCHED.replace("-80", "-50").replace("100", "70") + OPEN
+    problem = read(STANDING, hop, f'others = "rest"\nroot.position = [0, 0, {apex}]\n', hop, STANDING)
+    z = inbetween(problem).at(np.linspace(0.5, 1.5, 101))[:, 2]
+    assert z[50] == pytest.approx(apex) and z.max() < apex + 0.03
+    assert np.abs(np.diff(z, 2)).max() / 0.01**2 < 30  # [m/s²]; if it is held down until the last moment, 60 and more
+
+
+def test_who_lands_at_a_height_of_nobodys_lands():
+    tucked = f"{CROUCHED}root.position = [0, 0, 1.0]\n"
+    problem = read(STANDING, f"{CROUCHED}root.position = [0, 0, 0.565]\n", tucked, CROUCHED + OPEN)
+    assert clearance(problem, problem.keys[3].state) == pytest.approx(0, abs=NEARLY)
+    assert clearance(problem, path(problem)[-1]) < 0.06
+
+
+def test_keyframes_in_mid_flight_are_left_there_and_the_flights_found(monkeypatch):
+    shipped.share(monkeypatch)
+    whole = load("run_loop")
+    motion = inbetween(whole)
+    keys = list(whole.keys)
+    for time in (0.19, 0.56):
+        qpos = motion.at(time)
+        keys.append(Frame(time, qpos, np.arange(qpos.size) != 2))
+    problem = with_keys(whole, sorted(keys, key=lambda key: key.time))
+    now, before = problem.context.support, whole.context.support
+    assert now is not None and before is not None
+    assert now.flights == before.flights != ()
+    np.testing.assert_allclose(
+        problem.problem.raw.states[:, 2].max(), motion.at(motion.key_times)[:, 2].max(), atol=0.01
+    )
+    times = np.linspace(motion.start, motion.end, 200)
+    np.testing.assert_allclose(inbetween(problem).at(times)[:, 2], motion.at(times)[:, 2], atol=0.03)
+
+
+def test_no_flight_is_found_past_a_landing_of_no_height_at_the_end():
+    whole = load("run_loop")
+    assert whole.context.support is not None and whole.context.schedule.flights[-1] == (0.49, 0.63)
+    keys = list(whole.keys)
+    (landing,) = (k for k, key in enumerate(keys) if key.time == 0.63)
+    keys[landing] = Frame(0.63, keys[landing].state, np.arange(keys[landing].state.size) != 2)
+    problem = with_keys(whole, keys)
+    assert (
+        problem.context.support is not None and problem.context.schedule.flights == whole.context.schedule.flights[:-1]
+    )
+    assert clearance(problem, inbetween(problem).at(0.63)) < 0.02
+
+
+def test_a_jump_of_which_only_the_top_has_a_height_starts_and_ends_on_the_ground():
+    top = 'others = "rest"\nroot.position = [0, 0, 1.35]\n'
+    problem = read(STANDING + OPEN, CROUCHED + OPEN, top, CROUCHED + OPEN, STANDING + OPEN)
+    assert [clearance(problem, key.state) for key in problem.keys if key.time != 1.0] == pytest.approx(
+        [0] * 4, abs=NEARLY
+    )
+    ((first, last),) = problem.context.schedule.flights
+    assert 0.5 < first < 1 < last < 1.5
+    key = read(top, 'others = "rest"\n' + OPEN).keys[1]
+    assert key.posed is None or not key.posed[2]  # half a second may be a fall
+
+
+def test_who_steps_on_and_is_cut_short_does_not_fly():
+    box = HEAD + '[[scene.box]]\nname = "box"\nsize = [1.2, 2, 0.2]\nposition = [1.1, 0, 0.1]\n'
+    bodies = (
+        f'{pose}root.position = [{x}, 0, "free"]\n'
+        for pose, x in ((STANDING, 0), (CROUCHED, 0.5), (STANDING, 1), (CROUCHED, 1.5))
+    )
+    whole = read(*bodies, head=box)
+    short = whole.with_problem(settings=replace(whole.settings, max_evaluations=6, frames=8))
+    cut = inbetween(short).trimmed(0.2, 0.8).clip
+    assert cut.context.support is None or cut.context.schedule.flights == ()
+    assert clearance(cut, inbetween(cut.with_problem(settings=whole.settings)).at(0.3)) < 0.1
+
+
+BOX_GROUNDING = '[[scene.box]]\nname = "box"\nsize = [{}]\nposition = [{}]\n'
+
+
+ROOM, BEAM, TABLE = (
+    HEAD + BOX_GROUNDING.format(*box)
+    for box in (("8, 8, 0.2", "0, 0, 2.5"), ("0.1, 3, 0.1", "0, 0, 1.47"), ("0.8, 1, 0.05", "0.6, 0, 0.75"))
+)
+
+
+BEFORE_IT, BEHIND_IT = "root.position = [-1, 0, 0.93]\n", "root.position = [1, 0, 0.93]\n"
+
+
+REACHING = (
+    f"{CROUCHED}joints.left_shoulder = {{rotvec = [0, -80, 0]}}\njoints.right_shoulder = {{rotvec = [0, -80, 0]}}\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("head", "bodies"),
+    [
+        (ROOM, (f"{STANDING}{OPEN}", CROUCHED + OPEN)),
+        (BEAM, (f"{STANDING}{BEFORE_IT}", CROUCHED + OPEN, f"{STANDING}{BEHIND_IT}")),
+        (TABLE, (f"{STANDING}{OPEN}", REACHING + OPEN)),
+    ],
+    ids=["room", "beam", "table"],
+)  # fmt: skip
+def test_it_stands_under_what_is_over_it(head, bodies):
+    problem = read(*bodies, head=head)
+    assert problem.keys[1].state[2] == pytest.approx(0.562, abs=0.005)
+
+
+def test_it_sits_and_stands_on_what_is_under_it():
+    chair = HEAD + BOX_GROUNDING.format("0.42, 0.6, 0.45", "-0.3, 0, 0.225")
+    sitting = CROUCHED.replace("-80", "-85").replace("100", "85").replace("-20", "0")
+    problem = read(STANDING, f'{sitting}root.position = [-0.4, 0, "free"]\n', STANDING, head=chair)
+    assert 0.53 < problem.keys[1].state[2] < 0.63
+    assert clearance(problem, problem.keys[1].state) == pytest.approx(0, abs=0.02)
+    up = 'others = "rest"\nroot.position = [0.8, 0, "free"]\n'
+    step = f"{HEAD}[scene]\nstep = {{x = 0.3, height = 0.27}}\n"
+    key = read(STANDING, up, 'others = "rest"\nroot.position = [1.2, 0, 1.2]\n', head=step).keys[1]
+    assert key.state[2] == pytest.approx(0.93 + 0.27, abs=NEARLY)
+
+
+def test_it_does_not_go_into_a_wall_to_keep_its_feet():
+    wall = HEAD + BOX_GROUNDING.format("0.2, 3, 2", "-0.3, 0, 1")
+    key = read(STANDING, f'{CROUCHED}root.position = "free"\n', STANDING, head=wall).keys[1]
+    assert key.state[0] == 0 and key.posed is not None and key.posed[:3].tolist() == [False, False, True]
+
+
+def test_who_stands_on_what_moves_is_left_there():
+    board = 'figure = "human"\n[[scene.box]]\nname = "board"\nbody = "crate"\nsize = [0.8, 0.4, 0.1]\nmass = 5\n'
+    on = "roots.crate = {position = [0.05, 0, 0.05]}\n"
+    up = f"{STANDING}{on}root.position = [0, 0, 1.03]\n"
+    key = read(up, CROUCHED + OPEN + on, up, head=board).keys[1]
+    assert key.posed is None or not key.posed[2]
+
+
+def test_in_a_loop_its_end_is_its_beginning():
+    loop = '[solve]\nends = "periodic"\n'
+    problem = read(STANDING, CROUCHED + OPEN, STANDING, tail=loop)
+    assert clearance(problem, problem.keys[1].state) == pytest.approx(0, abs=NEARLY)
+    of_none = read(f"{CROUCHED}{OPEN}", STANDING, f"{CROUCHED}{OPEN}", tail=loop).problem.raw
+    assert of_none.states[0, 2] == of_none.states[2, 2] < 0.7

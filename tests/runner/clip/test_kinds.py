@@ -1,7 +1,9 @@
-"""Kinds of soft constraint in clip files, and those of a program's own: parts, weights, options and errors."""
+"""Penalties by name, joint ranges and obstacles."""
 
 from __future__ import annotations
 
+import io
+import json
 import tomllib
 import warnings
 from collections.abc import Iterator
@@ -9,18 +11,27 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
+import mujoco
 import numpy as np
 import pytest
+from oracles import kinematics
+from quiet import quiet
 from rekeyed import with_keys
-from tiny import written
+from rich.console import Console
+from tiny import CLIP as TINY_CLIP
+from tiny import FIGURE, HINGE, changed, written
 
-from dynsplines import Clip, Keyframe, Motion, UserError, build, inbetween, load, load_motion, recordings
+from dynsplines import Clip, Keyframe, Motion, UserError, build, inbetween, load, load_motion, recordings, solving
 from dynsplines.cli import list_penalties
+from dynsplines.clip import load as clip
 from dynsplines.clip.kinds import KINDS, RENAMED, Kind, Part
+from dynsplines.measure.report import report, tables
 from dynsplines.motion import save
+from dynsplines.scene.compose import compose
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrenches import Wrenches, every_axis
 from dynsplines.solver.penalty import Block, Normalization, Penalty
+from dynsplines.solver.surface import Box, Capsule, Cylinder, Hull, Plane, Sphere, static_surfaces
 from dynsplines.studio.outline import kinds, outline
 
 
@@ -112,6 +123,8 @@ others = "rest"
 time = 1
 others = "rest"
 """
+
+
 ON = {"collision": "self = true", "limits": "speed = 300", "upright": 'bodies = ["chest"]'}
 
 
@@ -237,3 +250,193 @@ def test_a_listed_kind_without_effect_is_noted(kind):
     assert any(note.startswith(f"penalty '{kind}' has no effect in this clip; it measures: ") for note in listed.notes)
     off = recordings.from_text(text + f'[[penalty]]\nkind = "{kind}"\nweight = 0\n', name="c")
     assert not any("no effect" in note for note in (*off.notes, *recordings.from_text(text, name="c").notes))
+
+
+LIMITED = FIGURE.replace('name="left_knee" type="ball"', 'name="left_knee" type="ball" limited="true" range="0 42"')
+
+
+SWING = """figure = "hinge.xml"
+[[keyframe]]
+time = 0
+joints = {swing = 0, slide = 0}
+[[keyframe]]
+time = 1
+joints = {swing = 40, slide = 0}
+[[keyframe]]
+time = 1.3
+joints = {swing = 40, slide = 0}
+[[keyframe]]
+time = 2.3
+joints = {swing = 0, slide = 0}
+"""
+
+
+def term_names(problem: clip.Clip) -> set[str]:
+    return {penalty.name for penalty, _ in problem.penalties}
+
+
+def solved(problem: clip.Clip) -> dict:
+    found = solving.solve(problem, quiet())
+    return report(found.clip, found.motion, 0.0)
+
+
+def test_ranges_count_by_default_where_the_model_has_them(tmp_path):
+    assert "limits.range" not in term_names(clip.load(str(written(tmp_path))))
+    (tmp_path / "tiny.xml").write_text(LIMITED, encoding="utf-8")
+    assert "limits.range" in term_names(clip.load(str(tmp_path / "tiny.toml")))
+    written(
+        tmp_path,
+        changed("[[keyframe]]", "[[penalty]]\nkind='limits'\nweight={range=0}\n[[keyframe]]", TINY_CLIP),
+    )
+    (tmp_path / "tiny.xml").write_text(LIMITED, encoding="utf-8")
+    assert "limits.range" not in term_names(clip.load(str(tmp_path / "tiny.toml")))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("joint", ["hinge", "ball"])
+def test_a_motion_that_overshoots_a_range_is_kept_within_and_the_report_contains_it(tmp_path, joint):
+    text = SWING
+    if joint == "ball":
+        text = SWING.replace("swing = 0", "swing = {rotvec = [0, 0, 0]}").replace(
+            "swing = 40", "swing = {rotvec = [0, 40, 0]}"
+        )
+    limit = 'range="-5 40.2"' if joint == "hinge" else 'range="0 40.2"'
+    figure = HINGE.format(keys="")
+    if joint == "ball":
+        figure = figure.replace('type="hinge" axis="0 1 0"', 'type="ball"')
+    figure = figure.replace('name="swing"', f'name="swing" limited="true" {limit}')
+    path = written(tmp_path, text)
+    (tmp_path / "hinge.xml").write_text(figure, encoding="utf-8")
+    data = solved(clip.load(str(path)))
+    json.dumps(data, allow_nan=False)
+    out = io.StringIO()
+    Console(file=out, width=160).print(tables(data))
+    assert "beyond joint range: joint / at / most" in out.getvalue()
+    before, after = (data[side]["beyond joint range"] for side in ("before", "after"))
+    assert before["most"] > 0.6
+    assert after["most"] < 0.1
+    assert (before["joint"], before["unit"]) == ("swing", "degrees")
+    assert 1 < before["at, s"] < 1.3
+
+
+def test_a_slide_beyond_its_range_is_reported_in_metres(tmp_path):
+    path = written(
+        tmp_path, SWING.replace("slide = 0}\n[[keyframe]]\ntime = 1.3", "slide = 0.3}\n[[keyframe]]\ntime = 1.3")
+    )
+    text = HINGE.format(keys="").replace('name="slide"', 'name="slide" limited="true" range="-.1 .2"')
+    (tmp_path / "hinge.xml").write_text(text, encoding="utf-8")
+    data = report((one := solving.unsolved(clip.load(str(path)))).clip, one.motion, 0.0)["after"]["beyond joint range"]
+    assert data["unit"] == "m"
+    assert 0.1 <= data["most"] < 0.3
+
+
+def test_no_limited_joints_no_row(tmp_path):
+    one = solving.unsolved(clip.load(str(written(tmp_path))))
+    assert report(one.clip, one.motion, 0.0)["after"]["beyond joint range"] == {}
+
+
+SCENE = """
+[[scene.box]]
+name = "table"
+position = [1, 0, 0.75]
+size = [1.2, 0.8, 0.04]
+rotation = {rotvec = [0, 0, 90]}
+color = [0.2, 0.4, 0.6, 0.5]
+[[scene.box]]
+position = [3, 0, 0.5]
+size = [1, 1, 1]
+[[scene.sphere]]
+name = "ball"
+position = [2, 1, 0.2]
+radius = 0.2
+[[scene.capsule]]
+name = "rail"
+from = [0, 1, 1]
+to = [2, 1, 1.5]
+radius = 0.03
+[[scene.cylinder]]
+name = "post"
+position = [0, 2, 0.5]
+length = 1.0
+radius = 0.05
+rotation = {euler = [90, 0, 0]}
+"""
+
+
+def loaded(folder, scene: str) -> clip.Clip:
+    return clip.load(str(written(folder, TINY_CLIP + scene)))
+
+
+def geom(problem: clip.Clip, name: str) -> tuple[mujoco.MjModel, np.ndarray, np.ndarray]:
+    """The model compiled from the clip's MJCF text, and a geom's place and axes."""
+    model = mujoco.MjModel.from_xml_string(problem.mjcf)
+    data = kinematics(model)
+    return model, data.geom(name).xpos, data.geom(name).xmat.reshape(3, 3)
+
+
+def test_obstacles_are_where_the_clip_specifies_and_as_large(tmp_path):
+    problem = loaded(tmp_path, SCENE)
+    model, place, axes = geom(problem, "table")
+    np.testing.assert_allclose(place, [1, 0, 0.75])
+    np.testing.assert_allclose(model.geom("table").size, [0.6, 0.4, 0.02])
+    np.testing.assert_allclose(axes[:, 0], [0, 1, 0], atol=1e-12)
+    np.testing.assert_allclose(model.geom("table").rgba, [0.2, 0.4, 0.6, 0.5], atol=1e-6)
+    assert model.geom("box 2").matid[0] == model.material("stage_step").id
+    np.testing.assert_allclose(model.geom("ball").size[0], 0.2)
+    _, place, axes = geom(problem, "rail")
+    np.testing.assert_allclose(place, [1, 1, 1.25], atol=1e-6)
+    np.testing.assert_allclose(model.geom("rail").size[:2], [0.03, np.hypot(2, 0.5) / 2], atol=1e-5)
+    np.testing.assert_allclose(np.abs(axes[:, 2] @ [2, 0, 0.5]), np.hypot(2, 0.5), atol=1e-6)
+    _, _, axes = geom(problem, "post")
+    np.testing.assert_allclose(np.abs(axes[:, 2]), [0, 1, 0], atol=1e-6)
+    np.testing.assert_allclose(model.geom("post").size[:2], [0.05, 0.5], atol=1e-6)
+    kinds = {surface.name: type(surface) for surface in problem.context.surfaces}
+    assert kinds == {
+        "floor": Plane, "table": Box, "box 2": Box, "ball": Sphere, "rail": Capsule, "post": Cylinder,
+    }  # fmt: skip
+    assert not any(model.geom(name).contype[0] for name in kinds)
+
+
+@pytest.mark.parametrize(
+    ("scene", "words"),
+    [
+        ("[[scene.box]]\nname='t'\nsize=[1,1,1]", r"scene.box 1 \('t'\): 'position' is missing"),
+        ("[[scene.box]]\nposition=[0,0,0]\n", r"scene.box 1: 'size' is missing"),
+        ("[[scene.box]]\nposition=[0,0,0]\nsize=[1,0,1]", r"scene.box 1: size must be above 0, not 0"),
+        ("[[scene.box]]\nposition=[0,0,'free']\nsize=[1,1,1]", r"scene.box 1: position must be \[x, y, z\] in metres"),
+        ("[[scene.sphere]]\nposition=[0,0,0]\nradius=-1", r"scene.sphere 1: radius must be above 0, not -1"),
+        ("[[scene.sphere]]\nname='floor'\nposition=[0,0,0]\nradius=1", "model already has a geom of that name"),
+        ("[[scene.ball]]\nposition=[0,0,0]\nradius=1", r"no key 'ball'.*Keys: step, box, sphere, capsule, cylinder"),
+        (
+            "[scene.sphere]\nposition=[0,0,0]\nradius=1",
+            r"scene.sphere must be \[\[scene.sphere\]\] tables, not a table",
+        ),
+        ("[[scene.capsule]]\nradius=1\nfrom=[0,0,0]", "'from' and 'to' go together"),
+        ("[[scene.capsule]]\nradius=1\nposition=[0,0,0]", "give position and length, or from and to"),
+        ("[[scene.cylinder]]\nradius=1\nlength=1\nfrom=[0,0,0]\nto=[1,0,0]", r"not both \('length' and 'from'\)"),
+        ("[[scene.capsule]]\nradius=1\nfrom=[0,0,0]\nto=[0,0,0]", "from and to are the same point"),
+        (
+            "[[scene.sphere]]\nname='it'\nposition=[0,0,0]\nradius=1\n" * 2,
+            "has a sphere 'it', but the model already has a geom of that name",
+        ),
+    ],
+)
+def test_what_is_wrong_with_an_obstacle_is_reported_in_one_line(tmp_path, scene, words):
+    with pytest.raises(UserError, match=words) as caught:
+        loaded(tmp_path, scene)
+    assert str(caught.value).startswith("tiny.toml: ")
+    assert "\n" not in str(caught.value)
+
+
+def test_meshes_and_height_fields_written_in_the_model_live_on_in_the_clips_text():
+    assets = """<asset><mesh name="m" vertex="0 0 0 1 0 0 0 1 0 0 0 1"/>
+      <hfield name="h" nrow="2" ncol="3" size="1 1 .5 .1" elevation="0 1 .5 .25 0 .75"/></asset>
+      <worldbody><geom name="m" type="mesh" mesh="m" pos="1 2 3"/><geom name="h" type="hfield" hfield="h"/>"""
+    text = FIGURE.replace("<worldbody>", assets, 1)
+    before = mujoco.MjModel.from_xml_string(text)
+    after = compose(mujoco.MjSpec.from_string(text)).model()
+    np.testing.assert_allclose(after.hfield_data, before.hfield_data, atol=1e-6)
+    np.testing.assert_allclose(after.geom("m").pos, before.geom("m").pos, atol=1e-6)
+    np.testing.assert_allclose(after.mesh_vert, before.mesh_vert, atol=1e-6)
+    (rock,) = (surface for surface in static_surfaces(after) if isinstance(surface, Hull))
+    np.testing.assert_allclose(np.sort(rock.corners.T, axis=0)[-1], [2, 3, 4], atol=1e-6)

@@ -1,4 +1,4 @@
-"""A clip file, an MJCF with keyframes or two files of arrays become a problem: figure, keyframes, soft constraints."""
+"""Loading of clips: keys of the model, ends, notes and errors."""
 
 from __future__ import annotations
 
@@ -8,16 +8,25 @@ from typing import Any
 import mujoco
 import numpy as np
 import pytest
+from command import commanded
 from oracles import kinematics
 from scipy.spatial.transform import Rotation
 from tiny import CLIP, FIGURE, HINGE, changed, written
 
-from dynsplines import models, recordings
+from dynsplines import Keyframe, build, load_motion, models, recordings
+from dynsplines import inbetween as solve_clip
+from dynsplines import load as load_clip
+from dynsplines.clip import load
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.clip.context import knees_and_elbows
+from dynsplines.clip.mirror import mirrored_keyframe
+from dynsplines.clip.table import KeyframeTable
 from dynsplines.errors import UserError
+from dynsplines.solver.curve.mirror import Mirror
+from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import (
     Bend,
     Contact,
@@ -30,6 +39,8 @@ from dynsplines.solver.penalty import (
 )
 
 KNEE = "joints.left_knee = {rotvec = [0, 0, 0]}"
+
+
 TWO_KEYS = '<keyframe><key time="0" qpos="0 0"/><key time="0.5" qpos="0.1 0.2"/></keyframe>'
 
 
@@ -360,6 +371,8 @@ def test_joints_without_names_of_their_own_go_by_their_bodys_and_a_number(tmp_pa
 
 
 STILL = "root.position = [0, 0, 1]\nroot.rotation = {rotvec = [0, 0, 0]}\njoints.left_knee = {rotvec = [0, 0, 0]}\n"
+
+
 HOVER = f"[[keyframe]]\ntime = 0\n{STILL}[[keyframe]]\ntime = 0.4\n{STILL}"
 
 
@@ -455,3 +468,191 @@ def test_a_crate_that_lies_aside_tells_nothing_of_who_runs():
     assert other.flights == one.flights
     ours = [next(p for p, _ in each.penalties if isinstance(p, HoverPenalty)) for each in (alone, beside)]
     assert [point.name for point in ours[1].points] == [point.name for point in ours[0].points]
+
+
+HEAD = 'figure = "human"\n[solve]\nevaluations = 3\nframes = 2\n'
+
+
+STAND = '[[keyframe]]\ntime = {}\nothers = "rest"\n{}'
+
+
+RAISED = "joints.left_shoulder = {rotvec = [0, -120, 0]}\n"
+
+
+ALOFT = "root.position = [0, 0, 1.3]\n"
+
+
+def clip_with_ends(first: str, middle: str, last: str, head: str = HEAD) -> load.Clip:
+    bodies = enumerate((first, middle, last))
+    return recordings.from_text(head + "".join(STAND.format(0.4 * i, body) for i, body in bodies), name="c")
+
+
+def end_speeds(found: load.Clip) -> np.ndarray:
+    path = path_of(inbetween(found.problem).timeline)
+    return np.abs(path.at(np.array(path.span), 1)).max(axis=1)
+
+
+@pytest.mark.parametrize(("ends", "at_rest"), [("free", [0, 0]), ("clamped", [1, 1]), ("clamped start", [1, 0])])
+def test_the_text_decides(ends, at_rest):
+    found = clip_with_ends("", RAISED, "", f'{HEAD}ends = "{ends}"\n')
+    assert found.ends == ends
+    assert not any("ends =" in note for note in found.notes)
+    assert (end_speeds(found) < 1e-9).tolist() == at_rest
+
+
+@pytest.mark.parametrize(
+    ("bodies", "ends"),
+    [
+        (("", RAISED, ""), "clamped"),
+        ((ALOFT, "", ""), "clamped end"),
+        (("", "", ALOFT), "clamped start"),
+        (("root.position = [-0.5, 0, 0.9]\n", RAISED, RAISED), "clamped end"),
+        ((ALOFT, ALOFT, ALOFT), "clamped"),  # each repeats its neighbour
+        ((ALOFT + RAISED, ALOFT, ALOFT), "clamped end"),
+        ((ALOFT + RAISED, ALOFT, "root.position = [0, 0, 1.4]\n"), "free"),
+    ],
+)
+def test_ends_are_at_rest_and_noted_unless_they_move_or_are_in_the_air(bodies, ends):
+    found = clip_with_ends(*bodies)
+    assert found.ends == ends
+    at_rest = end_speeds(found) < 1e-9
+    assert at_rest.tolist() == [ends in ("clamped", "clamped start"), ends in ("clamped", "clamped end")]
+    assert any("ends = 'free'" in note for note in found.notes) == at_rest.any()
+
+
+@pytest.mark.parametrize(
+    ("base", "box", "ends"),
+    [("", "", "clamped"), ("", '<freejoint name="box"/>', "clamped"), ("<freejoint/>", "", "free")],
+)
+def test_an_arm_on_a_fixed_base_begins_and_ends_at_rest(tmp_path, base, box, ends):
+    (tmp_path / "arm.xml").write_text(
+        f"""<mujoco><option gravity="0 0 0"/><worldbody>
+          <body>{base}<geom size=".1"/>
+            <body><joint name="lift" axis="0 1 0"/><geom type="capsule" fromto="0 0 0 0 0 .4" size=".04"/>
+              <body pos="0 0 .4"><joint name="elbow" axis="0 1 0"/><geom size=".04"/></body></body></body>
+          <body pos="1 0 0">{box}<geom size=".1"/></body></worldbody></mujoco>"""
+    )
+    keyframes = "".join(
+        f'[[keyframe]]\ntime = {0.4 * i}\nothers = "rest"\njoints.lift = {20 * i * i}\njoints.elbow = {30 * i}\n'
+        for i in range(3)
+    )
+    head = f'figure = "{tmp_path / "arm.xml"}"\n[solve]\nframes = 2\n'
+    found = recordings.from_text(head + keyframes, name="c")
+    assert found.ends == ends
+    assert (end_speeds(found) < 1e-9).all() == (ends == "clamped")
+
+
+ROBOT = """<mujoco><worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/><geom size=".1"/>
+    <body name="left_leg" pos="0 .1 0"><joint name="left_hip" axis="0 1 0"/><geom size=".05" pos="0 0 -.3"/></body>
+    <body name="right_leg" pos="0 -.1 0"><joint name="right_hip" axis="0 1 0"/><geom size=".05" pos="0 0 -.3"/>
+    </body></body></worldbody><keyframe>
+    <key name="home" qpos="0 .123456789012345 .4 2 0 0 0 .31 .31"/><key qpos="0 0 .5 1 0 0 0 0 0"/>
+    <key name="step &amp; go" qpos=".5 0 .4 1 0 0 0 .2 -.7"/><key name="short"/></keyframe></mujoco>"""
+
+
+HOME = [0, 0.123456789012345, 0.4, 1, 0, 0, 0, 0.31, 0.31]
+
+
+KEYED_CLIP = """figure = "robot.xml"
+[solve]
+evaluations = 2
+frames = 1
+{more}
+[[keyframe]]
+time = 0
+others = "key:home"
+[[keyframe]]
+time = 1
+joints.left_hip = 45
+root.position = [0.1, 0, "free"]
+others = "key:step & go"
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "robot.xml").write_text(ROBOT)
+    (tmp_path / "clip.toml").write_text(KEYED_CLIP.format(more=""))
+    return tmp_path
+
+
+def test_what_a_keyframe_does_not_name_is_as_in_the_key(folder: Path):
+    first, second = load_clip(folder / "clip.toml").keys
+    np.testing.assert_array_equal(first.state, HOME)
+    assert first.is_key
+    np.testing.assert_allclose(np.delete(second.state, 2), [0.1, 0, 1, 0, 0, 0, np.pi / 4, -0.7], atol=1e-15)
+    assert second.fixed.tolist() == [True, True, False] + [True] * 6
+
+
+def test_a_key_without_numbers_is_the_rest_and_a_hold_continues_from_a_key():
+    keys = [Keyframe(0, others="key:short"), Keyframe(1, others="key:home"), Keyframe(2, others="previous")]
+    made = build(ROBOT, keys)
+    np.testing.assert_array_equal(made.keys[0].state, made.figure.model.qpos0)
+    np.testing.assert_array_equal(made.keys[2].state, HOME)
+
+
+def test_obstacles_with_bodies_of_their_own_are_at_rest(folder: Path):
+    box = '[[scene.box]]\nname = "crate"\nbody = "crate"\nposition = [0, 0, 1]\nsize = [0.4, 0.4, 0.4]\n'
+    (folder / "clip.toml").write_text(KEYED_CLIP.format(more=box))
+    (first, _) = load_clip(folder / "clip.toml").keys
+    np.testing.assert_array_equal(first.state[:9], HOME)
+
+
+@pytest.mark.parametrize(
+    ("others", "words"),
+    [
+        (
+            "key:hom",
+            r"keyframe 1 \(t = 0 s\): others: no key 'hom'; did you mean 'home'\? Keys: home, step & go, short",
+        ),
+        ("key:", "others must be 'free', 'rest', 'previous' or 'key:NAME', a <key> of the model, not 'key:'"),
+        ("home", "others must be 'free', 'rest', 'previous' or 'key:NAME', a <key> of the model, not 'home'"),
+    ],
+)
+def test_an_unknown_key_is_refused_with_those_that_there_are(folder: Path, others: str, words: str):
+    text = (folder / "clip.toml").read_text().replace("key:home", others)
+    with pytest.raises(UserError, match=words):
+        recordings.from_text(text, name="clip", folder=folder)
+
+
+def test_a_key_of_another_length_is_refused(folder: Path):
+    text = ROBOT.replace("2 0 0 0 .31 .31", "2 0 0 0 .31")
+    with pytest.raises(UserError):
+        build(text, [Keyframe(0, others="key:home"), Keyframe(1, others="key:short")])
+
+
+def test_a_saved_motion_is_written_as_a_clip_that_still_has_its_keys(folder: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(folder)
+    solve_clip("clip.toml").save("motion.npz")
+    Path("robot.xml").unlink()
+    load_motion("motion.npz").save("again.toml")
+    assert 'others = "key:home"' in Path("again.toml").read_text()
+    np.testing.assert_array_equal(load_clip("again.toml").keys[0].state, HOME)
+    model = mujoco.MjModel.from_xml_path("again.xml")
+    np.testing.assert_array_equal(model.key("home").qpos, HOME)
+
+
+def test_the_mirror_keeps_a_symmetric_key_and_refuses_another(folder: Path):
+    text = (folder / "clip.toml").read_text().replace(".123456789012345", "0")
+    (folder / "robot.xml").write_text(ROBOT.replace(".123456789012345", "0"))
+    made = recordings.from_text(text, name="clip", folder=folder)
+    mirror = Mirror.of(made.figure)
+    assert mirrored_keyframe(KeyframeTable(time=0.0, others="key:home"), made.figure, mirror).others == "key:home"
+    with pytest.raises(UserError, match="the model's key 'step & go' is not symmetric"):
+        mirrored_keyframe(KeyframeTable(time=0.0, others="key:step & go"), made.figure, mirror)
+
+
+def test_an_edit_that_names_another_key_has_it(folder: Path):
+    text = (folder / "clip.toml").read_text()
+    made = recordings.from_text(text, name="clip", folder=folder)
+    other = recordings.from_text(text.replace("key:home", "key:short"), name="clip", folder=folder, like=made)
+    np.testing.assert_array_equal(other.keys[0].state, other.figure.model.qpos0)
+
+
+def test_an_export_has_the_motions_keys_alone(folder: Path, monkeypatch, capsys):
+    monkeypatch.chdir(folder)
+    run = commanded(monkeypatch, capsys)
+    assert run("solve", "clip.toml", "-o", "m.npz").code == 0
+    assert run("export", "m.npz", "--to", "mjcf", "-o", "m.keys.xml").code == 0
+    model = mujoco.MjModel.from_xml_path("m.keys.xml")
+    assert {model.key(i).name.rsplit("_", 1)[0] for i in range(model.nkey)} == {"clip"}

@@ -122,10 +122,6 @@ def test_ten_degrees_off_the_vertical_count_as_the_reference_specifies(penalty):
     np.testing.assert_allclose(value, penalty.normalization.reference, rtol=5e-3)
 
 
-def points_of(figure) -> tuple[Point, ...]:
-    return tuple(Point(f"{i}", i, np.array([0.1, 0.2, -0.3])) for i in range(1, len(figure.links)))
-
-
 def test_a_newton_metre_counts_as_the_reference_of_torques_says():
     arm = '<body><joint type="hinge" axis="0 1 0"/><geom size=".001" pos="0.1 0 0" mass="1"/></body>'
     figure = figure_of(f'<mujoco><option gravity="0 0 -10"/><worldbody>{arm}</worldbody></mujoco>')

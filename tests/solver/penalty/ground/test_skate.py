@@ -37,9 +37,6 @@ from dynsplines.solver.surface.points import Point, places_of
 UP = np.array([0.0, 0, 1])
 
 
-TILTED = np.array([0.0, 0.6, 0.8])
-
-
 def some_points(samples: Samples) -> tuple[Point, ...]:
     last = len(samples.figure.links) - 1
     return Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), Point("b", last, np.array([0.0, 0.1, -0.2]))
