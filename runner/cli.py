@@ -48,7 +48,7 @@ if TYPE_CHECKING:
     from .measure import chart, measurement, violation
     from .measure import report as reports
     from .picture import film, show
-    from .studio import launch, sources
+    from .studio import document, launch
     from .system import progress as terminal
 else:
 
@@ -62,7 +62,7 @@ else:
     formats, motion_import, quantities, maps = _lazy(".exchange", "formats motion_import quantities skeleton.maps")
     chart, measurement, violation, reports = _lazy(".measure", "chart measurement violation report")
     film, show = _lazy(".picture", "film show")
-    launch, sources = _lazy(".studio", "launch sources")
+    document, launch = _lazy(".studio", "document launch")
 
 VIOLATED = 3  # the exit code of --strict
 BEFORE_MUJOCO = ("scipy.sparse", "scipy.linalg", "dynsplines.clip.table", "dynsplines.system.progress")
@@ -202,7 +202,6 @@ def render(
 @app.command(rich_help_panel="Create")
 def studio(
     source: option.StudioSource = "run_and_step",
-    figure: option.Figure = None,
     port: Annotated[int, number("PORT", "TCP port; 0 selects a free one", 0, 65535, kind=int)] = 0,
     host: option.Host = "127.0.0.1",
     browser: Annotated[bool, flag("--browser/--no-browser", "Open the page in a browser")] = True,
@@ -212,8 +211,7 @@ def studio(
     """Edit a clip in the browser; it is solved after every edit."""
     launch.check_packages()
     launch.check_host(host, allow_remote=allow_remote)
-    document = sources.opened(source, figure=figure)
-    launch.run(document, host=host, port=port, browser=browser, allow_remote=allow_remote)
+    launch.run(document.opened(source), host=host, port=port, browser=browser, allow_remote=allow_remote)
 
 
 @app.command(rich_help_panel="Create")

@@ -258,8 +258,8 @@ RenderWorkers = Annotated[
 StudioSource = Annotated[
     str,
     typer.Argument(
-        metavar="CLIP|MOTION|RECORDING|MODEL.xml",
-        help="Shipped clip, clip (.toml), motion or recording to edit, or model (.xml) for a new clip",
+        metavar="CLIP",
+        help="Clip (.toml), or name of a shipped clip",
     ),
 ]
 Host = Annotated[str, value("ADDRESS", "Address to listen on; one that is not local needs --allow-remote")]

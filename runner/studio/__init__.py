@@ -1,11 +1,9 @@
 """The studio: a clip edited and optimised live, on a page in the browser.
 
 launch            the command: a free port, a token, the browser
-server            access control: pages with the token, and their connections
-session           one open clip, shared by all pages
-document          the clip's text, with undo and redo, and a copy of unsaved work on the disk
-revision_map      indices of an older revision, after another page has changed the text
-sources           files that can be opened, as a clip's text
+server            access control: the page with the token, one tab at a time, and its requests
+session           one open clip, and what its page shows
+document          a clip file's text, with undo and redo, and a copy of unsaved work on the disk
 edits/            edits of the text, one function each
 outline           the text's content on the timeline
 paths             a motion as the page plays it

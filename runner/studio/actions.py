@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import asyncio
+import pickle
 import time
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from ..errors import UserError, unknown
-from .revision_map import renumbered
 from .session import Session
 
 if TYPE_CHECKING:
@@ -19,27 +20,67 @@ if TYPE_CHECKING:
 AT = 1e-6  # [s] distance up to which a time is that of a keyframe
 
 
-class Actions:
-    """The actions of one page on a session; the figure is prepared in the background, so the page never waits."""
+@dataclass
+class _Drag:
+    """A drag of a point, or a rotation of a joint.
 
-    def __init__(self, session: Session, number: int) -> None:
-        self.session, self.number = session, number
-        self._grip: Grip | None = None
-        self._last: Any = None
-        self._home: Any = None
-        self._turned: tuple[float, str] | None = None
-        self._body = 0
+    Attributes:
+        body: MuJoCo's id of the body.
+        home: The pose before it, (nq,).
+        pose: The present pose, (nq,).
+        grip: The grabbed point; None for a rotation.
+        turned: Time [s] and name of the rotated joint; None for a point.
+    """
+
+    body: int
+    home: Any
+    pose: Any
+    grip: Grip | None = None
+    turned: tuple[float, str] | None = None
+
+
+class Actions:
+    """The actions of the page on a session; the figure is prepared in the background, so the page never waits."""
+
+    def __init__(self, session: Session) -> None:
+        self.session = session
+        self._clipboard: list[TomlTable] = []
+        self._prepared: tuple[bytes, Poser] | None = None  # the poser of a pickled figure
+        self._drag: _Drag | None = None
+
+    def prepare(self) -> None:
+        """Create the poser in the background, so that the first drag does not wait."""
+        asyncio.get_running_loop().run_in_executor(None, self._poser)
 
     async def poser(self) -> Poser:
-        """Return the poser of the present figure, once the path belongs to the present text."""
-        await self.session.wait_for_path()
-        return await asyncio.to_thread(prepared, self.session)
+        """Return the poser of the present figure."""
+        return await asyncio.to_thread(self._poser)
 
-    async def _same_poser(self) -> Poser:
-        """Return the poser of the present figure. Raises UserError if another page has changed the figure since the
-        drag began."""
+    def _poser(self) -> Poser:
+        data, present = self.session.figure, self._prepared
+        if data is None:
+            raise UserError("there is no figure yet; wait for the clip to load")
+        if present is not None and present[0] is data:
+            return present[1]
+        import numpy as np
+
+        from dynsplines.solver.figure.figure import Figure
+
+        from ..clip.parse import table_of
+        from .posing import Poser
+
+        scene, coordinates = pickle.loads(data)  # data of this program only
+        figure = Figure(scene.model(), coordinates)
+        whole = [key["qpos"] for key in self.session.loaded.get("keys", ()) if all(key["fixed"])]
+        table = table_of(self.session.document.text, self.session.document.place)
+        poser = Poser(figure, table.penalty, np.reshape(np.array(whole, float), (-1, figure.width)))
+        self._prepared = data, poser
+        return poser
+
+    async def _same_poser(self, drag: _Drag) -> Poser:
+        """Return the poser of the present figure. Raises UserError if an edit has changed the figure during a drag."""
         poser = await self.poser()
-        if len(self._home) != poser.figure.width:
+        if len(drag.home) != poser.figure.width:
             await self.cancel()
             raise UserError("the figure has changed; grab it again")
         return poser
@@ -54,62 +95,60 @@ class Actions:
         alone: bool = False,
     ) -> str:
         """Grab a point of a body at a time of the clip. With `alone`, only its limb moves."""
-        poser, qpos = await self.poser(), self.at(time)
-        self._release()
-        grip = await asyncio.to_thread(poser.gripped, qpos, int(body), offset, plant=plant, alone=alone)
-        self._grip, self._home, self._last, self._body = grip, qpos, qpos, int(body)
+        poser = await self.poser()
+        home = self.at(time, poser)
+        grip = await asyncio.to_thread(poser.gripped, home, int(body), offset, plant=plant, alone=alone)
+        self._drag = _Drag(int(body), home, home, grip=grip)
         return ""
 
     async def drag(self, *, position: Sequence[float]) -> Message:
         """Return the pose with that point at a position [m]: position and rotation of every body, and the miss [m]."""
-        if self._grip is None:
+        drag = self._drag
+        if drag is None or drag.grip is None:
             raise UserError("no limb is grabbed; press the mouse on one first")
-        poser = await self._same_poser()
+        poser = await self._same_poser(drag)
         begin = time.perf_counter()
-        pose = await asyncio.to_thread(poser.pulled, self._grip, position, self._last)
-        self._last = pose.qpos
-        bodies = _bodies(poser, pose.qpos)
-        return {**bodies, "missed": round(pose.worst, 5), "ms": round(1e3 * (time.perf_counter() - begin), 2)}
+        posed = await asyncio.to_thread(poser.pulled, drag.grip, position, drag.pose)
+        drag.pose = posed.qpos
+        bodies = _bodies(poser, posed.qpos)
+        return {**bodies, "missed": round(posed.worst, 5), "ms": round(1e3 * (time.perf_counter() - begin), 2)}
 
     async def turn(self, *, time: float, joint: str, turn: Sequence[float]) -> Message:
         """Return the pose with one joint rotated, in the format of `drag`."""
-        poser, turned = await self.poser(), (float(time), joint)
-        if turned != self._turned or self._home is None:
-            self._release()
-            self._home, self._turned = self.at(time), turned
-        self._last = (await self._same_poser()).turned(self._home, joint, turn)
-        self._body = next(int(link.body) for link in poser.figure.links[1:] if link.name == joint)
-        return _bodies(poser, self._last)
+        poser, turned, drag = await self.poser(), (float(time), joint), self._drag
+        if drag is None or drag.turned != turned:
+            home = self.at(time, poser)
+            body = next((int(link.body) for link in poser.figure.links[1:] if link.name == joint), 0)
+            drag = self._drag = _Drag(body, home, home, turned=turned)
+        drag.pose = (await self._same_poser(drag)).turned(drag.home, joint, turn)
+        return _bodies(poser, drag.pose)
 
     async def drop(self, *, time: float, partial: bool = False) -> str:
         """End the drag and write the pose to the keyframe at this time, or to a new keyframe.
 
         With `partial`, a new keyframe specifies only what was moved; the optimiser determines the rest.
         """
-        if self._last is None or self._home is None:
+        drag, self._drag = self._drag, None
+        if drag is None:
             return ""
-        edit, poser = None, await self._same_poser()
-        try:
-            edit = self._edit_of_drag(poser, time, partial=partial)
-        finally:
-            self._release()
+        edit = self._edit_of_drag(drag, await self._same_poser(drag), time, partial=partial)
         return "" if edit is None else await self.session.edit(*edit)
 
-    def _edit_of_drag(self, poser: Poser, time: float, *, partial: bool) -> tuple[str, Message, int | None] | None:
-        """Return the edit, as arguments of `Session.edit`, that ends the current drag; None if nothing has moved."""
-        home, last, index = self._home, self._last, self.key_at(time)
+    def _edit_of_drag(self, drag: _Drag, poser: Poser, time: float, *, partial: bool) -> tuple[str, Message] | None:
+        """Return the edit, as arguments of `Session.edit`, that ends a drag; None if nothing has moved."""
+        home, last, index = drag.home, drag.pose, self.key_at(time)
         entries = poser.keyframe_entries(last, home)
         if not any(entries.values()):
             return None
         if index is None:
-            moved = self._limb_entries(poser, entries, last) if partial else poser.keyframe_entries(last)
-            return "add_key", {"entries": {**moved, "time": time}}, None
+            moved = self._limb_entries(drag.body, poser, entries, last) if partial else poser.keyframe_entries(last)
+            return "add_key", {"entries": {**moved, "time": time}}
         if "root" in entries:  # the whole pose, because everything attached to the root moves along
             entries = self._without_free_joints(index, poser.keyframe_entries(last), home, last, poser)
             entries = {**entries, **_without(self._targets(index))}
         else:
             entries = self._released_entries(index, _named(entries, poser), last, poser, entries)
-        return "change", _posed(index, entries, "pose the figure"), self.session.document.revision
+        return "change", _posed(index, entries, "pose the figure")
 
     def _targets(self, index: int) -> list[str]:
         """Return the sites and bodies with a target position in a keyframe."""
@@ -134,9 +173,10 @@ class Actions:
             out["roots"] = roots
         return out
 
-    def _limb_entries(self, poser: Poser, entries: TomlTable, qpos: Any) -> TomlTable:
+    @staticmethod
+    def _limb_entries(body: int, poser: Poser, entries: TomlTable, qpos: Any) -> TomlTable:
         """Return the moved joints with all other joints of the dragged or rotated limb."""
-        limb = poser.limb_names(self._body)
+        limb = poser.limb_names(body)
         limb_joints = {name: value for name, value in poser.keyframe_entries(qpos)["joints"].items() if name in limb}
         return {**entries, "joints": {**limb_joints, **entries["joints"]}}
 
@@ -148,47 +188,41 @@ class Actions:
 
     async def cancel(self) -> str:
         """End the drag without an edit."""
-        self._release()
+        self._drag = None
         return ""
-
-    def _release(self) -> None:
-        self._grip = self._home = self._last = self._turned = None
 
     async def key(self, *, time: float, limb: Sequence[str] | None = None) -> str:
         """Add a keyframe from the present path, of the joints in `limb` only, if specified."""
         poser = await self.poser()
-        entries = poser.keyframe_entries(self.at(time))
+        entries = poser.keyframe_entries(self.at(time, poser))
         if limb is not None:
             entries = poser.select_joints(entries, limb)
             if not any(entries.values()):
                 raise UserError("none of these joints can be set on its own; select another limb")
         return await self.session.edit("add_key", {"entries": {"time": time, **entries}})
 
-    async def rest(self, *, key: int, revision: int | None = None) -> str:
+    async def rest(self, *, key: int) -> str:
         """Set a keyframe's joints to the rest pose. The root stays at its position."""
         poser = await self.poser()
-        key, revision = self._present_indices(revision, key=key)["key"], self.session.document.revision
         joints = poser.keyframe_entries(poser.figure.model.qpos0)["joints"]
         entries = self._released_entries(key, set(joints), self._state(key), poser, {"joints": joints})
         entries |= _without(self._targets(key))
-        return await self.session.edit("change", _posed(key, entries, "pose as at rest"), revision)
+        return await self.session.edit("change", _posed(key, entries, "pose as at rest"))
 
-    async def pin(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
+    async def pin(self, *, key: int, joints: Sequence[str]) -> str:
         """Fix joints of a keyframe at their values on the present path."""
         poser = await self.poser()
-        key, revision = self._present_indices(revision, key=key)["key"], self.session.document.revision
         row = self._row(key)
-        entries = poser.select_joints(poser.keyframe_entries(self.at(float(row["time"]))), joints)
+        entries = poser.select_joints(poser.keyframe_entries(self.at(float(row["time"]), poser)), joints)
         determined = {*joints, *row.get("joints", {}), *row.get("roots", {}), *([poser.root] if "root" in row else [])}
         # targets whose joints are all fixed now
         places = [name for name in self._targets(key) if poser.deciding_joints(name)[0] <= determined]
         words = f"pin {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
-        return await self.session.edit("change", _posed(key, {**entries, **_without(places)}, words), revision)
+        return await self.session.edit("change", _posed(key, {**entries, **_without(places)}, words))
 
-    async def free(self, *, key: int, joints: Sequence[str], revision: int | None = None) -> str:
+    async def free(self, *, key: int, joints: Sequence[str]) -> str:
         """Free joints of a keyframe, and remove the targets that determine them."""
         poser = await self.poser()
-        key, revision = self._present_indices(revision, key=key)["key"], self.session.document.revision
         entries: TomlTable = {"joints": {}}
         whole: TomlTable = {"position": "free", "rotation": "free"}
         for link in poser.figure.links[1:]:
@@ -200,44 +234,41 @@ class Actions:
                 entries["joints"][link.name] = "free"
         entries = self._released_entries(key, set(joints), self._state(key), poser, entries)
         words = f"free {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
-        return await self.session.edit("change", _posed(key, entries, words), revision)
+        return await self.session.edit("change", _posed(key, entries, words))
 
-    async def mirror(self, *, keys: Sequence[int], revision: int | None = None) -> str:
+    async def mirror(self, *, keys: Sequence[int]) -> str:
         """Swap left and right in keyframes."""
         from ..clip.mirror import figure_mirror, mirrored_keyframe
         from ..clip.parse import table_of
         from ..clip.text import tables
 
         poser = await self.poser()
-        keys, revision = self._present_indices(revision, keys=keys)["keys"], self.session.document.revision
         table = table_of(self.session.document.text, self.session.document.place)
         mirror, rows = figure_mirror(poser.figure, table, self.session.document.place), table.keyframe
         entries = {str(index): tables(mirrored_keyframe(rows[index], poser.figure, mirror)) for index in keys}
         words = "mirror a keyframe" if len(keys) == 1 else f"mirror {len(keys)} keyframes"
-        return await self.session.edit("replace_keys", {"keys": entries, "words": words}, revision)
+        return await self.session.edit("replace_keys", {"keys": entries, "words": words})
 
-    async def copy(self, *, keys: Sequence[int], revision: int | None = None) -> str:
-        """Copy keyframes to the clipboard that all pages share."""
-        keys = self._present_indices(revision, keys=keys)["keys"]
-        self.session.clipboard = [self._row(index) for index in sorted(keys)]
-        self.session.send_outline()
+    async def copy(self, *, keys: Sequence[int]) -> str:
+        """Copy keyframes to the clipboard."""
+        self._clipboard = [self._row(index) for index in sorted(keys)]
         return f"copied {len(keys)} keyframe{'s' if len(keys) > 1 else ''}"
 
     async def paste(self, *, time: float) -> str:
         """Paste the copied keyframes, the first of them at a time [s]."""
-        return await self.session.edit("paste_keys", {"copied": self.session.clipboard, "time": time})
+        return await self.session.edit("paste_keys", {"copied": self._clipboard, "time": time})
 
-    def at(self, time: float) -> Any:
+    def at(self, time: float, poser: Poser) -> Any:
         """Return the present path at a time of the clip, (nq,)."""
         import numpy as np
 
         from dynsplines.solver.curve.spline import path_of
 
-        timeline, figure = self.session.timeline, prepared(self.session).figure
+        timeline = self.session.timeline
         if timeline is None:
             raise UserError("there is no path yet; wait for the clip to load")
         inside = float(np.clip(time, timeline.times[0], timeline.times[-1]))
-        return figure.to_qpos(path_of(timeline).at(np.array([inside])))[0]
+        return poser.figure.to_qpos(path_of(timeline).at(np.array([inside])))[0]
 
     def _state(self, index: int) -> Any:
         """Return a keyframe as loaded, with the pose solved for its targets, (nq,)."""
@@ -250,40 +281,11 @@ class Actions:
         times = [float(row["time"]) for row in self.session.document.tree_rows()]
         return next((i for i, key_time in enumerate(times) if abs(key_time - time) < AT), None)
 
-    def _present_indices(self, revision: int | None, **indices: Any) -> Message:
-        """Return the present indices for those of a revision."""
-        request = {name: list(value) if name == "keys" else value for name, value in indices.items()}
-        return renumbered(self.session.document, revision, request)
-
     def _row(self, index: int) -> TomlTable:
         rows = self.session.document.tree_rows()
         if not 0 <= index < len(rows):
             raise UserError(unknown("keyframe", str(index + 1), [str(i + 1) for i in range(len(rows))]))
         return rows[index]
-
-
-def prepared(session: Session) -> Poser:
-    """Return the poser of a session's figure, created once per stage."""
-    present = session.poser
-    if present is not None and present[0] == session.stages:
-        return present[1]
-    import numpy as np
-
-    from dynsplines.solver.figure.figure import Figure
-
-    from ..clip.parse import table_of
-    from .posing import Poser
-
-    stages, packed = session.stages, session.figure
-    if packed is None:
-        raise UserError("there is no figure yet; wait for the clip to load")
-    scene, place = packed
-    figure = Figure(scene.model(), place)
-    whole = [key["qpos"] for key in session.loaded.get("keys", ()) if all(key["fixed"])]
-    table = table_of(session.document.text, session.document.place)
-    poser = Poser(figure, table.penalty, np.reshape(np.array(whole, float), (-1, figure.width)))
-    session.poser = stages, poser
-    return poser
 
 
 def _bodies(poser: Poser, qpos: Any) -> Message:

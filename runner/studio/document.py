@@ -2,24 +2,23 @@
 
 from __future__ import annotations
 
-import re
 import tomllib
-from collections import deque
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import lru_cache
-from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 
-from ..errors import UserError
+from dynsplines import models
+
+from ..errors import UserError, unknown
 from ..system.output import Replacement
 
 if TYPE_CHECKING:
     from ..clip.text import TomlTable
     from .edits.tables import Blocks
 
-MOST_SINCE = 200  # stored revisions, for pages that refer to an older one
+MODELS = (".xml", ".mjcf", ".urdf")
 FILMS = (".mp4", ".webm", ".gif", ".png")  # extensions of rendered files
 Step = tuple[str, str]  # description of an edit, and the text before or after it
 
@@ -39,10 +38,32 @@ def text_of(file: Path) -> tuple[str, str]:
     return text.replace("\r\n", "\n"), "\r\n" if "\r\n" in text else "\n"
 
 
-class Unsaved(NamedTuple):
-    """Unsaved work of an earlier session: its file, when it was written [s since 1970], and its text."""
+def opened(source: str) -> Document:
+    """Open a clip file or a shipped clip. Raises UserError."""
+    if source in models.clips():
+        return Document(source, models.clip_text(source), Path.cwd(), saved=models.clip_text(source))
+    path = Path(source)
+    if path.is_dir():
+        raise UserError(f"'{source}' is a folder; open a clip (.toml), or a shipped clip")
+    if not path.exists():
+        raise UserError(f"no file '{source}'" if path.suffix else unknown("clip", source, models.clips()))
+    if path.suffix.lower() in MODELS:
+        raise UserError(f"'{source}' is a model; write a clip for it: dynsplines new {source}")
+    if path.suffix.lower() != ".toml":
+        raise UserError(
+            f"'{source}' is no clip (.toml); open the clip of this motion, or write one: dynsplines thin {source}"
+        )
+    try:
+        text, newline = text_of(path)
+    except OSError as error:
+        raise UserError(f"{path}: cannot be read: {error.strerror}") from None
+    path = path.resolve()
+    return Document(path.stem, text, path.parent, file=path, saved=text, newline=newline)
 
-    file: Path
+
+class Unsaved(NamedTuple):
+    """Unsaved work of an earlier session: when it was written [s since 1970], and its text."""
+
     time: float
     text: str
 
@@ -56,7 +77,7 @@ class Document:
         file: The file to which it is saved; None before the first save.
         saved: The text on the disk.
         newline: The line ending on the disk; the text itself has line feeds.
-        unsaved_file: The file of this document's unsaved work; None before it is written.
+        numbered_since: The first revision with the present numbers of tables.
     """
 
     name: str
@@ -66,10 +87,10 @@ class Document:
     saved: str | None = None
     revision: int = 0
     newline: str = "\n"
-    unsaved_file: Path | None = None
+    numbered_since: int = 0
+    _copy: str | None = None  # unsaved work on the disk, if this document wrote or adopted it
     _back: list[Step] = field(default_factory=list)
     _forth: list[Step] = field(default_factory=list)
-    _revisions: deque[tuple[int, str]] = field(default_factory=lambda: deque(maxlen=MOST_SINCE))
 
     @property
     def is_dirty(self) -> bool:
@@ -87,6 +108,16 @@ class Document:
     @property
     def place(self) -> str:
         return self.file.name if self.file else f"{self.name}.toml"
+
+    @property
+    def unsaved_file(self) -> Path:
+        """The copy of unsaved work."""
+        return self.folder / f".{self.place}.unsaved"
+
+    def check_numbers(self, revision: int) -> None:
+        """Raise UserError if tables of an older revision, such as keyframes, may have other numbers now."""
+        if not self.numbered_since <= revision <= self.revision:
+            raise UserError("the clip has changed meanwhile; check it, and try again")
 
     def state(self) -> dict[str, object]:
         """Return the state of the document for pages; `undo` and `redo` describe the edits that they would change."""
@@ -139,37 +170,47 @@ class Document:
         self.file, self.saved, self.name, self.folder = file, self.text, file.stem, file.parent
 
     def write_unsaved(self) -> None:
-        """Write unsaved work to a file next to the clip, but never over that of another session."""
+        """Write unsaved work to a file next to the clip; remove the file if there is none.
+
+        Raises:
+            UserError: The file cannot be written, or contains the unsaved work of another studio.
+        """
         if not self.is_dirty:
             self.discard()
             return
-        with suppress(UserError, OSError):
-            if self.unsaved_file is None:
-                names = (self.folder / f".{self.place}.unsaved{f'-{n}' if n > 1 else ''}" for n in count(1))
-                self.unsaved_file = next(file for file in names if not file.exists())
+        try:
+            if self.unsaved_file.exists() and (self._copy is None or self._read_copy() != self._copy):
+                raise UserError(f"{self.unsaved_file.name} belongs to another studio with this clip")
             with Replacement(self.unsaved_file) as temporary:
                 temporary.write_bytes(self.text.encode())
+        except (UserError, OSError) as error:
+            raise UserError(f"unsaved work is not stored, save the clip: {error}") from None
+        self._copy = self.text
 
     def read_unsaved(self) -> Unsaved | None:
-        """Return the latest unsaved work of earlier sessions that differs from this text.
+        """Return the unsaved work of an earlier session; None if there is none, or if it equals this text."""
+        text = self._read_copy()
+        if text is None or text == self.text:
+            self._copy = text
+            return None
+        return Unsaved(self.unsaved_file.stat().st_mtime, text)
 
-        A file with the same text becomes that of this document.
-        """
-        unsaved: list[Unsaved] = []
-        with suppress(OSError):
-            names = re.compile(re.escape(f".{self.place}.unsaved") + r"(-\d+)?")
-            for file in filter(lambda path: names.fullmatch(path.name), self.folder.iterdir()):
-                with suppress(OSError, UnicodeDecodeError):
-                    unsaved.append(Unsaved(file, file.stat().st_mtime, file.read_bytes().decode()))
-        self.unsaved_file = next((work.file for work in unsaved if work.text == self.text), None)
-        return max((work for work in unsaved if work.text != self.text), key=lambda work: work.time, default=None)
+    def adopt(self, work: Unsaved) -> None:
+        """Make the copy of unsaved work that of this document, which may replace or remove it."""
+        self._copy = work.text
 
     def discard(self) -> None:
-        """Remove the file of unsaved work."""
-        if self.unsaved_file is not None:
+        """Remove the copy of unsaved work if it is that of this document."""
+        if self._copy is not None and self._read_copy() == self._copy:
             with suppress(OSError):
                 self.unsaved_file.unlink(missing_ok=True)
-            self.unsaved_file = None
+        self._copy = None
+
+    def _read_copy(self) -> str | None:
+        try:
+            return self.unsaved_file.read_bytes().decode()
+        except (OSError, UnicodeDecodeError):
+            return None
 
     def _swap(self, source: list[Step], target: list[Step]) -> None:
         if source:
@@ -177,14 +218,15 @@ class Document:
             target.append((words, self.text))
             self._put(text)
 
-    def since(self, revision: int) -> list[str] | None:
-        """Return the texts from a revision to the present one; None for an unknown or too old one."""
-        texts = [text for number, text in self._revisions if number >= revision]
-        if not self._revisions or len(texts) != self.revision - revision:
-            return None
-        return [*texts, self.text]
-
     def _put(self, text: str) -> None:
-        self._revisions.append((self.revision, self.text))
-        self.text = text
         self.revision += 1
+        if _counts(text) != _counts(self.text):
+            self.numbered_since = self.revision
+        self.text = text
+
+
+def _counts(text: str) -> dict[str, int]:
+    """Return the number of tables by the name of their list."""
+    tables = parsed(text)
+    scene = tables.get("scene", {})
+    return {name: len(rows) for name, rows in [*tables.items(), *scene.items()] if isinstance(rows, list)}

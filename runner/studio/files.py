@@ -10,15 +10,16 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+from dynsplines import models
+
 from ..errors import UserError
 from ..system.scratch import scratch
-from .document import FILMS
+from .document import FILMS, opened
 from .session import Session
 
 MOST_NAME = 120  # maximum number of characters in a file's name
 MOST_LISTED = 200  # maximum number of files in a list
 PLAIN = re.compile(r"[^/\\\0:*?\"<>|]+")
-OPENED = (".toml", ".xml", ".npz", ".bvh", ".csv", ".pkl", ".npy")
 COMMAND = "import sys; from dynsplines.__main__ import main; sys.argv[0] = 'dynsplines'; main()"
 
 
@@ -46,6 +47,7 @@ class Files:
 
     async def save(self, *, name: str | None = None, overwrite: bool = False) -> str:
         """Save the clip's text, under a new name if specified."""
+        self.session.check_offer()
         document = self.session.document
         if name is None and document.file is None:
             raise UserError("this clip has no file yet: save it under a name")
@@ -58,27 +60,27 @@ class Files:
                 f"'{target.name}' was changed by another program; save under another name, or overwrite it by Save as"
             )
         document.save(target)
-        self.session.send_outline()
+        self.session.show_document()
         return f"saved {target.name}"
 
     def listed(self) -> list[str]:
-        """Return the files of the folder that can be opened."""
+        """Return the clips of the folder."""
         with suppress(OSError):
-            names = [path.name for path in self.folder.iterdir() if path.suffix.lower() in OPENED and path.is_file()]
+            names = [path.name for path in self.folder.iterdir() if path.suffix.lower() == ".toml" and path.is_file()]
             return sorted(name for name in names if not name.startswith("."))[:MOST_LISTED]
         return []
 
-    async def open(self, *, name: str, figure: str | None = None) -> str:
-        """Open another file of the folder, or a shipped clip."""
-        from dynsplines import models
-
-        from .sources import opened
-
+    async def open(self, *, name: str) -> str:
+        """Open another clip of the folder, or a shipped clip."""
         source = name if name in models.clips() else str(inside(self.folder, name))
-        document = await asyncio.to_thread(opened, source, figure=figure)
+        document = opened(source)
         if source in models.clips():
             document.folder = self.folder
         return await self.session.reopen(document)
+
+    async def formats(self) -> dict[str, list[dict[str, str]]]:
+        """Return the formats that can be written."""
+        return {"formats": await asyncio.to_thread(_formats)}
 
     async def export(self, *, to: str, name: str, overwrite: bool = False) -> str:
         """Export the present motion to another program's format."""
@@ -120,7 +122,7 @@ class Files:
         return "stopped"
 
     async def _run(self, words: Sequence[str], what: str) -> None:
-        """Run one of this program's commands and show its progress on every page. Raises UserError with its message."""
+        """Run one of this program's commands and show its progress on the page. Raises UserError with its message."""
         if self._running is not None:
             raise UserError("another file is being written; wait for it, or stop it")
         command = [sys.executable, "-c", COMMAND, *words]
@@ -133,7 +135,7 @@ class Files:
             if self._running.returncode is None:
                 self._running.kill()
             self._running = None
-            self.session.broadcast({"is": "task", "what": what, "words": None})
+            self.session.tell({"is": "task", "what": what, "words": None})
         if code:
             raise UserError(last.removeprefix("dynsplines: ") if code > 0 else f"{what}: stopped")
 
@@ -147,9 +149,16 @@ class Files:
             rest = parts.pop()
             for line in filter(None, map(str.strip, parts)):
                 last = line
-                self.session.broadcast({"is": "task", "what": what, "words": line[:200]})
+                self.session.tell({"is": "task", "what": what, "words": line[:200]})
         await drain
         return rest.strip() or last
+
+
+def _formats() -> list[dict[str, str]]:
+    from ..exchange.formats import FORMATS  # imported here, as the page need not wait for it
+
+    entries = [entry for entry in FORMATS if entry.writes]
+    return [{"name": entry.name, "ending": entry.ending, "description": entry.description} for entry in entries]
 
 
 def _ended(name: str, ending: str) -> str:

@@ -59,7 +59,7 @@ def run(
         listening.close()
         session.close()
         if session.document.is_dirty:
-            print(f"not saved; it is offered again: {session.document.unsaved_file}", file=sys.stderr)
+            print(f"not saved; the next start offers it: {session.document.unsaved_file}", file=sys.stderr)
 
 
 def _serve(session: Session, listening: socket.socket, token: str, hosts: frozenset[str]) -> None:

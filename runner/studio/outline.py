@@ -9,7 +9,6 @@ from ..clip.kinds import KINDS
 from ..clip.parse import chosen, table_of
 from ..clip.table import ClipTable
 from ..clip.text import tables
-from .document import FILMS
 
 
 def outline(text: str, where: str) -> dict[str, Any]:
@@ -56,15 +55,3 @@ def kinds() -> list[dict[str, object]]:
         for kind in (kind.described() for kind in KINDS.values())
         for part in kind["parts"]
     ]
-
-
-def formats() -> dict[str, list[Any]]:
-    """Return the formats that can be written."""
-    from ..exchange.formats import FORMATS  # imported here, after the figure is on the page
-
-    rows = [
-        {"name": entry.name, "ending": entry.ending, "description": entry.description}
-        for entry in FORMATS
-        if entry.writes
-    ]
-    return {"formats": rows, "films": list(FILMS)}

@@ -1,4 +1,4 @@
-"""Access control of the studio: pages need the address with the token, and have one connection each.
+"""Access control of the studio: the page needs the address with the token, and one tab at a time is connected.
 
 Another page in the same browser has no token and another origin. A foreign name that resolves to this machine is not
 among the accepted hosts.
@@ -8,11 +8,9 @@ from __future__ import annotations
 
 import asyncio
 import hmac
-import itertools
 import json
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import asynccontextmanager, suppress
-from functools import partial
 from importlib.resources import files
 from typing import Any
 from urllib.parse import urlsplit
@@ -23,8 +21,10 @@ from starlette.responses import PlainTextResponse, Response
 from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
+from dynsplines import models
+
 from ..errors import UserError, one_line
-from .actions import Actions, prepared
+from .actions import Actions
 from .files import Files
 from .session import Session
 from .solver import Message
@@ -46,7 +46,8 @@ PAGE = {
     "studio.js": ("studio.js", "text/javascript; charset=utf-8"),
     "studio.css": ("studio.css", "text/css; charset=utf-8"),
 }
-NOT_HERE = 4403  # close code of the websocket for a rejected page
+NOT_HERE, IN_USE = 4403, 4409  # close codes of the websocket: rejected; another tab is open
+BACKGROUND = ("export", "render", "stop_task")  # requests that need not wait for others
 MOST_WAITING = 64  # queued messages of a slow page above which paths are omitted
 MOST_BYTES = 4_000_000  # [bytes] maximum size of a message from a page
 
@@ -75,8 +76,7 @@ class Door:
 
 def application(session: Session, door: Door) -> Starlette:
     """Return the server of one session."""
-    numbers = itertools.count(1)
-    writer = Files(session)
+    desk = _Desk(session)
 
     async def page(request: Request) -> Response:
         name = request.path_params.get("name", "")
@@ -95,11 +95,11 @@ def application(session: Session, door: Door) -> Starlette:
             await socket.close(NOT_HERE, refused)
             return
         await socket.accept()
-        await _Page(session, writer, socket, next(numbers)).live()
+        await desk.serve(socket)
 
     @asynccontextmanager
     async def life(app: Starlette) -> AsyncIterator[None]:
-        session.settled = partial(_prepare, session)
+        session.settled = desk.actions.prepare
         session.begin()
         try:
             yield
@@ -110,75 +110,54 @@ def application(session: Session, door: Door) -> Starlette:
     return Starlette(routes=routes, lifespan=life)
 
 
-def _prepare(session: Session) -> None:
-    """Prepare the poser in the background, so that the first drag does not wait."""
-    if session.poser is None or session.poser[0] != session.stages:
-        asyncio.get_running_loop().run_in_executor(None, prepared, session)
+class _Desk:
+    """The requests of a session, and the connection of the one page that may send them."""
 
+    def __init__(self, session: Session) -> None:
+        self.session = session
+        self.actions, self.writer = Actions(session), Files(session)
+        self._turn = asyncio.Lock()  # requests are performed one after another
+        self._tab = ""
+        self._socket: WebSocket | None = None
 
-class _Page:
-    """One page and its connection. Its requests are answered in turn; its notifications are queued separately."""
-
-    def __init__(self, session: Session, writer: Files, socket: WebSocket, number: int) -> None:
-        self.session, self.writer, self.socket, self.number = session, writer, socket, number
-        self.actions = Actions(session, number)
-        self.queue: asyncio.Queue[str | bytes] = asyncio.Queue()
-        self.tasks: set[asyncio.Task[None]] = set()
-
-    async def live(self) -> None:
-        """Run until the page disconnects."""
-        out = asyncio.create_task(self._write())
-        self.session.enter(self.number, self._put)
-        try:
-            while True:
-                message = json.loads(await self.socket.receive_text())
-                if message.get("do") in ("export", "render", "stop_task"):
-                    task = asyncio.create_task(self._answer(message))
-                    self.tasks.add(task)
-                    task.add_done_callback(self.tasks.discard)
-                else:
-                    await self._answer(message)
-        except (WebSocketDisconnect, json.JSONDecodeError, AttributeError, RuntimeError):
-            pass
-        finally:
-            self.session.leave(self.number)
-            out.cancel()
-            for task in list(self.tasks):
-                task.cancel()
-            with suppress(RuntimeError):
-                await self.socket.close()
-
-    def _put(self, message: str | bytes) -> None:
-        if self.queue.qsize() > MOST_WAITING and isinstance(message, bytes) and not message.startswith(b"{"):
+    async def serve(self, socket: WebSocket) -> None:
+        """Serve a page until it disconnects. A second tab is rejected, or replaces the first one if it wants to."""
+        tab, takes_over = socket.query_params.get("tab", ""), "take" in socket.query_params
+        if self._socket is not None and tab != self._tab and not takes_over:
+            await socket.close(IN_USE)
             return
-        self.queue.put_nowait(message)
-
-    async def _write(self) -> None:
-        with suppress(WebSocketDisconnect, RuntimeError):
-            while True:
-                message = await self.queue.get()
-                if isinstance(message, bytes) and not message.startswith(b"{"):
-                    await self.socket.send_bytes(message)
-                else:
-                    await self.socket.send_text(message if isinstance(message, str) else message.decode())
-
-    async def _answer(self, message: Message) -> None:
-        """Perform a page's request. The answer describes the edit, or the reason for its rejection."""
-        number = message.pop("id", None)
+        before, self._socket, self._tab = self._socket, socket, tab
+        connection = _Connection(socket)
+        await self.actions.cancel()
+        self.session.enter(connection.put)
+        if before is not None:
+            with suppress(RuntimeError, WebSocketDisconnect):
+                await before.close(IN_USE)
         try:
-            result = await self._done(str(message.pop("do", "")), message)
-            answer = {
-                "is": "answer",
-                "id": number,
-                "ok": True,
-                **(result if isinstance(result, dict) else {"words": result}),
-            }
+            await connection.live(self._answer)
+        finally:
+            self.session.leave(connection.put)
+            if self._socket is socket:
+                self._socket = None
+
+    async def _answer(self, message: Message) -> Message:
+        """Perform a request. The answer describes the edit, or the reason for its rejection."""
+        answer: Message = {"is": "answer", "id": message.pop("id", None)}
+        do = str(message.pop("do", ""))
+        try:
+            if do in BACKGROUND:
+                result = await self._done(do, message)
+            else:
+                async with self._turn:
+                    if (revision := message.pop("revision", None)) is not None:
+                        self.session.document.check_numbers(revision)
+                    result = await self._done(do, message)
         except UserError as error:
-            answer = {"is": "answer", "id": number, "ok": False, "words": one_line(error)}
+            return {**answer, "ok": False, "words": one_line(error)}
         except (TypeError, ValueError, KeyError, IndexError) as error:
             words = f"invalid request from the page: {type(error).__name__}: {one_line(error)}"
-            answer = {"is": "answer", "id": number, "ok": False, "words": words}
-        self._put(json.dumps(answer))
+            return {**answer, "ok": False, "words": words}
+        return {**answer, "ok": True, **(result if isinstance(result, dict) else {"words": result})}
 
     async def _done(self, do: str, arguments: Message) -> Any:
         request = self._requests.get(do)
@@ -200,11 +179,12 @@ class _Page:
             "open": writer.open,
             "export": writer.export,
             "render": writer.render,
+            "formats": writer.formats,
             "stop_task": writer.stop,
         }
 
-    async def _edit(self, name: str, revision: int | None = None, **arguments: Any) -> str:
-        return await self.session.edit(name, arguments, revision)
+    async def _edit(self, name: str, **arguments: Any) -> str:
+        return await self.session.edit(name, arguments)
 
     async def _go(self, anew: bool = False) -> str:
         self.session.search(go=True, restart=anew)
@@ -215,13 +195,60 @@ class _Page:
         return ""
 
     async def _curves(self, on: bool) -> str:
-        self.session.want_curves(self.number, bool(on))
+        self.session.want_curves(bool(on))
         return ""
 
     async def _offer(self, take: bool) -> str:
         return await self.session.take_offer(yes=bool(take))
 
     async def _files(self) -> dict[str, list[str]]:
-        from dynsplines import models
+        return {"files": self.writer.listed(), "shipped": list(models.clips())}
 
-        return {"files": await asyncio.to_thread(self.writer.listed), "shipped": list(models.clips())}
+
+class _Connection:
+    """The connection of a page. Its requests are answered in turn; its notifications are queued separately."""
+
+    def __init__(self, socket: WebSocket) -> None:
+        self.socket = socket
+        self._queue: asyncio.Queue[str | bytes] = asyncio.Queue()
+        self._tasks: set[asyncio.Task[None]] = set()
+
+    async def live(self, answer: Callable[[Message], Awaitable[Message]]) -> None:
+        """Answer requests until the page disconnects."""
+        out = asyncio.create_task(self._write())
+
+        async def respond(message: Message) -> None:
+            self.put(json.dumps(await answer(message)))
+
+        try:
+            while True:
+                message = json.loads(await self.socket.receive_text())
+                if message.get("do") in BACKGROUND:
+                    task = asyncio.create_task(respond(message))
+                    self._tasks.add(task)
+                    task.add_done_callback(self._tasks.discard)
+                else:
+                    await respond(message)
+        except (WebSocketDisconnect, json.JSONDecodeError, AttributeError, RuntimeError):
+            pass
+        finally:
+            out.cancel()
+            for task in list(self._tasks):
+                task.cancel()
+            with suppress(RuntimeError, WebSocketDisconnect):
+                await self.socket.close()
+
+    def put(self, message: str | bytes) -> None:
+        """Queue a message; paths are omitted if the page is slow."""
+        if self._queue.qsize() > MOST_WAITING and isinstance(message, bytes) and not message.startswith(b"{"):
+            return
+        self._queue.put_nowait(message)
+
+    async def _write(self) -> None:
+        with suppress(WebSocketDisconnect, RuntimeError):
+            while True:
+                message = await self._queue.get()
+                if isinstance(message, bytes) and not message.startswith(b"{"):
+                    await self.socket.send_bytes(message)
+                else:
+                    await self.socket.send_text(message if isinstance(message, str) else message.decode())

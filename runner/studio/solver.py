@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import itertools
 import multiprocessing
 import threading
 from collections.abc import Callable
@@ -17,6 +18,7 @@ from .solving.process import entry
 Message = dict[str, Any]  # JSON between pages, server and solver: "do" names a request, "is" an answer
 SHORT = 0.2  # [s] time in which an idle process should end
 PATIENCE = 5.0  # [s] time in which any process should end
+ANSWER_TIMEOUT = 60.0  # [s] time limit for an answer
 MOST_LOSSES = 5  # consecutive crashes without an answer after which it is not restarted
 
 
@@ -24,7 +26,7 @@ class Solver:
     """The solver process and its connection.
 
     Args:
-        receive: Receives every message, in the server's thread.
+        receive: Receives every message that answers no request of `ask`, in the server's thread.
         resume: Called when the process has ended unexpectedly and a new one has been started.
     """
 
@@ -33,6 +35,8 @@ class Solver:
         self._line: Any = None
         self._process: Any = None
         self._losses = 0
+        self._numbers = itertools.count(1)
+        self._requests: dict[int, tuple[Message, asyncio.Future[Message]]] = {}  # without an answer, by their ids
         self._is_closed = False
         self._loop: asyncio.AbstractEventLoop | None = None
 
@@ -62,6 +66,24 @@ class Solver:
         with suppress(OSError, ValueError):
             self._line.send(message)
 
+    async def ask(self, message: Message) -> Message:
+        """Return the answer to a request, also of a new process after a crash. Raises UserError for a refusal, and
+        after a time limit."""
+        number = next(self._numbers)
+        request, answer = {**message, "id": number}, asyncio.get_running_loop().create_future()
+        self._requests[number] = request, answer
+        self.send(request)
+        try:
+            received: Message = await asyncio.wait_for(answer, ANSWER_TIMEOUT)
+        except TimeoutError:
+            self.restart()  # otherwise it would finish this request first
+            raise UserError(f"the solver process took longer than {ANSWER_TIMEOUT:g} s") from None
+        finally:
+            del self._requests[number]
+        if received["is"] == "refused":
+            raise UserError(received["words"])
+        return received
+
     def close(self) -> None:
         self._is_closed = True
         with suppress(OSError, AttributeError):
@@ -84,10 +106,18 @@ class Solver:
             while True:
                 message = line.recv()
                 self._losses = 0
-                self._deliver(self.receive, message)
+                self._deliver(self.answer, message)
         if not self._is_closed:
             process.join(PATIENCE)
             self._deliver(self._recover, process.exitcode)
+
+    def answer(self, message: Message) -> None:
+        """Pass a message to the request that it answers, or else to `receive`."""
+        number = message.pop("id", None)
+        if number is None:
+            self.receive(message)
+        elif number in self._requests and not self._requests[number][1].done():
+            self._requests[number][1].set_result(message)
 
     def _deliver(self, to: Callable[[Any], None], what: Any) -> None:
         with suppress(RuntimeError):  # the server has ended
@@ -100,8 +130,13 @@ class Solver:
         self._losses += 1
         how = f"was ended by signal {-code}" if code is not None and code < 0 else f"ended with code {code}"
         if self._losses > MOST_LOSSES:
-            self.receive({"is": "gone", "words": f"the solver process {how} repeatedly; free memory, then reload"})
+            words = f"the solver process {how} repeatedly; free memory, then start the studio again"
+            for number in self._requests:
+                self.answer({"is": "refused", "id": number, "words": words})
+            self.receive({"is": "gone", "words": words})
             return
         self.start()
         self.listen()
         self.resume(f"the solver process {how}; a new one continues from the last path")
+        for request, _ in self._requests.values():
+            self.send(request)

@@ -1,34 +1,31 @@
-"""What is said to the process that solves, without a process, and what it says."""
+"""The solver loop without a process, and a session without a solver."""
 
 from __future__ import annotations
 
 import asyncio
 
 from dynsplines.studio.session import Session
+from dynsplines.studio.solving.loop import SolverLoop
 
 
-class Line:
-    """Keeps what is sent."""
+class Recorded(SolverLoop):
+    """A solver loop that records its messages. `is_interrupted` makes a message wait from the next check on."""
 
     def __init__(self):
-        self.sent = []
-
-    def send(self, message):
-        self.sent.append(message)
+        self.sent, self.is_interrupted = [], False
+        super().__init__(self.sent.append, lambda: self.is_interrupted)
 
     def taken(self):
-        found, self.sent = self.sent, []
-        return found
+        messages, self.sent[:] = list(self.sent), []
+        return messages
 
+    def asked(self, do, **arguments):
+        self.do({"do": do, **arguments})
+        return self.taken()
 
-def load(work, folder, text, revision=0, *, first=False, go=True):
-    work.do(
-        {
-            "do": "load", "text": text, "name": "tiny", "place": "tiny.toml", "folder": str(folder),
-            "revision": revision, "go": go, "first": first,
-        }
-    )  # fmt: skip
-    return work.line.taken()
+    def loaded(self, folder, text, revision=0, *, first=False, go=True):
+        place = {"name": "tiny", "place": "tiny.toml", "folder": str(folder)}
+        return self.asked("load", text=text, **place, revision=revision, go=go, first=first, id=7)
 
 
 def session_without_solver(document, monkeypatch):
@@ -37,8 +34,8 @@ def session_without_solver(document, monkeypatch):
 
     def send(message):
         if message["do"] == "load":
-            loaded = {"is": "loaded", "revision": message["revision"], "outline": {}, "keys": []}
-            asyncio.get_running_loop().call_soon(session._receive, loaded)
+            loaded = {"is": "loaded", "id": message.get("id"), "revision": message["revision"]}
+            asyncio.get_running_loop().call_soon(session.solver.answer, {**loaded, "outline": {}, "timeline": b""})
 
     monkeypatch.setattr(session.solver, "send", send)
     return session

@@ -1,6 +1,6 @@
 // Files: open, save as, export, render.
 import { $, el } from "./dom";
-import { act, ask, formats } from "./link";
+import { act, ask } from "./link";
 import { model } from "./model";
 
 const dialog = (title: string, ...inside: Node[]): HTMLDialogElement => {
@@ -41,20 +41,22 @@ export const saveAs = (): void => {
 export const open = async (): Promise<void> => {
   const answer = await ask("files");
   if (!answer.ok) return;
-  const figure = el("input", { type: "text", placeholder: "human, or a model's file", "aria-label": "figure for a recording that has none" });
   const list = (names: string[], what: string): HTMLElement => el("div", { class: "list" }, el("h3", { text: what }),
     ...(names.length ? names.map((name) => el("button", {
       type: "button", text: name,
-      onclick: () => void act("open", { name, figure: figure.value || null }).then((done) => { if (done.ok) { box.close(); model.select([]); } }),
+      onclick: () => void act("open", { name }).then((done) => { if (done.ok) { box.close(); model.select([]); } }),
     })) : [el("p", { class: "hint", text: "none" })]));
-  const box = dialog("Open", list(answer.files as string[], "in the clip's folder: clips, models, motions, recordings"), list(answer.shipped as string[], "shipped clips"), row("figure of a recording", figure),
+  const box = dialog("Open", list(answer.files as string[], "in the clip's folder"), list(answer.shipped as string[], "shipped clips"),
     el("div", { class: "buttons end" }, el("button", { type: "button", text: "Cancel", onclick: () => box.close() })));
 };
 
-export const exported = (): void => {
-  const to = el("select", { "aria-label": "format" }, ...formats.formats.map((each) => el("option", { value: each.name, text: `${each.name} – ${each.description}` })));
+export const exported = async (): Promise<void> => {
+  const answer = await ask("formats");
+  if (!answer.ok) return;
+  const formats = answer.formats as { name: string; ending: string; description: string }[];
+  const to = el("select", { "aria-label": "format" }, ...formats.map((each) => el("option", { value: each.name, text: `${each.name} – ${each.description}` })));
   const name = el("input", { type: "text", "aria-label": "file name" });
-  const ended = (): void => { name.value = `${base()}${formats.formats.find((each) => each.name === to.value)?.ending.split(/[ ,]/)[0] ?? ""}`; };
+  const ended = (): void => { name.value = `${base()}${formats.find((each) => each.name === to.value)?.ending.split(/[ ,]/)[0] ?? ""}`; };
   to.addEventListener("change", ended);
   ended();
   const [over, line] = replacing();
@@ -75,7 +77,7 @@ export const rendered = (): void => {
 export const beginFiles = (): void => {
   const menu = $("files");
   menu.addEventListener("save-as", saveAs);
-  const items: [string, () => void][] = [["Open …", () => void open()], ["Save as …", saveAs], ["Export …", exported], ["Render …", rendered]];
+  const items: [string, () => void][] = [["Open …", () => void open()], ["Save as …", saveAs], ["Export …", () => void exported()], ["Render …", rendered]];
   const list = el("div", { class: "menu", role: "menu", hidden: true }, ...items.map(([text, done]) => el("button", { type: "button", role: "menuitem", text, onclick: () => { list.hidden = true; menu.setAttribute("aria-expanded", "false"); done(); } })));
   menu.after(list);
   menu.addEventListener("click", () => {

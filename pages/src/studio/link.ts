@@ -11,7 +11,9 @@ const waiting = new Map<number, (answer: Answer) => void>();
 let socket: WebSocket | null = null;
 let number = 0;
 let pause = 250;
-const NUMBERED = new Set(["edit", "pin", "free", "rest", "mirror", "copy"]); // what is asked by numbers of a revision
+const NUMBERED = new Set(["edit", "pin", "free", "rest", "mirror", "copy"]); // requests with numbers of tables in a revision
+const TAB = (sessionStorage["dynsplines-tab"] ??= String(Math.random())) as string; // this tab, also after it is loaded again
+const IN_USE = 4409; // close code: another tab shows the clip
 
 const POSES = new Set(["grip", "drag", "turn"]); // what is asked to be drawn at once
 let latest = 0; // number of what was asked last that may change the clip
@@ -105,7 +107,6 @@ const HANDLERS: Record<string, (message: Message) => void> = {
   status: (message) => { model.status = message as never; model.tell("status"); },
   kinds: (message) => { model.kinds = message.kinds; model.tell("kinds"); },
   curves: (message) => { curves = message.curves; model.tell("curves"); },
-  formats: (message) => { formats = message as never; model.tell("formats"); },
   task: (message) => { task = message.words === null ? null : `${message.what}: ${message.words}`; model.tell("task"); },
   offer: (message) => { offer = message.words; model.tell("offer"); },
   note: (message) => toast(message.words, "note"),
@@ -114,26 +115,28 @@ const HANDLERS: Record<string, (message: Message) => void> = {
 };
 
 export let curves: Message | null = null;
-export let formats: { formats: { name: string; ending: string; description: string }[]; films: string[] } = { formats: [], films: [] };
 export let task: string | null = null;
 export let offer: string | null = null;
-export let connected = false;
+/** Whether this tab is connected, or why not: another one shows the clip, or the studio does not answer. */
+export let connection: "open" | "elsewhere" | "lost" = "lost";
 
-export const connect = (): void => {
-  const line = new WebSocket(`ws${location.protocol === "https:" ? "s" : ""}://${location.host}/line?token=${encodeURIComponent(TOKEN)}`);
+/** Connects to the studio; with `take`, instead of the tab that shows the clip. */
+export const connect = (take = false): void => {
+  const line = new WebSocket(`ws${location.protocol === "https:" ? "s" : ""}://${location.host}/line?token=${encodeURIComponent(TOKEN)}&tab=${TAB}${take ? "&take" : ""}`);
   line.binaryType = "arraybuffer";
   socket = line;
-  line.onopen = () => { connected = true; pause = 250; model.tell("line"); };
+  line.onopen = () => { connection = "open"; pause = 250; model.tell("line"); };
   line.onmessage = ({ data }) => {
     if (data instanceof ArrayBuffer) { packed(data); return; }
     const message = JSON.parse(data) as Message;
     HANDLERS[message.is]?.(message);
   };
-  line.onclose = () => {
-    connected = false;
+  line.onclose = ({ code }) => {
+    connection = code === IN_USE ? "elsewhere" : "lost";
     for (const resolve of waiting.values()) resolve({ ok: false, words: "connection to the studio lost; reconnecting" });
     waiting.clear();
     model.tell("line");
+    if (connection === "elsewhere") return;
     window.setTimeout(connect, pause);
     pause = Math.min(2 * pause, 4000);
   };

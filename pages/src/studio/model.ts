@@ -13,7 +13,7 @@ export interface Obstacle { kind: string; index: number; [key: string]: unknown;
 export interface Outline {
   name: string; file: string | null; dirty: boolean; revision: number; undo: string | null; redo: string | null;
   figure: string; fps: number; keys: KeyframeRow[]; contacts: Bar[]; grasps: Bar[]; weights: Record<string, number>;
-  options: Record<string, Record<string, unknown>>; obstacles: Obstacle[]; solve: Record<string, unknown>; copied: number;
+  options: Record<string, Record<string, unknown>>; obstacles: Obstacle[]; solve: Record<string, unknown>;
   recording: unknown;
 }
 export interface KeyState { time: number; qpos: number[]; fixed: boolean[]; known: boolean[]; }
@@ -37,7 +37,7 @@ export interface Course { value?: number; parts?: Record<string, number>; evalua
 export type Which = "after" | "before" | "both" | "side" | "snapshot";
 export type Heard =
   | "stage" | "document" | "loaded" | "path" | "time" | "selection" | "settled" | "status" | "kinds" | "which" | "shown"
-  | "curves" | "theme" | "task" | "offer" | "formats" | "joint" | "line" | "zoom";
+  | "curves" | "theme" | "task" | "offer" | "joint" | "line" | "zoom";
 
 class Model {
   document: Outline | null = null;

@@ -1,6 +1,6 @@
 // Play, scrub, loop, speed; undo, redo, save; the state of the search.
 import { $, button, el, say, short } from "./dom";
-import { act, connected, edit, offer, task } from "./link";
+import { act, connect, connection, edit, offer, task } from "./link";
 import { model, type Which } from "./model";
 import type { Stage } from "./stage";
 import type { Timeline } from "./timeline";
@@ -9,7 +9,7 @@ const PLAY = "M7 4.5v15l12.500-7.500z", PAUSE = "M6 4.5h4.200v15H6zM13.800 4.500
 const READ = 120; // [ms] that a number stays while it plays: one that changes faster is not read, and drawing it costs as much as the figure
 const SPEEDS = [0.1, 0.25, 0.5, 1, 1.5, 2];
 const STATES: Record<string, string> = {
-  loading: "loading …", loaded: "loaded", searching: "optimising", settled: "converged", refused: "refused", gone: "gone",
+  loading: "loading …", searching: "optimising", settled: "converged", refused: "refused", gone: "gone",
 };
 const ENDS: Record<string, string> = { INTERRUPTED: "stopped", paused: "paused", MAX_EVALUATIONS: "evaluation limit reached", NO_PROGRESS: "no progress", CONVERGED: "converged" };
 
@@ -94,8 +94,8 @@ export const transport = (stage: Stage, timeline: Timeline): void => {
   const state = (): void => {
     const { status, course } = model;
     const label = status.state === "settled" ? ENDS[status.stop ?? ""] ?? "converged" : STATES[status.state] ?? status.state;
-    say($("state"), connected ? label : "no connection to the studio");
-    $("state").dataset.state = connected ? status.state : "gone";
+    say($("state"), connection === "open" ? label : "no connection to the studio");
+    $("state").dataset.state = connection === "open" ? status.state : "gone";
     say($("energy"), course?.value === undefined ? "" : `E ${course.value >= 1000 ? course.value.toExponential(2) : short(course.value)}`);
     say($("go"), status.go ? "Stop" : "Continue");
     $("go").title = status.go ? "stop optimising, now and after edits (G)" : "optimise, now and after edits (G)";
@@ -118,6 +118,8 @@ export const transport = (stage: Stage, timeline: Timeline): void => {
     $("offer").hidden = offer === null;
     $("offer-words").textContent = offer ?? "";
   });
+  model.on("line", () => { $("elsewhere").hidden = connection !== "elsewhere"; });
+  $("take-over").addEventListener("click", () => connect(true));
   $("offer-take").addEventListener("click", () => void act("offer", { take: true }));
   $("offer-drop").addEventListener("click", () => void act("offer", { take: false }));
   $("task-stop").addEventListener("click", () => void act("stop_task"));

@@ -1,6 +1,6 @@
 """The loop of the solver process: a text in; its keyframes, every better path and its violations out.
 
-A message during a search ends it. The best path so far is the initial guess of the next search.
+A message during a search interrupts it. It continues from the best path so far, unless the message replaces the clip.
 """
 
 from __future__ import annotations
@@ -11,8 +11,9 @@ import pickle
 import signal
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
 from multiprocessing.connection import Connection
 from pathlib import Path
 from queue import SimpleQueue
@@ -35,7 +36,7 @@ from ...clip.parse import table_of
 from ...errors import UserError, located, one_line
 from ...scene.file_access import allowed
 from .. import paths
-from ..outline import formats, kinds, outline
+from ..outline import kinds, outline
 from ..solver import Message
 from .stage import stage
 
@@ -49,12 +50,13 @@ SEND_INTERVAL = 0.04  # [s] minimum interval between paths sent
 def serve(line: Line, outside: bool) -> None:
     """Run until the other end of the connection is closed. Only the server handles Ctrl-C in the terminal."""
     inbox: SimpleQueue[Message | None] = SimpleQueue()
-    loop = SolverLoop(line)
-    loop.has_message = lambda: not inbox.empty()
+    outbox: SimpleQueue[Message] = SimpleQueue()
+    loop = SolverLoop(outbox.put, lambda: not inbox.empty())
     signal.signal(signal.SIGINT, loop.interrupted)
     threading.Thread(target=_read, args=(line, inbox, loop), daemon=True).start()
-    line.send({"is": "kinds", "kinds": kinds()})
-    with suppress(BrokenPipeError, EOFError, OSError), allowed(outside), one_thread():
+    threading.Thread(target=_write, args=(line, outbox), daemon=True).start()
+    outbox.put({"is": "kinds", "kinds": kinds()})
+    with allowed(outside), one_thread():
         while (message := inbox.get()) is not None:
             loop.do(message)
     os._exit(0)
@@ -71,36 +73,69 @@ def _read(line: Line, inbox: SimpleQueue[Message | None], loop: SolverLoop) -> N
     loop.interrupt()
 
 
-class SolverLoop:
-    """A clip, the best path through its keyframes, and the connection to the server."""
+def _write(line: Line, outbox: SimpleQueue[Message]) -> None:
+    """Send messages in a separate thread, where no interrupt can cut one short."""
+    with suppress(OSError):
+        while True:
+            line.send(outbox.get())
 
-    def __init__(self, line: Any) -> None:
-        self.line = line
+
+@dataclass(frozen=True)
+class Search:
+    """A search from the present path.
+
+    Attributes:
+        edited: The interval that is searched before the whole clip [s]; None if there is none.
+        is_restart: Whether it starts from the raw spline instead, and replaces the present path only by a better one.
+    """
+
+    edited: tuple[float, float] | None = None
+    is_restart: bool = False
+
+
+class SolverLoop:
+    """A clip, and the best path through its keyframes.
+
+    Args:
+        send: Sends a message to the server.
+        has_message: Returns whether a message is waiting.
+
+    Attributes:
+        search: The search that runs as long as no message waits; None if there is nothing to search.
+    """
+
+    def __init__(self, send: Callable[[Message], None], has_message: Callable[[], bool]) -> None:
+        self.send, self.has_message = send, has_message
         self.clip: Clip | None = None
         self.solution: Solution | None = None
+        self.search: Search | None = None
         self.revision = 0
-        self._is_searching = self._is_sending = self._is_interrupted = False
-        self._raw_is_pending = self._has_sent_formats = False
-        self._sent = 0.0
         self.has_curves = False
         self.path_cache: dict[str, Timeline] = {}
-        self.has_message: Callable[[], bool] = lambda: False  # whether a message is waiting
-        self._is_going = True
-        self._is_cut = False  # whether a message has interrupted the last search
-        self._is_restart = False  # whether the last search was a restart
+        self._is_interruptible = False
+        self._sent = 0.0  # [s] when the last path was sent
 
     def do(self, message: Message) -> None:
-        """Handle one message; errors are reported to the page."""
+        """Perform a request, then search until a message waits or the search ends. Errors are reported to the page."""
+        arguments = {key: value for key, value in message.items() if key != "do"}
+        self._guarded(getattr(self, f"do_{message['do']}"), message.get("id"), **arguments)
+        while self.search is not None and not self.has_message():
+            if not self._guarded(self._run, None):
+                self.search = None
+
+    def _guarded(self, step: Callable[..., None], number: int | None, **arguments: Any) -> bool:
+        """Return whether a step has ended without an error, which is reported as the answer to a request."""
         try:
-            getattr(self, f"do_{message['do']}")(**{key: value for key, value in message.items() if key != "do"})
+            step(**arguments)
+        except KeyboardInterrupt:  # it arrived just outside of a search, which continues
+            self._is_interruptible = False
         except UserError as error:
-            self._report("refused", revision=message.get("revision"), words=one_line(error))
+            self._report("refused", id=number, words=one_line(error))
+            return False
         except Exception as error:  # an internal error, which the page shows before it continues
-            self._report("refused", revision=message.get("revision"), words=f"internal error: {located(error)}")
-        except KeyboardInterrupt:  # it arrived at the end of a search, after the handler
-            self._is_searching, self._is_cut = False, True
-        if self._is_cut and self._is_going and not self.has_message():
-            self._continue(restart=self._is_restart)  # the message that ended the search did not replace the clip
+            self._report("refused", id=number, words=f"internal error: {located(error)}")
+            return False
+        return True
 
     def do_load(
         self,
@@ -111,87 +146,63 @@ class SolverLoop:
         revision: int,
         go: bool,
         first: bool,
-        initial_path: bytes | None = None,
+        path: bytes | None = None,
+        id: int | None = None,
     ) -> None:
-        """Load a text and send its clip and keyframes; then search from the path nearest to the present one.
+        """Load a text and send its clip and keyframes. A search starts from the path nearest to the present one.
 
         Args:
             go: Whether to search.
             first: Whether the text was just opened.
-            initial_path: The initial path after a restart of this process, pickled.
+            path: The present path after a restart of this process, pickled.
+            id: Number of the request.
         """
-        self._is_going = go
-        before, solution = self.clip, self.solution
-        like = None if first else before
-        clip = recordings.from_text(text, name=name, where=place, folder=Path(folder), like=like)
-        has_ground = before is not None and clip.figure is before.figure
-        self.clip, self.revision, self._is_cut = clip, revision, False
-        if not has_ground:
-            figure = pickle.dumps((clip.scene, clip.figure.coordinates))
-            self._send({"is": "stage", "stage": stage(clip), "figure": figure})
-        content = outline(text, place)
-        self._report("loaded", revision=revision, notes=list(clip.notes), outline=content, **_shape(clip))
-        self._raw_is_pending = True
-        path = None if initial_path is None else pickle.loads(initial_path)  # data of this program only
-        begin, between = self._initial_guess(clip, before, solution, first=first, initial_path=path)
-        if begin is None:
-            self._first(clip, go=go)
-            return
-        self.solution = Solution(clip.figure, clip.problem.objective, begin, clip.problem.raw)
-        self._send_path(begin, "initial")
-        if go:
-            self._search(begin, between)
-        else:
-            self._judge(stop="paused")
-
-    def _initial_guess(
-        self, clip: Clip, before: Clip | None, solution: Solution | None, *, first: bool, initial_path: Timeline | None
-    ) -> tuple[Timeline | None, tuple[float, float] | None]:
-        """Return the initial guess for a clip, and the edited interval; None if everything is new."""
-        cached = self.path_cache.get(clip.text)
-        if cached is not None and not first:  # undo or redo
-            return cached, None if before is None else _edited(before, clip)
-        timeline = initial_path if initial_path is not None else None if solution is None else solution.timeline
-        keys = clip.keys if before is None else before.keys
-        if (
-            first
-            or timeline is None
-            or clip.has_recording
-            or timeline.width != clip.figure.width
-            or timeline.ends != clip.ends
-        ):
-            return None, None
-        turn = clip.problem.turn
-        travel = None if clip.problem.travel is None else np.asarray(clip.problem.travel, float)
-        try:
-            begin = warm_start(clip.figure, timeline, keys, clip.keys, clip.problem.raw, travel, turn)
-        except ValueError:
-            return None, None
-        return begin, _edited(before, clip)
-
-    def _first(self, clip: Clip, *, go: bool) -> None:
-        """Show a newly opened clip, and search from the raw spline."""
+        before = None if first else self.clip
+        clip = recordings.from_text(text, name=name, where=place, folder=Path(folder), like=before)
+        present = None if before is None or self.solution is None else self.solution.timeline
+        if path is not None:
+            present = pickle.loads(path)  # data of this program only
+        begin = None if first else self._initial_guess(clip, before, present)
         raw = clip.problem.raw
-        self._send_path(raw, "initial")  # a first view
-        self.solution = Solution(clip.figure, clip.problem.plain_objective, raw, raw)
-        if go:
-            self._search(None, None)
-        else:
-            self._judge(stop="paused")
+        timeline = raw if begin is None else begin
+        if before is None or clip.figure is not before.figure:
+            figure = pickle.dumps((clip.scene, clip.figure.coordinates))
+            self.send({"is": "stage", "stage": stage(clip), "figure": figure})
+        self._report(
+            "loaded", id=id, revision=revision, notes=list(clip.notes), outline=outline(text, place),
+            timeline=pickle.dumps(_bare(timeline)), **_shape(clip),
+        )  # fmt: skip
+        self.clip, self.revision = clip, revision
+        objective = clip.problem.plain_objective if begin is None else clip.problem.objective
+        self.solution = Solution(clip.figure, objective, timeline, raw)
+        self._send_path(timeline, "initial")
+        self._send_path(raw, "raw")
+        self.search = Search(None if begin is None or before is None else _edited(before, clip)) if go else None
+        if not go:
+            self._judge("paused")
+
+    def _initial_guess(self, clip: Clip, before: Clip | None, present: Timeline | None) -> Timeline | None:
+        """Return the initial guess for a clip from the present path; None if that does not fit."""
+        if clip.text in self.path_cache:  # undo or redo
+            return self.path_cache[clip.text]
+        if present is None or clip.has_recording or present.width != clip.figure.width or present.ends != clip.ends:
+            return None
+        travel = None if clip.problem.travel is None else np.asarray(clip.problem.travel, float)
+        keys = clip.keys if before is None else before.keys
+        try:
+            return warm_start(clip.figure, present, keys, clip.keys, clip.problem.raw, travel, clip.problem.turn)
+        except ValueError:
+            return None
 
     def do_go(self, restart: bool = False) -> None:
         """Continue the search from the present path, or restart it from the raw spline."""
-        self._is_going = True
-        self._continue(restart=restart)
-
-    def _continue(self, *, restart: bool = False) -> None:
-        if self.clip is not None and self.solution is not None:
-            from_raw = restart or self.solution.timeline is self.solution.raw
-            self._search(None if from_raw else self.solution.timeline, None, is_restart=restart)
+        self.search = None if self.clip is None else Search(is_restart=restart)
 
     def do_stop(self) -> None:
-        """Keep the search stopped: the message itself has ended it."""
-        self._is_going = False
+        """Stop the search, which the message itself has interrupted."""
+        if self.search is not None:
+            self.search = None
+            self._judge(Stop.INTERRUPTED.name)
 
     def do_curves(self, on: bool) -> None:
         """Switch the curves on or off; computing them takes a moment."""
@@ -199,162 +210,106 @@ class SolverLoop:
         if on:
             self._send_curves()
 
-    def do_save(self, file: str) -> None:
+    def do_save(self, file: str, id: int | None = None) -> None:
         """Write the present motion to a file for further use."""
-        clip, solution = self.clip, self.solution
-        if clip is None or solution is None:
+        if self.clip is None or self.solution is None:
             raise UserError("nothing has been solved yet")
         from ... import motion
         from ...solving import Solved
         from ...system.progress import Progress
 
-        saved = Solved(clip, solution, None).saved(Progress(), with_report=False)
+        saved = Solved(self.clip, self.solution, None).saved(Progress(), with_report=False)
         motion.save(saved, Path(file))
-        self._report("saved", file=file)
+        self._report("saved", id=id)
 
     def interrupt(self) -> None:
         """End the running search, from another thread."""
-        if self._is_searching:
+        if self._is_interruptible:
             _thread.interrupt_main()
 
     def interrupted(self, number: int, frame: object) -> None:
         """Handle an interrupt during a search only: it can arrive a moment late."""
-        if self._is_sending:
-            self._is_interrupted = True
-        elif self._is_searching:
+        if self._is_interruptible:
             raise KeyboardInterrupt
 
-    def _send(self, message: Message) -> None:
-        """Send a message completely: an interrupt waits."""
-        self._is_sending = True
-        try:
-            self.line.send(message)
-        finally:
-            self._is_sending = False
-
-    @contextmanager
-    def _searching(self) -> Iterator[None]:
-        self._is_searching, self._is_interrupted = True, False
-        try:
-            yield
-        except KeyboardInterrupt:
-            self._is_searching = False
-        finally:
-            self._is_searching = False
-
-    def _check_inbox(self) -> None:
-        """End a search at its start if a message arrived just before it, because nothing else would interrupt it."""
-        if self.has_message():
-            raise KeyboardInterrupt
-
-    def _search(self, begin: Timeline | None, between: tuple[float, float] | None, *, is_restart: bool = False) -> None:
-        """Minimise E and send every better path. The best path is used, however the search ends.
-
-        A restart sends only paths that are better than the present one, which stays unless the result is better.
-        """
-        clip, present = self.clip, self.solution
-        assert clip is not None
+    def _run(self) -> None:
+        """Run the present search and send every better path. If a message ends it, it continues afterwards."""
+        clip, present, search = self.clip, self.solution, self.search
+        assert clip is not None and present is not None and search is not None
         self._report("searching", revision=self.revision)
-        self._is_restart, self._is_cut = is_restart, False
-        bound = np.inf
-        if is_restart and present is not None:
-            bound = clip.problem.objective.value(path_of(present.timeline))
+        bound = clip.problem.objective.value(path_of(present.timeline)) if search.is_restart else np.inf
 
         def improved(improvement: Improvement) -> None:
-            if (begin is not None and improvement.evaluation == 1) or improvement.value >= bound:
-                return  # a path at least as good is already shown
-            if time.monotonic() - self._sent >= SEND_INTERVAL:
-                value, parts = float(improvement.value), _plain(improvement.parts)
-                timeline, evaluation = improvement.build(), improvement.evaluation
-                self._send_path(timeline, "best", evaluation=evaluation, value=value, parts=parts)
-                self._send_raw()
+            is_known = not is_from_raw and improvement.evaluation == 1
+            if not is_known and improvement.value < bound and time.monotonic() - self._sent >= SEND_INTERVAL:
+                details = {"evaluation": improvement.evaluation, "parts": _plain(improvement.parts)}
+                self._send_path(improvement.build(), "best", value=float(improvement.value), **details)
+            if self.has_message():
+                raise StopSearch
 
-        solution = self._minimise(clip, begin, between, improved)
-        self._is_cut = solution is None or solution.stop is Stop.INTERRUPTED
-        if solution is None:
-            self._judge(stop="INTERRUPTED")
+        is_from_raw = search.is_restart or present.timeline is present.raw
+        solution = self._minimise(clip, None if is_from_raw else present.timeline, search.edited, improved)
+        if solution is not None:
+            self._accept(solution, present if search.is_restart else None)
+        if solution is None or solution.stop is Stop.INTERRUPTED:
+            self.search = Search(is_restart=search.is_restart)
             return
-        if is_restart:
-            self._accept_better(solution)
-        else:
-            self._accept(solution)
-        self._judge(stop=solution.stop.name)
+        self.search = None
+        if search.is_restart:
+            words = f"a better path: E {solution.trace[-1][2]:.3g}" if self.solution is solution else "no better path"
+            self._report("note", words=f"the restarted search found {words}")
+        self._judge(solution.stop.name)
 
     def _minimise(
         self,
         clip: Clip,
         begin: Timeline | None,
-        between: tuple[float, float] | None,
+        edited: tuple[float, float] | None,
         improved: Callable[[Improvement], None],
     ) -> Solution | None:
-        """Return the result of a search, also if a message interrupts it; None if it had no result yet.
-
-        Args:
-            begin: The initial guess; None: the raw spline.
-            between: The edited interval [s], which is searched before the whole clip.
-            improved: Receives every better path.
-        """
-        best: list[Improvement] = []
-
-        def record(improvement: Improvement) -> None:
-            best[:] = [improvement]
-            improved(improvement)
-            if self._is_interrupted or self.has_message():
-                raise StopSearch
-
-        with self._searching():
-            self._check_inbox()
+        """Return the result of a search, from the raw spline if `begin` is None. Return None if a message has ended it
+        outside of the solver."""
+        try:
+            self._is_interruptible = True
+            if self.has_message():  # it arrived just before, so that nothing else would interrupt the search
+                return None
             if begin is None:
-                return inbetween(clip.problem, improved=record)
-            if between is not None:
-                first = continue_from(clip.problem, begin, between=(between,), improved=record)
+                return inbetween(clip.problem, improved=improved)
+            if edited is not None:
+                first = continue_from(clip.problem, begin, between=(edited,), improved=improved)
                 if first.stop is Stop.INTERRUPTED:
                     return first
                 begin = first.timeline
-            return continue_from(clip.problem, begin, improved=record)
-        if not best:
+            return continue_from(clip.problem, begin, improved=improved)
+        except KeyboardInterrupt:
             return None
-        return Solution(clip.figure, clip.problem.objective, best[0].build(), clip.problem.raw, stop=Stop.INTERRUPTED)
+        finally:
+            self._is_interruptible = False
 
-    def _accept(self, solution: Solution) -> None:
+    def _accept(self, solution: Solution, present: Solution | None) -> None:
+        """Use the result of a search, or the present solution if there is one that is better."""
         clip = self.clip
         assert clip is not None
+        if present is not None:
+            timelines = [present.timeline, solution.timeline]
+            solution = solution if select_best(clip.problem.objective, timelines) is solution.timeline else present
         self.solution = solution
-        self._cache_path(clip.text, solution.timeline)
+        self.path_cache.pop(clip.text, None)
+        self.path_cache[clip.text] = _bare(solution.timeline)  # for undo and redo
+        if len(self.path_cache) > MAX_CACHED_PATHS:
+            del self.path_cache[next(iter(self.path_cache))]
         cost: Message = {}  # of a path that no search has evaluated
         if solution.trace:
             cost = {"value": solution.trace[-1][2], "parts": _plain(solution.trace[-1][3])}
         self._send_path(solution.timeline, "best", evaluation=solution.evaluations, **cost)
 
-    def _accept_better(self, solution: Solution) -> None:
-        """Use the better of the present path and the result of a restart; a note reports which one it is."""
-        clip, present = self.clip, self.solution
-        assert clip is not None and present is not None
-        timelines = [present.timeline, solution.timeline]
-        is_better = select_best(clip.problem.objective, timelines) is solution.timeline
-        self._accept(solution if is_better else present)
-        if solution.stop is not Stop.INTERRUPTED:
-            words = f"a better path: E {solution.trace[-1][2]:.3g}" if is_better else "no better path"
-            self._report("note", words=f"the restarted search found {words}")
-
-    def _cache_path(self, text: str, timeline: Timeline) -> None:
-        """Cache the path of a text, for undo and redo, for the last few texts."""
-        self.path_cache.pop(text, None)
-        self.path_cache[text] = _bare(timeline)
-        if len(self.path_cache) > MAX_CACHED_PATHS:
-            del self.path_cache[next(iter(self.path_cache))]
-
     def _judge(self, stop: str) -> None:
         """Send the present path's violations, and the reason for the end of the search."""
         clip, solution = self.clip, self.solution
         assert clip is not None and solution is not None
-        self._send_raw()
-        from ...measure.violation import plain, violations
+        from ...measure.violation import plain, violations  # imported late: the figure is already shown
 
         listed = plain(violations(clip, solution.timeline, solution.raw))
-        if not self._has_sent_formats:
-            self._has_sent_formats = True
-            self._report("formats", **formats())
         frames = solution.timeline.times.tolist()
         self._report("settled", revision=self.revision, stop=stop, violations=listed, frames=frames)
         if self.has_curves:
@@ -366,27 +321,17 @@ class SolverLoop:
 
             self._report("curves", curves=curves(self.clip, self.solution))
 
-    def _send_raw(self) -> None:
-        """Send the raw spline, once per text, after more urgent messages."""
-        if self._raw_is_pending and self.clip is not None:
-            self._raw_is_pending = False
-            self._send_path(self.clip.problem.raw, "raw")
-
-    def _send_path(self, timeline: Timeline, stage: str, **details: Any) -> None:
+    def _send_path(self, timeline: Timeline, kind: str, **details: Any) -> None:
         """Send a path: as the page plays it, and pickled for the server, which adds keyframes from it."""
-        clip = self.clip
-        assert clip is not None
+        assert self.clip is not None
         self._sent = time.monotonic()
-        header = {"is": "path", "kind": stage, "revision": self.revision, **details}
-        header["frames"] = [round(float(t), 5) for t in timeline.times]
-        data = paths.packed(clip.figure, timeline, header)
-        packed = pickle.dumps(_bare(timeline))
-        self._send(
-            {"is": "path", "kind": stage, "revision": self.revision, "data": data, "timeline": packed, **details}
-        )
+        header = {"is": "path", "kind": kind, "revision": self.revision, **details}
+        frames = [round(float(t), 5) for t in timeline.times]
+        data = paths.packed(self.clip.figure, timeline, {**header, "frames": frames})
+        self.send({**header, "data": data, "timeline": pickle.dumps(_bare(timeline))})
 
     def _report(self, what: str, **details: Any) -> None:
-        self._send({"is": what, **details})
+        self.send({"is": what, **details})
 
 
 def _bare(timeline: Timeline) -> Timeline:

@@ -5,13 +5,14 @@ from __future__ import annotations
 import tomllib
 
 import pytest
+import tiny
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from dynsplines import models
 from dynsplines.clip.parse import table_of
 from dynsplines.errors import UserError
-from dynsplines.studio.document import Document
+from dynsplines.studio.document import Document, opened
 from dynsplines.studio.edits import EDITS
 from dynsplines.studio.outline import weights
 
@@ -245,25 +246,6 @@ def test_contacts_go_along_with_the_keyframes_that_they_end_at():
     assert (contact["from"], contact["to"]) == (0.4, 1.0)
 
 
-def test_what_is_not_saved_lies_next_to_the_clip_until_it_is(tmp_path):
-    file = tmp_path / "clip.toml"
-    file.write_text(TEXT)
-    found = Document("clip", TEXT, tmp_path, file=file, saved=TEXT)
-    edited(found, "move_keys", {"moves": [[1, 0.6]]})
-    assert found.is_dirty
-    found.write_unsaved()
-    unsaved = Document("clip", TEXT, tmp_path, file=file, saved=TEXT).read_unsaved()
-    assert unsaved is not None
-    assert unsaved.text == found.text
-    found.save(file)
-    assert not found.is_dirty
-    assert file.read_text() == found.text
-    assert [path.name for path in tmp_path.iterdir()] == ["clip.toml"]
-    found.undo()  # across a save
-    assert found.text == TEXT
-    assert found.is_dirty
-
-
 @pytest.mark.parametrize("name", sorted(models.clips()))
 def test_every_shipped_clip_is_split_into_blocks_and_joined_again(name):
     text = models.clip_text(name)
@@ -330,8 +312,6 @@ def test_a_keyframe_with_such_tables_is_posed_and_others_come_after_it():
 
 
 def test_lines_that_end_as_on_windows_are_edited_and_end_so_again(tmp_path):
-    from dynsplines.studio.sources import opened
-
     file = tmp_path / "clip.toml"
     file.write_bytes(TEXT.replace("\n", "\r\n").encode())
     found = opened(str(file))
@@ -347,3 +327,35 @@ def test_edits_keep_a_key_of_the_model():
     change(found, "keyframe", 0, joints={"spine": {"rotvec": [0.0, 10.0, 0.0]}})
     edited(found, "move_keys", {"moves": [[0, 0.1]]})
     assert tomllib.loads(found.text)["keyframe"][0]["others"] == "key:home"
+
+
+def test_a_clip_file_and_a_shipped_clip_are_opened(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    file = tiny.written(tmp_path)
+    found = opened(file.name)
+    assert (found.text, found.file, found.folder) == (tiny.CLIP, file.resolve(), tmp_path.resolve())
+    shipped = opened("run_and_step")
+    assert (shipped.text, shipped.file, shipped.folder) == (models.clip_text("run_and_step"), None, tmp_path)
+    assert not found.is_dirty
+    assert not shipped.is_dirty
+
+
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("nowhere.toml", "no file 'nowhere.toml'"),
+        ("run_and_stp", "run_and_step"),
+        (".", "is a folder; open a clip"),
+        ("tiny.xml", "'tiny.xml' is a model; write a clip for it: dynsplines new tiny.xml"),
+        ("walk.npz", "open the clip of this motion, or write one: dynsplines thin walk.npz"),
+        ("walk.bvh", "open the clip of this motion, or write one: dynsplines thin walk.bvh"),
+    ],
+)
+def test_other_files_are_rejected_with_the_command_that_writes_a_clip(tmp_path, monkeypatch, name, words):
+    monkeypatch.chdir(tmp_path)
+    tiny.written(tmp_path)
+    for file in ("walk.npz", "walk.bvh"):
+        (tmp_path / file).write_bytes(b"")
+    with pytest.raises(UserError) as error:
+        opened(name)
+    assert words in str(error.value)

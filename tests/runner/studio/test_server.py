@@ -95,16 +95,56 @@ def test_nothing_else_is_served(client, path):
     assert client.get(path, params={"token": TOKEN}).status_code == 404
 
 
+def connected(client, more=""):
+    return client.websocket_connect(f"/line?token={TOKEN}{more}", headers={"host": HOST, "origin": ORIGIN})
+
+
+def answer(line, message):
+    line.send_text(json.dumps(message))
+    while (told := json.loads(line.receive_text()))["is"] != "answer":
+        pass
+    return told
+
+
 def answers(client, *asked):
-    """What the line answers."""
-    with client.websocket_connect(f"/line?token={TOKEN}", headers={"host": HOST, "origin": ORIGIN}) as line:
-        found = []
-        for number, message in enumerate(asked):
-            line.send_text(json.dumps({"id": number, **message}))
-            while (told := json.loads(line.receive_text()))["is"] != "answer":
-                pass
-            found.append(told)
-        return found
+    """Return the answers to requests of one page."""
+    with connected(client) as line:
+        return [answer(line, {"id": number, **message}) for number, message in enumerate(asked)]
+
+
+def is_closed(line):
+    try:
+        while True:
+            line.receive_text()
+    except WebSocketDisconnect as closed:
+        return closed.code == 4409
+
+
+UNKNOWN = {"do": "unknown", "id": 1}
+
+
+def test_a_second_tab_is_rejected_until_it_takes_over(client):
+    with connected(client, "&tab=1") as first:
+        with connected(client, "&tab=2") as second:
+            assert is_closed(second)
+        assert answer(first, UNKNOWN)["id"] == 1
+        with connected(client, "&tab=2&take") as second:
+            assert is_closed(first)
+            assert answer(second, UNKNOWN)["id"] == 1
+    with connected(client, "&tab=3") as third:  # no other tab is open
+        assert answer(third, UNKNOWN)["id"] == 1
+
+
+def test_a_tab_that_is_loaded_again_replaces_its_earlier_connection(client):
+    with connected(client, "&tab=1") as before, connected(client, "&tab=1") as after:
+        assert is_closed(before)
+        assert answer(after, UNKNOWN)["id"] == 1
+
+
+def test_a_request_with_numbers_of_another_revision_is_rejected(client):
+    message = {"do": "edit", "name": "change", "at": ["keyframe", 0], "entries": {}, "revision": 1}
+    (told,) = answers(client, message)
+    assert told["words"] == "the clip has changed meanwhile; check it, and try again"
 
 
 OUTSIDE = [

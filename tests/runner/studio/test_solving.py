@@ -1,4 +1,4 @@
-"""The process that solves, without a process: texts in, keyframes, paths and verdicts out."""
+"""The loop of the solver process: texts in; keyframes, paths and violations out."""
 
 from __future__ import annotations
 
@@ -6,14 +6,13 @@ import itertools
 import json
 import pickle
 import struct
-from contextlib import contextmanager
 from dataclasses import replace
 
 import mujoco
 import numpy as np
 import pytest
 import tiny
-from spoken import Line, load
+from spoken import Recorded
 
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
@@ -21,7 +20,6 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.refine.euler_lagrange import residual
 from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.studio import paths
-from dynsplines.studio.solving.loop import SolverLoop
 
 DEVIATION = ("Euler-Lagrange residual", "what a frame promises")
 
@@ -29,11 +27,11 @@ DEVIATION = ("Euler-Lagrange residual", "what a frame promises")
 @pytest.fixture
 def work(tmp_path):
     tiny.written(tmp_path)
-    return SolverLoop(Line())
+    return Recorded()
 
 
 def test_a_text_becomes_a_figure_keyframes_better_and_better_paths_and_a_verdict(work, tmp_path):
-    told = load(work, tmp_path, tiny.CLIP, first=True)
+    told = work.loaded(tmp_path, tiny.CLIP, first=True)
     assert [each["is"] for each in told][:2] == ["stage", "loaded"]
     assert told[-1]["is"] == "settled"
     stage = json.loads(told[0]["stage"])
@@ -49,20 +47,20 @@ def test_a_text_becomes_a_figure_keyframes_better_and_better_paths_and_a_verdict
 
 
 def test_an_edited_keyframe_is_solved_on_from_the_present_path(work, tmp_path):
-    load(work, tmp_path, tiny.CLIP, first=True)
+    work.loaded(tmp_path, tiny.CLIP, first=True)
     text = tiny.CLIP.replace("[0, 40, 0]", "[0, 44, 0]")
-    told = load(work, tmp_path, text, 1)
+    told = work.loaded(tmp_path, text, 1)
     assert "stage" not in {each["is"] for each in told}  # the figure is the same
     kinds = [each["kind"] for each in told if each["is"] == "path"]
     assert kinds[0] == "initial"
     assert kinds.count("raw") == 1
-    again = load(work, tmp_path, tiny.CLIP, 2)  # undone: as it was found before
+    again = work.loaded(tmp_path, tiny.CLIP, 2)  # undone: as it was found before
     first = next(each for each in again if each["is"] == "path" and each["kind"] == "initial")
     assert pickle.loads(first["timeline"]).times.size == work.path_cache[tiny.CLIP].times.size
 
 
 def test_a_text_that_is_no_clip_is_refused_in_words_and_the_last_one_stays(work, tmp_path):
-    load(work, tmp_path, tiny.CLIP, first=True)
+    work.loaded(tmp_path, tiny.CLIP, first=True)
     before = work.solution
     for old, new, words in (
         ("time = 0.2", "time = 0.9", "times must rise"),
@@ -70,23 +68,22 @@ def test_a_text_that_is_no_clip_is_refused_in_words_and_the_last_one_stays(work,
         ("left_knee = {rotvec = [0, 40", "left_kne = {rotvec = [0, 40", "no joint 'left_kne'"),
         ("fps = 20", "fps = 20\n[", "not valid TOML"),
     ):
-        told = load(work, tmp_path, tiny.CLIP.replace(old, new), 1)
+        told = work.loaded(tmp_path, tiny.CLIP.replace(old, new), 1)
         assert [each["is"] for each in told] == ["refused"]
         assert words in told[0]["words"]
     assert work.solution is before
-    assert load(work, tmp_path, tiny.CLIP, 2)[-1]["is"] == "settled"
+    assert work.loaded(tmp_path, tiny.CLIP, 2)[-1]["is"] == "settled"
 
 
 def test_nothing_is_searched_while_it_is_stopped(work, tmp_path):
-    told = load(work, tmp_path, tiny.CLIP, first=True, go=False)
+    told = work.loaded(tmp_path, tiny.CLIP, first=True, go=False)
     assert [each["kind"] for each in told if each["is"] == "path"] == ["initial", "raw"]
     assert told[-1]["stop"] == "paused"
-    work.do({"do": "go"})
-    assert "best" in {each.get("kind") for each in work.line.taken()}
+    assert "best" in {each.get("kind") for each in work.asked("go")}
 
 
 def test_a_path_is_sent_as_poses_of_every_body(work, tmp_path):
-    told = load(work, tmp_path, tiny.CLIP, first=True)
+    told = work.loaded(tmp_path, tiny.CLIP, first=True)
     data = next(each for each in told if each["is"] == "path")["data"]
     (size,) = struct.unpack("<I", data[:4])
     head = json.loads(data[4 : 4 + size])
@@ -116,9 +113,8 @@ def test_the_centre_of_mass_is_the_figure_s_without_its_table_and_what_lies_on_i
 
 
 def test_curves_are_of_joints_feet_and_terms(work, tmp_path):
-    load(work, tmp_path, tiny.CLIP, first=True)
-    work.do({"do": "curves", "on": True})
-    (told,) = work.line.taken()
+    work.loaded(tmp_path, tiny.CLIP, first=True)
+    (told,) = work.asked("curves", on=True)
     groups = {group["name"]: group for group in told["curves"]["groups"]}
     assert set(groups) == {"angle", "speed", "height of feet", "torque", "E by segment", *DEVIATION}
     knee = next(each for each in groups["angle"]["series"] if each["name"] == "left_knee")
@@ -142,12 +138,20 @@ def test_curves_are_of_joints_feet_and_terms(work, tmp_path):
 def test_the_present_motion_is_kept_for_what_is_made_of_it(work, tmp_path):
     from dynsplines import motion
 
-    work.do({"do": "save", "file": str(tmp_path / "none.npz")})
-    assert work.line.taken()[0]["is"] == "refused"
-    load(work, tmp_path, tiny.CLIP, first=True)
-    work.do({"do": "save", "file": str(tmp_path / "now.npz")})
-    assert work.line.taken()[0]["is"] == "saved"
+    assert work.asked("save", file=str(tmp_path / "none.npz"), id=1)[0]["is"] == "refused"
+    work.loaded(tmp_path, tiny.CLIP, first=True)
+    assert work.asked("save", file=str(tmp_path / "now.npz"), id=1) == [{"is": "saved", "id": 1}]
     assert motion.load(tmp_path / "now.npz").timeline.times.size == work.solution.timeline.times.size
+
+
+def interrupted_after(work, checks):
+    """Let a message wait after some checks for one: the first two are before the first evaluation."""
+    counted = itertools.count()
+    work.has_message = lambda: next(counted) >= checks
+
+
+def uninterrupted(work):
+    work.has_message = lambda: False
 
 
 def test_an_edit_of_a_half_solved_clip_is_followed_by_a_search_of_the_whole_clip(work, tmp_path):
@@ -162,10 +166,10 @@ joints.left_knee = {{rotvec = [0, {}, 0]}}
     partial = row.replace("root.rotation = {{rotvec = [0, 0, 0]}}\n", "").replace(", 0, 1]", ', 0, "free"]')
     rows = [(partial if i % 2 else row).format(0.3 * i, 0.1 * i, 20 * (i % 3)) for i in range(15)]
     text = 'figure = "tiny.xml"\n' + "".join(rows)
-    work.has_message = lambda: True
-    assert load(work, tmp_path, text, first=True)[-1]["stop"] == "INTERRUPTED"
-    work.has_message = lambda: False
-    told = load(work, tmp_path, text.replace("[0.0, 0, 1]", "[-0.01, 0, 1]", 1), 1)
+    interrupted_after(work, 2)
+    assert "settled" not in {each["is"] for each in work.loaded(tmp_path, text, first=True)}
+    uninterrupted(work)
+    told = work.loaded(tmp_path, text.replace("[0.0, 0, 1]", "[-0.01, 0, 1]", 1), 1)
     assert told[-1]["stop"] == "CONVERGED"
     whole = inbetween(work.clip.problem)
     assert work.solution.trace[-1][2] <= 1.05 * whole.trace[-1][2]
@@ -174,17 +178,15 @@ joints.left_knee = {{rotvec = [0, {}, 0]}}
 @pytest.fixture
 def continued(work, tmp_path):
     """A clip whose path, after several searches of two evaluations, is better than the result of a restart."""
-    load(work, tmp_path, tiny.changed("evaluations = 8", "evaluations = 2"), first=True)
+    work.loaded(tmp_path, tiny.changed("evaluations = 8", "evaluations = 2"), first=True)
     for _ in range(3):
-        work.do({"do": "go"})
-    work.line.taken()
+        work.asked("go")
     return work
 
 
 def test_a_restart_does_not_replace_the_present_path_by_a_worse_one(continued):
     present, objective = continued.solution, continued.clip.problem.objective
-    continued.do({"do": "go", "restart": True})
-    messages = continued.line.taken()
+    messages = continued.asked("go", restart=True)
     assert continued.solution is present
     shown = [pickle.loads(message["timeline"]) for message in messages if message["is"] == "path"]
     least = objective.value(path_of(present.timeline))
@@ -195,84 +197,70 @@ def test_a_restart_does_not_replace_the_present_path_by_a_worse_one(continued):
 
 
 def test_an_interrupted_restart_does_not_replace_the_present_path_and_is_repeated(continued):
-    present, checks = continued.solution, itertools.count()
-    continued.has_message = lambda: next(checks) > 0  # from the first evaluation on
-    continued.do({"do": "go", "restart": True})
-    messages = continued.line.taken()
-    assert messages[-1]["stop"] == "INTERRUPTED"
-    assert "note" not in {message["is"] for message in messages}
+    present = continued.solution
+    interrupted_after(continued, 2)
+    messages = continued.asked("go", restart=True)
+    assert not {"note", "settled"} & {message["is"] for message in messages}
     assert continued.solution is present
-    continued.has_message = lambda: False
-    continued.do({"do": "curves", "on": False})
-    assert "note" in {message["is"] for message in continued.line.taken()}
+    uninterrupted(continued)
+    assert "note" in {message["is"] for message in continued.asked("curves", on=False)}
     assert continued.solution is present
 
 
 def test_a_restart_replaces_a_worse_path(work, tmp_path):
-    load(work, tmp_path, tiny.CLIP, first=True)
+    work.loaded(tmp_path, tiny.CLIP, first=True)
     good, objective = work.solution, work.clip.problem.objective
     rows = good.timeline.rows.copy()
     rows[1:-1][~good.timeline.fixed.any(axis=1)] += 0.8
     work.solution = replace(good, timeline=good.timeline.with_rows(rows), trace=())
-    work.do({"do": "go", "restart": True})
+    messages = work.asked("go", restart=True)
     assert objective.value(path_of(work.solution.timeline)) == pytest.approx(good.trace[-1][2], rel=1e-6)
-    notes = [message["words"] for message in work.line.taken() if message["is"] == "note"]
+    notes = [message["words"] for message in messages if message["is"] == "note"]
     assert notes == [f"the restarted search found a better path: E {good.trace[-1][2]:.3g}"]
 
 
-def test_a_message_that_came_while_a_clip_was_loaded_is_not_kept_waiting(work, tmp_path):
-    load(work, tmp_path, tiny.CLIP, first=True)
-    work.has_message = lambda: True
-    told = load(work, tmp_path, tiny.CLIP.replace("[0, 40, 0]", "[0, 44, 0]"), 1)
-    assert [each["kind"] for each in told if each["is"] == "path"] == ["initial", "raw"]
-    assert told[-1]["stop"] == "INTERRUPTED"
-    work.has_message = lambda: False
-    assert load(work, tmp_path, tiny.CLIP.replace("[0, 40, 0]", "[0, 45, 0]"), 2)[-1]["stop"] != "INTERRUPTED"
+INVALID = {"text": "figure = 1", "name": "tiny", "place": "tiny.toml", "folder": ".", "revision": 1, "go": True}
 
 
+@pytest.mark.parametrize("checks", [0, 1, 2, 4])
 @pytest.mark.parametrize(
     "asked",
     [
-        {"do": "curves", "on": True},
-        {"do": "save", "file": "now.npz"},
-        {"do": "load", "text": "figure = 1", "name": "tiny", "place": "tiny.toml", "folder": ".", "revision": 1,
-         "go": True, "first": False},
+        ("curves", {"on": True}),
+        ("save", {"file": "now.npz"}),
+        ("load", {**INVALID, "first": False}),
     ],
-)  # fmt: skip
-def test_a_search_continues_after_a_message_that_does_not_end_it(work, tmp_path, asked):
-    work.has_message = lambda: True
-    assert load(work, tmp_path, tiny.CLIP, first=True)[-1]["stop"] == "INTERRUPTED"
-    work.has_message = lambda: False
-    told = {**asked, "file": str(tmp_path / "now.npz")} if "file" in asked else asked
-    work.do(told)
-    ends = [each["stop"] for each in work.line.taken() if each["is"] == "settled"]
-    assert ends
-    assert "INTERRUPTED" not in ends
-    work.do({"do": "curves", "on": False})
-    assert work.line.taken() == []  # nothing is left to search
+)
+def test_a_search_continues_after_a_message_that_does_not_replace_the_clip(work, tmp_path, monkeypatch, asked, checks):
+    monkeypatch.chdir(tmp_path)
+    interrupted_after(work, checks)
+    assert "settled" not in {each["is"] for each in work.loaded(tmp_path, tiny.CLIP, first=True)}
+    uninterrupted(work)
+    do, arguments = asked
+    ends = [each["stop"] for each in work.asked(do, **arguments) if each["is"] == "settled"]
+    assert ends == ["CONVERGED"]
+    assert work.asked("curves", on=False) == []  # nothing is left to search
 
 
-def test_a_message_in_the_last_steps_of_a_search_cuts_it_and_no_more(work, tmp_path, monkeypatch):
-    searching = SolverLoop._searching
+@pytest.mark.parametrize("is_late", [False, True])
+def test_an_interrupt_just_outside_of_a_search_repeats_it(work, tmp_path, monkeypatch, is_late):
+    minimise = Recorded._minimise
 
-    @contextmanager
-    def ended_late(self):
-        with searching(self):
-            yield
-        monkeypatch.setattr(SolverLoop, "_searching", searching)
+    def interrupted(self, *arguments):
+        monkeypatch.setattr(Recorded, "_minimise", minimise)
+        if is_late:
+            minimise(self, *arguments)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(SolverLoop, "_searching", ended_late)
-    told = load(work, tmp_path, tiny.CLIP, first=True)
+    monkeypatch.setattr(Recorded, "_minimise", interrupted)
+    told = work.loaded(tmp_path, tiny.CLIP, first=True)
     assert [each["is"] for each in told].count("searching") == 2
-    assert told[-1]["is"] == "settled"
     assert told[-1]["stop"] == "CONVERGED"
 
 
 def test_a_search_that_was_stopped_stays_so(work, tmp_path):
-    work.has_message = lambda: True
-    load(work, tmp_path, tiny.CLIP, first=True)
-    work.has_message = lambda: False
-    work.do({"do": "stop"})
-    work.do({"do": "curves", "on": True})
-    assert {each["is"] for each in work.line.taken()} == {"curves"}
+    interrupted_after(work, 2)
+    work.loaded(tmp_path, tiny.CLIP, first=True)
+    uninterrupted(work)
+    assert [each["stop"] for each in work.asked("stop")] == ["INTERRUPTED"]
+    assert {each["is"] for each in work.asked("curves", on=True)} == {"curves"}

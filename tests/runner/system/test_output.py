@@ -171,7 +171,6 @@ OWN_WAYS = {  # what writes without being an output: to a temporary file that it
     "system/output.py", "exchange/format/bvh.py", "exchange/format/csv_table.py",
     "exchange/formats.py", "exchange/format/gltf.py", "exchange/format/html.py", "exchange/format/mjlab_csv.py",
     "exchange/plain_pickle.py", "batch/dispatch.py", "studio/document.py",
-    "studio/sources.py",
 }  # fmt: skip
 
 

@@ -1,0 +1,215 @@
+"""One clip in the studio: its edits, unsaved work of earlier sessions, and crashes of the solver process."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import tomllib
+
+import pytest
+import tiny
+from spoken import session_without_solver
+
+from dynsplines.errors import UserError
+from dynsplines.studio import solver
+from dynsplines.studio.document import Document, opened
+from dynsplines.studio.files import Files
+
+TEXT = "".join(f'[[keyframe]]\ntime = {time}\nothers = "rest"\n' for time in (0.0, 0.1, 0.2))
+
+
+@pytest.fixture
+def file(tmp_path):
+    target = tmp_path / "clip.toml"
+    target.write_text(TEXT)
+    return target
+
+
+@pytest.fixture
+def start(file, monkeypatch):
+    """Opens the clip in a new session."""
+    return lambda: session_without_solver(opened(str(file)), monkeypatch)
+
+
+def add_key(session, time):
+    return asyncio.run(session.edit("add_key", {"entries": {"time": time}}))
+
+
+def times(session):
+    return [row["time"] for row in tomllib.loads(session.document.text)["keyframe"]]
+
+
+EDITED = [0.0, 0.1, 0.15, 0.2]
+
+
+@pytest.fixture
+def unsaved(start, file):
+    """The copy of unsaved work of an earlier session."""
+    add_key(start(), 0.15)
+    return file.with_name(".clip.toml.unsaved")
+
+
+def test_unsaved_work_is_restored_and_removed_when_it_is_saved(start, unsaved, file):
+    session = start()
+    assert times(session) == [0.0, 0.1, 0.2]
+    asyncio.run(session.take_offer(yes=True))
+    assert times(session) == EDITED
+    again = start()  # after a crash
+    asyncio.run(again.take_offer(yes=True))
+    assert times(again) == EDITED
+    asyncio.run(Files(again).save())
+    assert tiny.names(file.parent) == ["clip.toml"]
+    asyncio.run(again.undo())  # across a save
+    assert times(again) == [0.0, 0.1, 0.2]
+    assert unsaved.is_file()
+
+
+def test_discarded_work_is_removed(start, unsaved, file):
+    session = start()
+    asyncio.run(session.take_offer(yes=False))
+    with pytest.raises(UserError, match="there is no unsaved work"):
+        asyncio.run(session.take_offer(yes=True))
+    assert start().offer is None
+    assert tiny.names(file.parent) == ["clip.toml"]
+
+
+def test_nothing_changes_until_unsaved_work_is_restored_or_discarded(start, unsaved):
+    before, session = unsaved.read_text(), start()
+    for action in (
+        session.edit("add_key", {"entries": {"time": 0.17}}), session.undo(), session.redo(),
+        Files(session).save(), Files(session).save(name="other"),
+    ):  # fmt: skip
+        with pytest.raises(UserError, match="restore or discard the unsaved work first"):
+            asyncio.run(action)
+    session.close()
+    assert unsaved.read_text() == before
+    assert tiny.names(unsaved.parent) == [".clip.toml.unsaved", "clip.toml"]
+    asyncio.run(session.take_offer(yes=True))
+    assert times(session) == EDITED
+
+
+def test_undone_edits_leave_no_unsaved_work(start, file):
+    session = start()
+    add_key(session, 0.15)
+    asyncio.run(session.undo())
+    assert tiny.names(file.parent) == ["clip.toml"]
+
+
+def test_unsaved_work_of_another_studio_is_not_replaced(start, unsaved, file, monkeypatch):
+    one = start()
+    asyncio.run(one.take_offer(yes=True))
+    two = start()
+    asyncio.run(two.take_offer(yes=True))
+    add_key(two, 0.18)
+    theirs = unsaved.read_text()
+    assert add_key(one, 0.17) == (
+        "add a keyframe at 0.17 s; unsaved work is not stored, save the clip: "
+        ".clip.toml.unsaved belongs to another studio with this clip"
+    )
+    asyncio.run(Files(one).save(name="clip", overwrite=True))
+    assert unsaved.read_text() == theirs
+    other = session_without_solver(Document("other", TEXT, file.parent), monkeypatch)
+    asyncio.run(Files(other).save(name="clip", overwrite=True))
+    assert "unsaved work is not stored" in add_key(other, 0.19)
+    assert unsaved.read_text() == theirs
+
+
+def test_work_that_cannot_be_loaded_is_offered_again(start, unsaved, monkeypatch):
+    session = start()
+    send = session.solver.send
+
+    def refuse(message):
+        refused = {"is": "refused", "id": message["id"], "words": "no figure"}
+        asyncio.get_running_loop().call_soon(session.solver.answer, refused)
+
+    monkeypatch.setattr(session.solver, "send", refuse)
+    with pytest.raises(UserError, match="no figure"):
+        asyncio.run(session.take_offer(yes=True))
+    assert times(session) == [0.0, 0.1, 0.2]
+    monkeypatch.setattr(session.solver, "send", send)
+    asyncio.run(session.take_offer(yes=True))
+    assert times(session) == EDITED
+
+
+def test_numbers_of_keyframes_are_those_of_a_revision(start, tmp_path):
+    session = start()
+    document = session.document
+    asyncio.run(session.edit("change", {"at": ["keyframe", 0], "entries": {"joints": {"knee": 1}}}))
+    document.check_numbers(0)  # no keyframe has another number
+    for change in (session.edit("delete_keys", {"keys": [1]}), session.undo()):
+        before = document.revision
+        asyncio.run(change)
+        document.check_numbers(document.revision)
+        with pytest.raises(UserError, match="the clip has changed meanwhile"):
+            document.check_numbers(before)
+    before = document.revision
+    asyncio.run(session.reopen(Document("other", TEXT, tmp_path)))
+    with pytest.raises(UserError, match="the clip has changed meanwhile"):
+        session.document.check_numbers(before)
+
+
+def test_a_crash_during_an_edit_repeats_the_edit_after_the_present_text(start, monkeypatch):
+    """The new process loads the present text, and then refuses the edit."""
+    session, revisions, shown = start(), [], []
+    session.enter(shown.append)
+
+    def lost(message):
+        revisions.append(message.get("revision"))
+        loop = asyncio.get_running_loop()
+        if len(revisions) == 1:
+            loop.call_soon(session.solver._recover, -9)
+        elif message.get("id") is None:
+            loaded = {"is": "loaded", "revision": message["revision"], "outline": {}, "timeline": b""}
+            loop.call_soon(session.solver.answer, loaded)
+        else:
+            loop.call_soon(session.solver.answer, {"is": "refused", "id": message["id"], "words": "no clip"})
+
+    monkeypatch.setattr(session.solver, "send", lost)
+    monkeypatch.setattr(session.solver, "start", lambda: None)
+    monkeypatch.setattr(session.solver, "listen", lambda: None)
+    with pytest.raises(UserError, match="no clip"):
+        add_key(session, 0.15)
+    assert revisions == [1, 0, 1]
+    assert session.document.text == TEXT
+    notes = [message["words"] for message in map(json.loads, shown) if message["is"] == "note"]
+    assert notes == ["the solver process was ended by signal 9; a new one continues from the last path"]
+
+
+def test_a_solver_that_is_lost_again_and_again_is_not_started_again(start, monkeypatch):
+    session = start()
+    monkeypatch.setattr(session.solver, "start", lambda: None)
+    monkeypatch.setattr(session.solver, "listen", lambda: None)
+    monkeypatch.setattr(session.solver, "send", lambda _: asyncio.get_running_loop().call_soon(lose))
+
+    def lose():
+        for _ in range(solver.MOST_LOSSES + 1):
+            session.solver._recover(1)
+
+    with pytest.raises(UserError, match="ended with code 1 repeatedly"):
+        add_key(session, 0.15)
+    assert session._state == "gone"
+
+
+def test_a_clip_that_takes_too_long_to_load_is_not_the_one_that_is_shown_later(start, monkeypatch, tmp_path):
+    session, restarted = start(), []
+    monkeypatch.setattr(solver, "ANSWER_TIMEOUT", 0.05)
+    monkeypatch.setattr(session.solver, "send", lambda message: None)
+    monkeypatch.setattr(session.solver, "restart", lambda: restarted.append(True))
+    with pytest.raises(UserError, match="took longer than"):
+        asyncio.run(session.reopen(Document("slow", TEXT, tmp_path)))
+    assert restarted == [True]
+    assert session.document.name == "clip"
+
+
+def test_a_page_shows_what_an_earlier_one_has_shown(start):
+    session, shown, again = start(), [], []
+    session.enter(shown.append)
+    add_key(session, 0.15)
+    session._receive({"is": "path", "kind": "initial", "revision": 1, "data": b"initial", "timeline": b""})
+    session._receive({"is": "path", "kind": "best", "revision": 1, "data": b"best", "timeline": b""})
+    session._receive({"is": "settled", "stop": "CONVERGED", "violations": []})
+    session.leave(shown.append)
+    session.enter(again.append)
+    kinds = [message.decode() if isinstance(message, bytes) else json.loads(message)["is"] for message in again]
+    assert kinds == ["initial", "best", "document", "loaded", "settled", "status", "offer"]
+    assert all(message in shown for message in again)
