@@ -51,7 +51,7 @@ def command(clips: Path, out: Path, workers: int) -> list[str]:
 def journal(out: Path) -> list[dict[str, Any]]:
     """Every whole line of the manifest about a clip."""
     path = out / "manifest.jsonl"
-    lines = path.read_bytes().split(b"\n")[1:-1] if path.exists() else []
+    lines = path.read_bytes().split(b"\n")[:-1] if path.exists() else []
     return [json.loads(line) for line in lines]
 
 
@@ -77,7 +77,7 @@ def killed(clips: Path, out: Path, count: int) -> dict[str, int]:
         workers: set[int] = set()
         for child in psutil.Process(program.pid).children(recursive=True):
             with suppress(psutil.Error):
-                workers |= {child.pid} if Path(child.cwd()).name.startswith("dynsplines-scratch") else set()
+                workers |= {child.pid} if any("spawn_main" in word for word in child.cmdline()) else set()
         os.kill(min(workers), signal.SIGKILL)
         _until(lambda: len(done()) >= count // 2)
     finally:

@@ -164,7 +164,7 @@ class Soak:
         """The number of missing, duplicate, damaged and foreign outputs."""
         from dynsplines import motion
 
-        lines = (self.out / "manifest.jsonl").read_bytes().splitlines()[1:]
+        lines = (self.out / "manifest.jsonl").read_bytes().splitlines()
         entries = [json.loads(line) for line in lines]
         finished = {entry["clip"]: entry for entry in entries if entry["state"] == "done"}
         damaged = 0
@@ -205,7 +205,7 @@ def solvers(driver: int) -> list[int]:
     with suppress(psutil.Error):
         for child in psutil.Process(driver).children(recursive=True):
             with suppress(psutil.Error):
-                pids += [child.pid] if Path(child.cwd()).name.startswith("dynsplines-scratch") else []
+                pids += [child.pid] if any("spawn_main" in word for word in child.cmdline()) else []
     return pids
 
 

@@ -489,11 +489,10 @@ def batch(
     output: option.BatchFolder = Path("batch"),
     listed: option.List = None,
     workers: option.BatchWorkers = None,
-    scheduler: Annotated[str | None, value("tcp://HOST:PORT", "Address of a Dask cluster to run on", "none")] = None,
+    cluster: Annotated[str | None, value("tcp://HOST:PORT", "Address of a Dask cluster to run on", "none")] = None,
     to: Annotated[str, value("FORMAT", "Format of the results: npz, or one of `dynsplines formats`")] = "npz",
     fps: option.Rate = None,
     limit_time: Annotated[float, number("SECONDS", "Time limit for solving each clip", 0.1, 10**6)] = 3600.0,
-    limit_memory: option.MemoryLimit = None,
     measure: option.MeasureAll = False,
     retry_failed: Annotated[bool, flag("--retry-failed", "Retry clips that failed in an earlier run")] = False,
     strict: option.Strict = False,
@@ -511,9 +510,7 @@ def batch(
     cleaning = option.cleaning_source(
         clean=clean_all, robot=onto, figure=figure, map_file=map_file, kind=kind, scene=scene, max_displacement=within
     )
-    options = batches.Options(
-        listed, workers, scheduler, to, fps, limit_time, limit_memory, measure, retry_failed, cleaning, within
-    )
+    options = batches.Options(listed, workers, cluster, to, fps, limit_time, measure, retry_failed, cleaning, within)
     with terminal.Progress() as progress:
         tally = batches.run(clips or [], output, progress, options)
     if tally.failed:

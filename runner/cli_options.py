@@ -293,9 +293,6 @@ List = Annotated[str | None, value("FILE", "File with more clips, one per line; 
 BatchWorkers = Annotated[
     int | None, number("N", "Number of processes on this machine", 1, 1000, "one per core", kind=int)
 ]
-MemoryLimit = Annotated[
-    float | None, number("MB", "Memory limit for solving each clip", 256, 10**7, "an equal share of the memory")
-]
 MeasureAll = Annotated[
     bool, flag("--report/--no-report", "Also measure every motion, which more than doubles the time")
 ]

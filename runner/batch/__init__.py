@@ -1,11 +1,10 @@
-"""Batches: thousands of clips, solved by processes of this machine or by the workers of a Dask cluster.
+"""Batches: thousands of clips, solved by Dask workers of this machine or of a cluster.
 
 inputs      the clips that a command names, and the files that each needs
 task        a clip as it is sent to a worker, the options of the batch, and the outcome
-manifest    the state of every clip, in a file that survives the end of the program
+manifest    the results of the clips, in a file that survives the end of the program
 solving     the work on a clip: its files in, the files of its motion out
-worker      worker processes with limits, and those of this machine as an executor
-cluster     the workers of a Dask cluster, as an executor
+cluster     the Dask workers
 dispatch    the assignment of clips to workers
 tally       the results of a batch at its end
 """
@@ -26,14 +25,11 @@ __all__ = ["Options", "run"]
 
 
 def run(words: list[str], folder: Path, progress: Progress, options: Options) -> Tally:
-    """Solve every clip that the words name into a folder. Raises UserError if a package is missing."""
+    """Solve every clip that the words name into a folder. Raises UserError if Dask is not installed."""
     try:
         from . import dispatch
-
-        if options.scheduler is not None:
-            from . import cluster  # noqa: F401
     except ModuleNotFoundError as error:
-        if error.name not in ("psutil", "distributed", "dask"):
+        if error.name not in ("distributed", "dask"):
             raise
         raise missing_package("dynsplines batch", error.name, "batch") from None
     tally = dispatch.run(words, folder, options, progress)

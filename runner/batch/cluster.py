@@ -1,87 +1,101 @@
-"""The workers of a Dask cluster. Each of its threads waits for a process that solves the clips.
+"""The Dask workers of a batch, as processes of this machine or as a cluster.
 
-Anyone who can reach a Dask scheduler can run code on its workers. Dask's settings must protect it.
+Anyone who can reach a Dask scheduler can run code on its workers. On this machine, this requires a certificate that
+only this user can read. Dask's settings must protect a cluster.
 """
 
 from __future__ import annotations
 
-import uuid
+import atexit
+import logging
+import subprocess
 from collections.abc import Iterator
-from contextlib import contextmanager, suppress
-from dataclasses import replace
-from functools import partial
-from multiprocessing import current_process
+from contextlib import contextmanager, nullcontext, suppress
 from pathlib import Path
-from typing import cast
 
 import dask.config
-from distributed import Client, Worker, WorkerPlugin, get_worker
+from distributed import Client, LocalCluster
+from distributed.deploy.spec import close_clusters
+from distributed.security import Security
 
 from ..errors import UserError, one_line
 from ..system.progress import Progress
-from .task import Outcome
-from .worker import Pool, SolveTask, Workers
+from ..system.scratch import scratch
+from ..system.workers import cores, ctrl_c_blocked
+from .task import Options
 
 CONNECT_SECONDS = 10  # [s] time limit of the connection to a cluster
 CLOSE_SECONDS = 10  # [s] time limit of closing a client
-AHEAD = 2  # clips submitted per thread, so that the next one is available when one is done
-LARGE = {"distributed.admin.large-graph-warning-threshold": "1TB"}  # no warnings about the size of meshes
+SETTINGS = {
+    "distributed.admin.large-graph-warning-threshold": "1TB",  # no warnings about the size of meshes
+    "distributed.deploy.lost-worker-timeout": "1 day",  # after the usual 15 s, a worker is no longer restarted
+    "distributed.scheduler.http.routes": [],
+    "distributed.scheduler.worker-saturation": 1.0,  # a clip whose worker dies is the only one there
+    "distributed.worker.http.routes": [],
+}
 
-
-class _Processes(WorkerPlugin):
-    """The processes of one Dask worker, as many as it has threads. They end with the batch or the worker."""
-
-    def __init__(self, name: str) -> None:
-        self.name = name
-
-    def setup(self, worker: Worker) -> None:
-        current_process().daemon = False  # a Dask worker is a daemon, which may not start processes
-        memory = worker.memory_manager.memory_limit
-        share = memory / worker.state.nthreads / 2**20 if memory else None
-        self.pool = Pool(Path(worker.local_directory), share)
-
-    def teardown(self, worker: Worker) -> None:
-        self.pool.stop()
-
-
-def _run(batch: str, solve_task: SolveTask, task: object, seconds: float, megabytes: float | None = None) -> Outcome:
-    """Run a clip at a Dask worker, in the processes for this batch."""
-    worker = get_worker()
-    outcome = cast(_Processes, worker.plugins[batch]).pool.run(solve_task, task, seconds, megabytes)
-    return replace(outcome, worker=worker.address)
+atexit.unregister(close_clusters)  # after Ctrl-C it would print errors of workers that are still starting
 
 
 @contextmanager
-def connected(address: str, progress: Progress) -> Iterator[Workers]:
-    """Yield the workers of a scheduler. Raises UserError if it does not answer, or the workers lack this package."""
-    batch = f"dynsplines-{uuid.uuid4().hex[:12]}"
-    with dask.config.set(LARGE):
+def connected(options: Options, progress: Progress) -> Iterator[Client]:
+    """Yield a client of the workers. Raises UserError if there are none."""
+    address = options.cluster
+    with (
+        dask.config.set(SETTINGS),
+        _local(options.workers or cores()) if address is None else nullcontext(address) as cluster,
+    ):
         try:
-            client = Client(address, timeout=CONNECT_SECONDS, set_as_default=False, direct_to_workers=False)
+            client = Client(cluster, timeout=CONNECT_SECONDS, set_as_default=False, direct_to_workers=False)
         except (OSError, ValueError) as error:
             raise UserError(f"no Dask scheduler answers at '{address}': {one_line(error)}; check the address") from None
         try:
-            services = client.scheduler_info(n_workers=0).get("services", {})
-            dashboard = f", dashboard {client.dashboard_link}" if "dashboard" in services else ""
-            progress.report(f"Dask: {address}, {len(client.nthreads())} workers{dashboard}")
-            try:
-                client.register_plugin(_Processes(batch))
-            except Exception as error:
-                text = f"{type(error).__name__}: {one_line(error)}"
-                raise UserError(f"a worker of {address} cannot solve ({text}); install dynamic-splines there") from None
-            executor = client.get_executor(pure=False)
-            try:
-                yield Workers(partial(executor.submit, _run, batch), partial(_count, client))
-            finally:
-                with suppress(Exception):  # the scheduler may have ended
-                    executor.shutdown(wait=False)
-                    client.unregister_worker_plugin(batch)
+            if address is not None:
+                services = client.scheduler_info(n_workers=0).get("services", {})
+                dashboard = f", dashboard {client.dashboard_link}" if "dashboard" in services else ""
+                threads = client.nthreads().values()
+                progress.report(f"Dask: {address}, {len(threads)} workers{dashboard}")
+                if max(threads, default=1) > 1:
+                    raise UserError("the Dask workers have several threads; start them with --nthreads 1")
+            yield client
         finally:
             client.close(timeout=CLOSE_SECONDS)
 
 
-def _count(client: Client) -> int:
-    with suppress(OSError):  # Dask reports a lost connection in several ways
-        if client.status == "running":
-            return AHEAD * sum(client.nthreads().values())
-    raise UserError("the Dask scheduler is gone; run the same command again to resume")
+@contextmanager
+def _local(count: int) -> Iterator[LocalCluster]:
+    """Start `count` worker processes, which end with the block or with this process."""
+    with scratch() as folder, dask.config.set({"temporary-directory": str(folder)}):
+        try:
+            with ctrl_c_blocked():
+                cluster = LocalCluster(
+                    n_workers=count,
+                    threads_per_worker=1,
+                    security=_credentials(folder),
+                    dashboard_address="127.0.0.1:0",
+                    scheduler_kwargs={"dashboard": False},
+                    silence_logs=logging.CRITICAL,
+                )
+        except (OSError, RuntimeError) as error:
+            raise UserError(f"the worker processes cannot be started: {one_line(error)}") from None
+        try:
+            yield cluster
+        finally:
+            with suppress(AssertionError):  # of Dask, for workers that are still starting; they end with this process
+                cluster.close()
+
+
+def _credentials(folder: Path) -> Security:
+    """Return a new certificate, which other users of this machine lack. Raises UserError without OpenSSL."""
+    key, certificate = str(folder / "key.pem"), str(folder / "certificate.pem")
+    command = ["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes"]
+    command += ["-days", "3650", "-subj", "/CN=dynsplines", "-keyout", key, "-out", certificate]
+    try:
+        subprocess.run(command, check=True, capture_output=True)
+    except (OSError, subprocess.CalledProcessError) as error:
+        raise UserError(
+            f"a batch needs the program openssl ({one_line(error)}); install it, or use --cluster"
+        ) from None
+    files = {f"tls_{role}_key": key for role in ("client", "scheduler", "worker")}
+    files |= {f"tls_{role}_cert": certificate for role in ("client", "scheduler", "worker")}
+    return Security(require_encryption=True, tls_ca_file=certificate, **files)

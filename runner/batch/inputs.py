@@ -5,9 +5,8 @@ from __future__ import annotations
 import glob
 import os
 import sys
-from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path, PurePosixPath
 
@@ -68,36 +67,6 @@ def sources(words: Iterable[str], listed: str | None = None, *, recordings: bool
         kind, names = ("recordings", "") if recordings else ("clips", "names, .toml or .xml ")
         raise UserError(f"no {kind}; give {names}files, folders, patterns, or --list FILE")
     return list(unique.values())
-
-
-def with_unique_names(new_sources: list[Source], used_names: Collection[str]) -> list[Source]:
-    """Return the sources with unique names, by prefixing folders as far as necessary, or by a number.
-
-    `used_names` are names in use; case is ignored, as on some disks.
-    """
-    names, shorter = [source.name for source in new_sources], list[PurePosixPath]()
-    while names != shorter:
-        folders, shorter = defaultdict[str, set[str]](set), names
-        for source, name in zip(new_sources, names, strict=True):
-            folders[str(name).casefold()].add("" if source.path is None else str(source.path.parent).casefold())
-        pairs = zip(new_sources, names, strict=True)
-        names = [_above(source, name) if len(folders[str(name).casefold()]) > 1 else name for source, name in pairs]
-    used, out = {name.casefold() for name in used_names}, list[Source]()
-    for source, name in zip(new_sources, names, strict=True):
-        number, free = 1, name
-        while str(free).casefold() in used:
-            number += 1
-            free = name.with_name(f"{name.name}-{number}")
-        used.add(str(free).casefold())
-        out.append(replace(source, name=free))
-    return out
-
-
-def _above(source: Source, name: PurePosixPath) -> PurePosixPath:
-    """Return a name with one more of the folders above the source, if there is one."""
-    parts = () if source.path is None else source.path.with_suffix("").parts[1:]  # without the root
-    count = len(name.parts) + 1
-    return PurePosixPath(*parts[-count:]) if count <= len(parts) else name
 
 
 def task_of(source: Source, figures: dict[Path, Contents], options: Options = DEFAULTS) -> Task:

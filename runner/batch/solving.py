@@ -1,19 +1,75 @@
-"""The work on one clip, in a worker process: its files in, the files of its motion out."""
+"""The work on one clip, in a Dask worker: its files in, the files of its motion out."""
 
 from __future__ import annotations
 
+import ctypes
 import os
+import tempfile
+import threading
+import time
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from ..errors import UserError
+from distributed import get_worker
+
+from ..errors import UserError, located, one_line
+from ..picture.graphics import do_without
 from ..system import mujoco_warnings
 from .task import NPZ, Outcome, Task, program
 
 if TYPE_CHECKING:
     from ..clean.command import Source
     from ..motion import Saved
+
+SolveTask = Callable[[Any, Path], Outcome]
+
+GRACE_SECONDS = 10.0  # [s] time after the limit in which the work should end
+ONE_AT_A_TIME = threading.Lock()  # MuJoCo's handler of warnings is one of the process
+
+
+class _TimeLimit(BaseException):
+    """The time limit of a clip is exceeded."""
+
+
+def outcome_of(solve_task: SolveTask, task: Any, seconds: float) -> Outcome:
+    """Return the outcome of solve_task(task, empty folder), also if it raises an error or takes longer than `seconds`.
+
+    If native code does not respond to the time limit, the process ends, and Dask replaces it.
+    """
+    do_without()
+    from .. import motion, recordings, solving  # noqa: F401  imported before the time of the clip begins
+
+    folders = tempfile.TemporaryDirectory(dir=get_worker().local_directory, ignore_cleanup_errors=True)
+    with ONE_AT_A_TIME, folders as folder:
+        begin, ended = time.monotonic(), threading.Event()
+        watch = threading.Thread(target=_watch, args=(threading.get_ident(), ended, seconds), daemon=True)
+        watch.start()
+        try:
+            try:
+                outcome = solve_task(task, Path(folder))
+            finally:
+                ended.set()
+                watch.join()
+        except _TimeLimit:
+            ended.set()
+            outcome = Outcome(f"it took longer than {seconds:g} s")
+        except MemoryError as error:
+            outcome = Outcome(f"it took more memory than there is ({one_line(error)})")
+        except UserError as error:
+            outcome = Outcome(one_line(error))
+        except Exception as error:
+            outcome = Outcome(located(error))
+    return replace(outcome, seconds=round(time.monotonic() - begin, 3))
+
+
+def _watch(thread: int, ended: threading.Event, seconds: float) -> None:
+    """Raise _TimeLimit in a thread at the time limit; end the process if that has no effect."""
+    if not ended.wait(seconds):
+        ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), ctypes.py_object(_TimeLimit))
+        if not ended.wait(GRACE_SECONDS):
+            os._exit(1)
 
 
 def solved(task: Task, folder: Path) -> Outcome:

@@ -30,25 +30,24 @@ class Options:
     """The options of the command, in its units, with their defaults as None. Raises UserError for invalid ones.
 
     Attributes:
-        limit_memory: The resident memory of a clip [MB]; None: an equal share of that of its machine or Dask worker.
+        cluster: The address of a Dask scheduler; None: workers of this machine.
         cleaning: A recording to clean, but for its file; None for clips.
     """
 
     listed: str | None = None
     workers: int | None = None
-    scheduler: str | None = None
+    cluster: str | None = None
     to: str = NPZ
     fps: float | None = None
     limit_time: float = 3600.0
-    limit_memory: float | None = None
     report: bool = False
     retry_failed: bool = False
     cleaning: Recording | None = None
     max_displacement: float | None = None
 
     def __post_init__(self) -> None:
-        if self.workers is not None and self.scheduler is not None:
-            raise UserError("--workers are of this machine and --scheduler is elsewhere; give one of them")
+        if self.workers is not None and self.cluster is not None:
+            raise UserError("--workers are of this machine and --cluster is elsewhere; give one of them")
         if self.report and self.cleaning is not None:
             raise UserError("--report is for clips, not for recordings")
         assert self.suffix
@@ -58,7 +57,7 @@ class Options:
         """The extension of the output. Raises UserError for an unknown format."""
         if self.to == NPZ:
             return ".npz"
-        from ..exchange import formats  # imported here because a worker prepares its process before it imports NumPy
+        from ..exchange import formats  # imported here because the command line imports this file
 
         return formats.writer(self.to).ending
 
@@ -108,18 +107,14 @@ class Result:
     """The measurements of a clip's motion, or its error.
 
     Attributes:
-        cause: Of a failure: "error", "time", "memory" or "lost" (its process or worker ended).
-        bound: The limit of a failure by time [s] or memory [MB].
-        seconds: The duration of the last attempt [s].
+        error: The reason of a failure; "" for a solved clip.
+        seconds: The duration of the work [s].
         violations: The violations, worst first, as tables.
         notes: Content that the output's format cannot store, and warnings.
     """
 
-    cause: str = ""
     error: str = ""
-    bound: float | None = None
     seconds: float = 0.0
-    worker: str = ""
     violations: tuple[Annotated[Mapping[str, Any], AfterValidator(_violation)], ...] = ()
     notes: tuple[str, ...] = ()
 

@@ -20,7 +20,11 @@ from contextlib import suppress
 from pathlib import Path
 
 from ..errors import UserError
-from .lock import hold
+
+try:
+    import fcntl
+except ImportError:  # Windows has no locks
+    fcntl = None
 
 NO_ROOM = (errno.ENOSPC, errno.EFBIG, errno.EDQUOT)  # errors whose message lacks the file's name
 ALL = 0o666  # mode of a new file, which the umask restricts
@@ -35,6 +39,17 @@ REFUSED = {
     stat.S_IFCHR: "it is a device; name a file",
     stat.S_IFBLK: "it is a device; name a file",
 }
+
+
+def hold(handle: int, *, waits: bool) -> bool:
+    """Lock an open file or folder; return False if another process has locked it, or there are no locks."""
+    if fcntl is None:
+        return False
+    try:
+        fcntl.flock(handle, fcntl.LOCK_EX if waits else fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:  # some network disks do not support locks
+        return False
+    return True
 
 
 class Replacement:

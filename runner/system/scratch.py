@@ -14,7 +14,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from .lock import hold
+from .output import hold
 
 PREFIX = "dynsplines-scratch-"
 

@@ -154,12 +154,12 @@ def test_a_manifest_on_a_full_disk_is_reported_and_continues_later(tmp_path: Pat
     from dynsplines.errors import UserError
 
     manifest = Manifest.of(tmp_path)
-    manifest.record([Entry(clip="a", source="a.toml")])
+    manifest.record(Entry(clip="a", source="a.toml", state="done"))
     full = pytest.raises(UserError, match=r"cannot write '.*manifest.jsonl': ")
     with largest_file(manifest.path.stat().st_size + 20), full:
-        manifest.record([Entry(clip="b", source="b.toml")])
+        manifest.record(Entry(clip="b", source="b.toml", state="done"))
     assert set(Manifest.of(tmp_path).entries) == {"a"}
-    manifest.record([Entry(clip="c", source="c.toml")])
+    Manifest.of(tmp_path).record(Entry(clip="c", source="c.toml", state="done"))
     assert set(Manifest.of(tmp_path).entries) == {"a", "c"}
 
 

@@ -11,7 +11,7 @@ import pytest
 from tiny import CLIP, FIGURE, changed, written
 
 from dynsplines.batch import solving
-from dynsplines.batch.inputs import Source, sources, task_of, with_unique_names
+from dynsplines.batch.inputs import Source, sources, task_of
 from dynsplines.batch.task import Options
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
@@ -74,16 +74,6 @@ def test_what_is_not_there_is_reported(tree: Path, word: str, complaint: str):
         sources([word])
     with pytest.raises(UserError, match="--list nowhere: No such file"):
         sources([], "nowhere")
-
-
-def test_like_names_are_distinguished_by_folders_and_taken_ones_by_numbers(tree: Path):
-    found = with_unique_names(sources(["clips/a/walk.toml", "clips/b/walk.toml", "clips/run.toml"]), ["Run", "run-2"])
-    assert names(found) == ["a/walk", "b/walk", "run-3"]
-    both = [Source(Path(f"/x/y/{file}"), PurePosixPath("walk")) for file in ("walk.toml", "walk.xml", "Walk.toml")]
-    assert names(with_unique_names(both, [])) == ["walk", "walk-2", "walk-3"]
-    assert names(with_unique_names([*both[:2], replace(both[0], path=Path("/x/z/walk.toml"))], [])) == [
-        "y/walk", "y/walk-2", "z/walk"
-    ]  # fmt: skip
 
 
 def test_a_clip_takes_its_figure_along(tmp_path: Path):

@@ -1,135 +1,130 @@
-"""The manifest of a batch is right whatever ended the program, and one program at a time writes it."""
+"""The manifest of a batch is right whatever ended the program, and decides what is left to do."""
 
 from __future__ import annotations
 
 import json
 import os
-import signal
-import socket
-import subprocess
-import sys
-import zipfile
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from quiet import quiet
+from tiny import CLIP, FIGURE, changed, written
 
+pytest.importorskip("distributed")
+
+from dynsplines.batch.dispatch import Batch
+from dynsplines.batch.inputs import sources, task_of
 from dynsplines.batch.manifest import Entry, Manifest, digest_of
+from dynsplines.batch.solving import solved
+from dynsplines.batch.task import Options
 from dynsplines.errors import UserError
-from dynsplines.system.lock import locked
 
-pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX locks")
-
-WALK = Entry(clip="walk", source="../clips/walk.toml", state="running", input="abc", attempts=1)
-DONE = replace(WALK, state="done", seconds=0.5, files={"walk.npz": "0"})
-RUN = Entry(
-    clip="sub/run",
-    source="../clips/sub/run.toml",
-    state="failed",
-    input="def",
-    attempts=2,
-    cause="time",
-    bound=3.0,
-    error="too 'long'",
-)
-
-
-def lines(folder: Path) -> list[dict[str, object]]:
-    return [json.loads(line) for line in (folder / "manifest.jsonl").read_text(encoding="utf-8").splitlines()]
-
-
-def test_the_last_line_about_a_clip_counts(tmp_path: Path):
-    manifest = Manifest.of(tmp_path)
-    manifest.record([WALK, RUN])
-    manifest.record([DONE])
-    assert [line.get("clip") for line in lines(tmp_path)] == [None, "walk", "sub/run", "walk"]
-    assert Manifest.of(tmp_path).entries == {"walk": DONE, "sub/run": RUN} == manifest.entries
-    manifest.rewrite()
-    assert [line.get("clip") for line in lines(tmp_path)] == [None, "walk", "sub/run"]
-    assert Manifest.of(tmp_path).entries == manifest.entries
+WALK = Entry(clip="walk", source="../clips/walk.toml", state="failed", input="abc", error="too 'long'")
+DONE = replace(WALK, state="done", error="", seconds=0.5, files={"walk.npz": "0"})
+RUN = replace(WALK, clip="sub/run", source="../clips/sub/run.toml")
 
 
 def test_wherever_the_last_line_is_cut_what_came_before_it_stands(tmp_path: Path):
     manifest = Manifest.of(tmp_path)
-    manifest.record([WALK, RUN])
+    manifest.record(WALK)
+    manifest.record(RUN)
     before = manifest.path.stat().st_size
-    manifest.record([DONE])
+    manifest.record(DONE)
+    assert manifest.entries == {"walk": DONE, "sub/run": RUN}
     whole = manifest.path.read_bytes()
+    assert [json.loads(line)["clip"] for line in whole.splitlines()] == ["walk", "sub/run", "walk"]
     for end in range(before, len(whole)):
         manifest.path.write_bytes(whole[:end])
         assert Manifest.of(tmp_path).entries == {"walk": WALK, "sub/run": RUN}
-    Manifest.of(tmp_path).record([DONE])
+        assert manifest.path.read_bytes() == whole[:before]
+    Manifest.of(tmp_path).record(DONE)
     assert Manifest.of(tmp_path).entries == {"walk": DONE, "sub/run": RUN}
 
 
-@pytest.mark.parametrize("line", ["nonsense", '{"clip": "a"}', '{"clip": "a", "source": "a", "state": "lost"}', "[]"])
+@pytest.mark.parametrize(
+    "line",
+    ["nonsense", '{"clip": "a"}', '{"clip": "a", "source": "a", "state": "queued"}', "[]", '{"dynsplines batch": 1}'],
+)
 def test_a_line_that_is_none_is_named(tmp_path: Path, line: str):
-    (tmp_path / "manifest.jsonl").write_text(f'{{"dynsplines batch": 1}}\n{line}\n{WALK.line()}', encoding="utf-8")
-    with pytest.raises(UserError, match=r"manifest\.jsonl: line 2 is not an entry of a clip"):
+    (tmp_path / "manifest.jsonl").write_text(f"{WALK.line()}{line}\n", encoding="utf-8")
+    with pytest.raises(UserError, match=r"manifest\.jsonl: line 2 is not an entry of a clip.*; give another -o"):
         Manifest.of(tmp_path)
 
 
-def test_a_manifest_of_another_version_is_refused(tmp_path: Path):
-    (tmp_path / "manifest.jsonl").write_text('{"dynsplines batch": 99}\n', encoding="utf-8")
-    with pytest.raises(UserError, match="another version"):
-        Manifest.of(tmp_path)
+@pytest.fixture
+def out(tmp_path: Path) -> Path:
+    """A folder for the results of the clips tiny.toml and other.toml."""
+    written(tmp_path)
+    written(tmp_path, changed("fps = 20", "fps = 30"), "other.toml")
+    (tmp_path / "out").mkdir()
+    return tmp_path / "out"
 
 
-def test_a_manifest_with_former_names_is_read_without_its_files(tmp_path: Path):
-    line = DONE.line().replace('"files"', '"companions"')
-    assert '"companions"' in line
-    (tmp_path / "manifest.jsonl").write_text(f'{{"dynsplines batch": 1}}\n{line}', encoding="utf-8")
-    assert Manifest.of(tmp_path).entries["walk"] == replace(DONE, files={})
+def left(out: Path, options: Options = Options()) -> list[str]:  # noqa: B008
+    """The clips that a command has left to do, by a program that starts anew."""
+    batch = Batch(Manifest.of(out), options, quiet(), solved)
+    batch.plan(sources([str(out.parent / "tiny.toml"), str(out.parent / "other.toml")]))
+    return [str(source.name) for source in batch.waiting]
 
 
-def test_an_output_counts_only_if_it_is_whole(tmp_path: Path):
-    path = tmp_path / "walk.npz"
-    with zipfile.ZipFile(path, "w") as archive:
-        archive.writestr("time.npy", bytes(1000))
-    entry = replace(DONE, files={"walk.npz": digest_of(path.read_bytes())})
-    assert entry.is_intact(tmp_path)
-    data = path.read_bytes()
-    path.write_bytes(data[:-5])
-    assert not entry.is_intact(tmp_path)
-    path.write_bytes(data[:-40] + bytes(40))
-    assert not entry.is_intact(tmp_path)
-    path.unlink()
-    assert not entry.is_intact(tmp_path)
-    assert not replace(entry, files={}).is_intact(tmp_path)
-
-
-def test_a_second_program_is_refused_and_the_other_process_is_named(tmp_path: Path):
-    with locked(tmp_path):
-        who = f"by process {os.getpid()} on {socket.gethostname()} since"
-        with pytest.raises(UserError, match=who), locked(tmp_path):
-            pass
-        with pytest.raises(UserError, match="wait for it, or end it"), locked(tmp_path):
-            pass
-    with locked(tmp_path):
-        pass
-    assert list(tmp_path.iterdir()) == []
-
-
-def test_the_lock_of_a_killed_program_is_taken_over(tmp_path: Path):
-    code = (
-        "import os, signal, sys; from pathlib import Path; from dynsplines.system.lock import locked\n"
-        "with locked(Path(sys.argv[1])): os.kill(os.getpid(), signal.SIGKILL)"
+def end(out: Path, name: str, error: str = "", options: Options = Options()) -> None:  # noqa: B008
+    """A clip's end is written down."""
+    (out / f"{name}.csv").write_bytes(b"data")
+    (source,) = sources([str(out.parent / f"{name}.toml")])
+    digest = task_of(source, {}, options).digest
+    files = {} if error else {f"{name}.csv": digest_of(b"data")}
+    state = "failed" if error else "done"
+    Manifest.of(out).record(
+        Entry(clip=name, source=f"../{name}.toml", state=state, input=digest, error=error, files=files)
     )
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}
-    ended = subprocess.run([sys.executable, "-c", code, tmp_path], env=environment, check=False)
-    assert ended.returncode == -signal.SIGKILL
-    assert json.loads((tmp_path / "manifest.lock").read_text(encoding="utf-8"))["host"] == socket.gethostname()
-    with locked(tmp_path):
-        assert json.loads((tmp_path / "manifest.lock").read_text(encoding="utf-8"))["pid"] == os.getpid()
 
 
-def test_the_lock_of_another_host_is_believed(tmp_path: Path):
-    (tmp_path / "manifest.lock").write_text('{"pid": 7, "host": "elsewhere", "since": "noon"}', encoding="utf-8")
-    with (
-        pytest.raises(UserError, match="process 7 on elsewhere since noon; if that has ended, remove"),
-        locked(tmp_path),
-    ):
-        pass
-    (tmp_path / "manifest.lock").unlink()
-    with locked(tmp_path):
-        pass
+def test_what_is_done_and_whole_is_left_alone(out: Path):
+    assert left(out) == ["tiny", "other"]
+    end(out, "other")
+    assert left(out) == ["tiny"]
+    for harm in (lambda path: path.write_bytes(b"d\0ta"), lambda path: path.write_bytes(b"dat"), Path.unlink):
+        harm(out / "other.csv")
+        assert left(out) == ["tiny", "other"]
+
+
+def test_a_clip_a_figure_or_an_option_that_changes_is_done_again(out: Path):
+    end(out, "tiny")
+    end(out, "other")
+    assert left(out) == []
+    assert left(out, Options(report=True)) == left(out, Options(fps=7.0)) == ["tiny", "other"]
+    (out.parent / "tiny.toml").write_text(CLIP.replace("fps = 20", "fps = 21"), encoding="utf-8")
+    assert left(out) == ["tiny"]
+    end(out, "tiny")
+    (out.parent / "tiny.xml").write_text(FIGURE.replace('mass="4"', 'mass="5"'), encoding="utf-8")
+    assert left(out) == ["tiny", "other"]
+
+
+def test_what_failed_is_done_again_on_request(out: Path):
+    end(out, "other")
+    end(out, "tiny", error="it did not work")
+    assert left(out) == []
+    assert left(out, Options(retry_failed=True)) == ["tiny"]
+
+
+def test_a_result_of_another_clip_is_not_written_over(out: Path):
+    Manifest.of(out).record(replace(DONE, clip="TINY", source="../elsewhere/TINY.toml"))
+    with pytest.raises(UserError, match=r"'\.\./elsewhere/TINY\.toml' and '\.\./tiny\.toml' have the same output"):
+        left(out)
+
+
+def test_a_clip_that_cannot_be_read_waits_for_its_turn(out: Path, monkeypatch: pytest.MonkeyPatch):
+    def gone(path: Path) -> bytes:
+        raise FileNotFoundError(2, "No such file or directory", str(path))
+
+    monkeypatch.setattr(Path, "read_bytes", gone)
+    assert left(out) == ["tiny", "other"]
+
+
+@pytest.mark.skipif(os.name == "nt", reason="links need rights there")
+@pytest.mark.parametrize("name", ["../prey", "/dev/zero", "link"])
+def test_a_manifest_makes_a_batch_read_nothing_outside_its_folder(out: Path, name: str):
+    (out.parent / "prey").write_bytes(b"data")
+    (out / "link").symlink_to(out.parent / "prey")
+    assert not replace(DONE, files={name: digest_of(b"data")}).is_intact(out)

@@ -166,7 +166,7 @@ def test_what_a_killed_program_left_goes_with_the_next_writer_of_that_file_and_n
 
 
 OWN_WAYS = {  # what writes without being an output: to a temporary file that it was given, or to a place of its own
-    "clean/command.py", "system/lock.py", "system/workers.py", "batch/manifest.py", "batch/solving.py",
+    "clean/command.py", "system/workers.py", "batch/manifest.py", "batch/solving.py",
     "cli.py", "clip/file.py", "picture/film.py", "edit/files.py", "motion.py",
     "system/output.py", "exchange/format/bvh.py", "exchange/format/csv_table.py",
     "exchange/formats.py", "exchange/format/gltf.py", "exchange/format/html.py", "exchange/format/mjlab_csv.py",

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from dynsplines.system import lock
+from dynsplines.system import output
 from dynsplines.system import scratch as module
 from dynsplines.system.scratch import PREFIX, scratch
 
@@ -109,8 +109,8 @@ def test_a_folder_that_is_taken_for_a_leftover_before_it_is_locked_is_made_anew(
     place: Path, monkeypatch: pytest.MonkeyPatch
 ):
     """Another program looks between the making of a folder and its lock, before and after it is opened."""
-    assert lock.fcntl is not None
-    flock, opened, looks = lock.fcntl.flock, os.open, [0, 0]
+    assert output.fcntl is not None
+    flock, opened, looks = output.fcntl.flock, os.open, [0, 0]
 
     def before_it_is_opened(path, *args, **kwargs):
         if not looks[0] and PREFIX in os.fspath(path):
@@ -119,14 +119,14 @@ def test_a_folder_that_is_taken_for_a_leftover_before_it_is_locked_is_made_anew(
         return opened(path, *args, **kwargs)
 
     def before_it_is_locked(handle, how):
-        if looks[0] and not looks[1] and how == lock.fcntl.LOCK_EX:
+        if looks[0] and not looks[1] and how == output.fcntl.LOCK_EX:
             looks[1] = 1
             for name in names(place):
                 module._remove_leftover(place / name)
         return flock(handle, how)
 
     monkeypatch.setattr(module.os, "open", before_it_is_opened)
-    monkeypatch.setattr(lock.fcntl, "flock", before_it_is_locked)
+    monkeypatch.setattr(output.fcntl, "flock", before_it_is_locked)
     with scratch() as folder:
         assert looks == [1, 1] and names(place) == [folder.name]
         module._clear(place)
