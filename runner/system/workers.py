@@ -13,7 +13,6 @@ import os
 import pickle
 import signal
 import sys
-import tempfile
 import threading
 import time
 import traceback
@@ -23,8 +22,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from concurrent.futures import wait as wait_for
 from contextlib import AbstractContextManager, contextmanager, suppress
 from multiprocessing.connection import Connection, wait
-from pathlib import Path
-from typing import IO, Any, Generic, TypeVar
+from typing import Any, TypeVar
 
 from ..errors import UserError
 from . import mujoco_warnings
@@ -38,7 +36,7 @@ Work = Callable[[Tool, Item], Result]
 MOST_WORKERS = 60  # maximum number of processes for which Windows can wait
 GRACE_SECONDS = 5.0  # [s] time in which a process should end
 START_SECONDS = 120.0  # [s] time in which a process should start and open its tool
-WATCH_SECONDS = 0.1  # [s] interval of checks of limits
+WATCH_SECONDS = 0.1  # [s] interval of checks whether results are still needed
 AHEAD = 2  # results per process that may wait for an earlier one
 
 
@@ -53,14 +51,15 @@ def in_order(
     """Yield work(tool, item) for every item, in order, computed by this process or by `workers` others.
 
     Few results are computed ahead, so that a long video is never in memory. Raises the errors of the work, and
-    UserError if a process ends. For several workers see `Pool`.
+    UserError if a process ends. For several workers, tool, work and items must be picklable, and the program importable
+    without running (`if __name__ == "__main__"`).
     """
     if workers == 1:
         with opened() as tool:
             for item in items:
                 yield work(tool, item)
         return
-    pool, futures = Pool(opened, work), deque[Future[Result]]()
+    pool, futures = _Pool(opened, work), deque[Future[Result]]()
     with ThreadPoolExecutor(workers) as threads:
         try:
             for item in items:
@@ -83,51 +82,28 @@ def _result(future: Future[Result]) -> Result:
     return future.result()
 
 
-class Pool(Generic[Tool, Item, Result]):
-    """Worker processes, one for every thread that calls `run` at the same time.
+class _Pool:
+    """Worker processes, one for every thread that calls `run` at the same time."""
 
-    Tool, work and items must be picklable, and the program importable without running (`if __name__ == "__main__"`).
-
-    Args:
-        opened: Opens the tool, before the first item.
-        work: (tool, item) -> result.
-        idle: The time without an item after which a process ends [s]; None: never.
-        folder: A folder for temporary files with the processes' standard error; None: it is that of this process.
-    """
-
-    def __init__(
-        self,
-        opened: Opened[Tool],
-        work: Work[Tool, Item, Result],
-        idle: float | None = None,
-        folder: Path | None = None,
-    ) -> None:
-        self._start = (opened, work, idle, folder)
-        self._idle: list[Worker] = []
+    def __init__(self, opened: Opened[Any], work: Work[Any, Any, Any]) -> None:
+        self._start = (opened, work)
+        self._idle: list[_Worker] = []
         self._stopped = threading.Event()
 
-    def run(self, item: Item, seconds: float = math.inf, megabytes: float | None = None) -> Result:
-        """Return work(tool, item).
+    def run(self, item: object) -> Any:
+        """Return work(tool, item). Raises UserError if no more processes can be started.
 
-        Args:
-            item: The item.
-            seconds: The limit of wall-clock time [s].
-            megabytes: The limit of resident memory [MB]; this needs psutil.
-
-        Raises:
-            LimitExceeded: The item exceeds a limit. As after any error, the process is ended.
-            WorkerEnded: The process has ended, or the pool was stopped.
-            UserError: No more processes can be started.
+        Any error ends the process.
         """
         worker = self._idle_worker()
         is_new = worker is None
         if worker is None:
-            worker = Worker(*self._start)
+            worker = _Worker(*self._start)
         try:
             if is_new:
-                self._wait(worker, START_SECONDS, None)
+                self._wait(worker, START_SECONDS)
             worker.give(item)
-            result = self._wait(worker, seconds, megabytes)
+            result = self._wait(worker)
         except BaseException:
             worker.stop()
             raise
@@ -145,49 +121,33 @@ class Pool(Generic[Tool, Item, Result]):
         for worker in idle:
             worker.stop(GRACE_SECONDS)
 
-    def _idle_worker(self) -> Worker | None:
+    def _idle_worker(self) -> _Worker | None:
         with suppress(IndexError):
-            while not (worker := self._idle.pop()).process.is_alive():
-                worker.stop()
-            return worker
+            return self._idle.pop()
         return None
 
-    def _wait(self, worker: Worker, seconds: float, megabytes: float | None) -> Any:
-        """Return the next answer of a process within limits."""
+    def _wait(self, worker: _Worker, seconds: float = math.inf) -> Any:
+        """Return the next answer of a process."""
         end = time.monotonic() + seconds
-        while not worker.line.poll(max(0.0, min(WATCH_SECONDS, end - time.monotonic()))):
+        while not worker.line.poll(WATCH_SECONDS):
             if self._stopped.is_set():
                 raise WorkerEnded("was stopped")
             if time.monotonic() >= end:
-                raise LimitExceeded("time", seconds, f"it took longer than {seconds:g} s")
-            if megabytes is not None and worker.memory() > megabytes * 2**20:
-                raise LimitExceeded("memory", megabytes, f"it took more memory than {megabytes:g} MB")
+                raise WorkerEnded(f"did not start within {seconds:g} s")
         return worker.result()
-
-
-class LimitExceeded(Exception):
-    """An item exceeded a limit: its kind, "time" or "memory", and its value [s or MB]."""
-
-    def __init__(self, kind: str, bound: float, text: str) -> None:
-        super().__init__(text)
-        self.kind, self.bound = kind, bound
 
 
 class WorkerEnded(Exception):
     """A worker process has ended; the text describes how."""
 
 
-class Worker:
-    """A process with a tool, and the connection to it; the arguments are those of `Pool`. Its first answer is None."""
+class _Worker:
+    """A process with a tool, and the connection to it. Its first answer is None."""
 
-    def __init__(self, opened: Opened[Any], work: Work[Any, Any, Any], idle: float | None, folder: Path | None) -> None:
+    def __init__(self, opened: Opened[Any], work: Work[Any, Any, Any]) -> None:
         spawn = multiprocessing.get_context("spawn")
         self.line, theirs = spawn.Pipe()
-        self._errors: IO[bytes] | None = None
-        if folder is not None:
-            self._errors = tempfile.NamedTemporaryFile(dir=folder)  # noqa: SIM115, `stop` closes it
-        args = (theirs, opened, work, idle, None if self._errors is None else self._errors.name)
-        self.process = spawn.Process(target=_serve, args=args, daemon=True)
+        self.process = spawn.Process(target=_serve, args=(theirs, opened, work), daemon=True)
         try:
             with ctrl_c_blocked():
                 self.process.start()
@@ -196,14 +156,6 @@ class Worker:
             raise UserError(f"a worker process cannot be started: {why}; --workers 1 does without") from None
         finally:
             theirs.close()
-
-    def memory(self) -> float:
-        """Return the resident memory [bytes]."""
-        import psutil  # imported here because only batches limit memory
-
-        with suppress(psutil.Error):
-            return psutil.Process(self.process.pid).memory_info().rss
-        return 0.0
 
     def give(self, item: object) -> None:
         """Send an item. Wait for its result before the next one."""
@@ -229,19 +181,17 @@ class Worker:
             self.process.join(patience)
         self.process.kill()
         self.process.join()
-        if self._errors is not None:
-            self._errors.close()
 
     def _ending(self) -> str:
-        """Return how the process ended, with the last line of its standard error."""
+        """Return how the process ended."""
         self.process.join(GRACE_SECONDS)
         code = self.process.exitcode
-        text = "did not answer" if code is None else f"ended with code {code}"
-        if code is not None and code < 0:
-            memory = "; too little memory?" if -code == 9 else ""
-            text = f"was ended by signal {-code} ({signal.strsignal(-code) or 'unknown'}{memory})"
-        lines = self._errors.read()[-4000:].decode(errors="replace").splitlines() if self._errors else []
-        return next((f"{text}: {line.strip()}" for line in reversed(lines) if line.strip()), text)
+        if code is None:
+            return "did not answer"
+        if code >= 0:
+            return f"ended with code {code}"
+        memory = "; too little memory?" if code == -9 else ""
+        return f"was ended by signal {-code} ({signal.strsignal(-code) or 'unknown'}{memory})"
 
 
 @contextmanager
@@ -260,21 +210,16 @@ def ctrl_c_blocked() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _serve(
-    line: Connection[Any, Any], opened: Opened[Any], work: Work[Any, Any, Any], idle: float | None, errors: str | None
-) -> None:
+def _serve(line: Connection[Any, Any], opened: Opened[Any], work: Work[Any, Any, Any]) -> None:
     """Open the tool, then receive items and send results with their notes, until the connection closes."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     threading.Thread(target=_end_with_parent, daemon=True).start()
-    if errors is not None:
-        with Path(errors).open("wb") as stream:
-            os.dup2(stream.fileno(), 2)
     notes: list[str] = []
     with mujoco_warnings.reported_to(notes.append), suppress(EOFError, OSError):
         try:
             with opened() as tool:
                 line.send((None, None, notes))
-                while line.poll(idle):
+                while True:
                     item = line.recv()
                     notes.clear()
                     line.send((None, work(tool, item), notes))
