@@ -160,7 +160,7 @@ def measure(effort: Effort) -> Section:
 
 def add_drags(section: Section, effort: Effort, name: str, spec: mujoco.MjSpec) -> None:
     """Add the share of drags without violations, and the time of a move of the mouse."""
-    from pulls import KINDS, Pulls, with_floor  # of tests/support
+    from problems import KINDS, Pulls, with_floor
 
     pulls, rng, count = Pulls(with_floor(spec), SOLES[name]), np.random.default_rng(5), effort.count(DRAGS, 20)
     results = []

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 # isort: off
-import bytecode  # noqa: F401 - before all that is ours
-import one_thread  # noqa: F401 - before NumPy
-import signals_heard  # noqa: F401
+import environment  # noqa: F401 - before all that is ours
 # isort: on
 
 import gc
@@ -13,13 +11,13 @@ from collections.abc import Generator
 from pathlib import Path
 
 import drawing
+import figures
 import numpy as np
+import problems
 import pytest
-import shared_figures
 import shipped
-import tiny
 from figures import FIGURES, figure_named
-from quiet import quiet
+from processes import quiet
 
 from dynsplines import motion, solving
 from dynsplines.clip import load as clip
@@ -29,7 +27,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solving import Solved
 
 shipped.open_folder()
-shared_figures.share()
+figures.share()
 
 
 @pytest.hookimpl(wrapper=True)
@@ -67,7 +65,7 @@ def rng() -> np.random.Generator:
 @pytest.fixture(scope="session")
 def solved(tmp_path_factory: pytest.TempPathFactory) -> Solved:
     """The tiny clip, solved."""
-    path = tiny.written(tmp_path_factory.mktemp("tiny"))
+    path = problems.written(tmp_path_factory.mktemp("tiny"))
     return solving.solve(clip.load(str(path)), quiet())
 
 

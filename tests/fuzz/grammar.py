@@ -9,7 +9,7 @@ import random
 from collections.abc import Callable, Sequence
 
 import mujoco
-import tiny
+import problems
 from fuzz.mangle import Rng, mangled_text
 
 from dynsplines.clip.kinds import KINDS as PENALTIES
@@ -128,7 +128,7 @@ joints.left_knee = {rotvec = [0, 0, 0]}
 bodies.pelvis = {position = [0.4, 0, 0.62]}
 """
 
-SIMPLE = tiny.changed("evaluations = 8", "evaluations = 2")
+SIMPLE = problems.changed("evaluations = 8", "evaluations = 2")
 SOURCES = (SIMPLE, SIMPLE, CLIP)
 ODD = (0, -1, 1e9, -1e9, float("nan"), float("inf"), 10**30, True, "", "free", [], {}, [0, 0, 0], 1e-12, "naïve", [[]])
 BODIES, JOINTS = ("pelvis", "left_shin", "nobody", "world"), ("left_knee", "root", "none")
@@ -139,7 +139,7 @@ ODDLY = 0.004  # of all values are of another kind
 
 def spec() -> mujoco.MjSpec:
     """The tiny figure."""
-    return mujoco.MjSpec.from_string(tiny.FIGURE)
+    return mujoco.MjSpec.from_string(problems.FIGURE)
 
 
 def mangled_clip(rng: Rng) -> bytes:

@@ -15,13 +15,13 @@ from pathlib import Path
 from typing import Any
 from zlib import crc32
 
+import motions
 import mujoco
 import numpy as np
-import tiny
-import wild
+import problems
 from fuzz import grammar
 from fuzz.mangle import Rng, mangled_arrays, mangled_bytes, mangled_text, mangled_tree
-from quiet import quiet
+from processes import quiet
 from rekeyed import with_keys
 
 from dynsplines import motion, recordings, solving
@@ -65,8 +65,8 @@ class Kind:
 
 RATES = {"human": 50.0}  # [1/s] of what is written, of three frames
 FIGURES = (
-    ("rich.xml", grammar.MODEL), ("tiny.xml", tiny.FIGURE), ("hinge.xml", tiny.HINGE.format(keys="")),
-    ("robot.xml", wild.ROBOT),
+    ("rich.xml", grammar.MODEL), ("tiny.xml", problems.FIGURE), ("hinge.xml", problems.HINGE.format(keys="")),
+    ("robot.xml", motions.ROBOT),
 )  # fmt: skip
 
 
@@ -74,8 +74,8 @@ FIGURES = (
 def _saved(figure: str) -> Saved:
     """A motion of a few frames, good to be written in any format."""
     if figure == "tiny":
-        return solving.unsolved(recordings.from_text(tiny.CLIP, name="tiny", spec=grammar.spec())).saved(quiet())
-    saved = wild.motion_of("human") if figure == "human" else wild.through(figure, *_robot_keys())
+        return solving.unsolved(recordings.from_text(problems.CLIP, name="tiny", spec=grammar.spec())).saved(quiet())
+    saved = motions.motion_of("human") if figure == "human" else motions.through(figure, *_robot_keys())
     clip = clips.of_motion(saved)
     return solving.unsolved(with_keys(clip, list(clip.keys)[:3])).saved(quiet(), with_report=False)
 
@@ -215,7 +215,10 @@ def _kind_of(name: str, figure: str | None, make: Callable[[Callable[[], bytes],
 
 
 def _mjcf_source(rng: Rng) -> bytes:
-    text = (grammar.MODEL, tiny.HINGE.format(keys='<keyframe><key qpos="0 0"/><key time="1" qpos="1 1"/></keyframe>'))
+    text = (
+        grammar.MODEL,
+        problems.HINGE.format(keys='<keyframe><key qpos="0 0"/><key time="1" qpos="1 1"/></keyframe>'),
+    )
     return mangled_text(text[int(rng.integers(len(text)))], rng)
 
 

@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from fuzz import grammar
-from quiet import quiet
+from processes import quiet
 from rekeyed import with_keys
 
 from dynsplines import recordings, solving

@@ -50,6 +50,6 @@ def test_a_file_that_is_whole_is_read_and_one_that_was_changed_is_read_or_refuse
 def test_tables_of_any_shape_are_read_or_refused(draw: random.Random):
     text = grammar.table(draw)
     try:
-        recordings.from_text(text, name="drawn", spec=mujoco.MjSpec.from_string(grammar.tiny.FIGURE))
+        recordings.from_text(text, name="drawn", spec=mujoco.MjSpec.from_string(grammar.problems.FIGURE))
     except UserError as error:
         assert str(error) and "\n" not in str(error)

@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from bench import Effort
-from move import in_carried, of
 from perturbed import compared
+from shipped import in_carried, of
 
 pytestmark = pytest.mark.slow
 G = 9.81

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 from paper.penetration import penetration
-from quiet import quiet
+from processes import quiet
 
 from dynsplines import recordings, solving
 from dynsplines.motion import sampled

@@ -10,9 +10,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from move import Move, of
 from paper.penetration import penetration
-from variations import perturbed
+from shipped import Move, of, perturbed
 
 from dynsplines import models
 from dynsplines.clip.build import Clip

@@ -6,10 +6,9 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from geom_pairs import geom_pairs
-from move import Move, of
-from oracles import aligned
+from oracles import aligned, geom_pairs
 from paper.penetration import self_penetration
+from shipped import Move, of
 
 from dynsplines import models
 from dynsplines.measure.violation import violations

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import figures
 import numpy as np
 import pytest
-import walkers
 from figures import link_named
 from oracles import kinematics
-from squats import Measured, measured, solved, squat
+from shipped import Measured, measured, squat
+from shipped import solved_squat as solved
 
 from dynsplines import recordings
 from dynsplines.clip.build import Clip
@@ -76,9 +77,9 @@ def test_a_lowered_pelvis_is_a_squat(height, contacts):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("name", "height"), [("BIPED", walkers.BIPED_HEIGHT), ("QUADRUPED", walkers.QUADRUPED_HEIGHT)])
+@pytest.mark.parametrize(("name", "height"), [("BIPED", figures.BIPED_HEIGHT), ("QUADRUPED", figures.QUADRUPED_HEIGHT)])
 def test_legs_of_hinges_bend_too(name, height, tmp_path: Path):
-    (tmp_path / "its.xml").write_text(getattr(walkers, name), encoding="utf-8")
+    (tmp_path / "its.xml").write_text(getattr(figures, name), encoding="utf-8")
     problem = squat(0.8 * height, contacts=False, figure=str(tmp_path / "its.xml"))
     found = measured(problem, solved(problem).motion.timeline)
     assert found.deep <= 2e-3

@@ -17,9 +17,9 @@ import crew
 import nlopt
 import numpy as np
 import pytest
-from command import Command, Done, commanded, refusal
 from PIL import Image
-from tiny import CLIP, FIGURE, HINGE, changed, written
+from problems import CLIP, FIGURE, HINGE, changed, written
+from processes import Command, Done, commanded, refusal
 from typer.main import get_command
 
 from dynsplines import cli, models, motion, solving

@@ -13,8 +13,8 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
-from command import commanded
-from tiny import CLIP, changed, written
+from problems import CLIP, changed, written
+from processes import commanded
 
 from dynsplines.batch.inputs import sources
 from dynsplines.errors import UserError, one_line, unknown

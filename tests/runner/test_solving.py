@@ -5,9 +5,9 @@ from __future__ import annotations
 import io
 
 import pytest
-from quiet import quiet
+from problems import CLIP, changed, written
+from processes import quiet
 from rich.console import Console
-from tiny import CLIP, changed, written
 
 from dynsplines import solving
 from dynsplines.clip import load as clip

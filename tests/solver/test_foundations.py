@@ -6,17 +6,16 @@ import subprocess
 import sys
 from dataclasses import dataclass
 
+import figures
 import numpy as np
 import pytest
-import shared_figures
 from figures import figure_of
+from gradients import taylor_slope
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from oracles import kinematics
+from oracles import SiteGoal, kinematics
 from scipy.optimize import nnls
 from scipy.spatial.transform import Rotation
-from site_goal import SiteGoal
-from taylor import taylor_slope
 from threadpoolctl import ThreadpoolController
 
 from dynsplines import models, recordings
@@ -307,7 +306,7 @@ sites.left_hand = [0.2, 0.3, {}]
 
 @pytest.mark.slow
 def test_an_edit_of_a_clip_keyed_by_places_searches_few_of_its_poses_and_gives_what_the_text_alone_does(monkeypatch):
-    monkeypatch.setattr(load, "scene_and_figure", shared_figures.COMPOSED)  # no other test has searched these poses
+    monkeypatch.setattr(load, "scene_and_figure", figures.COMPOSED)  # no other test has searched these poses
     places = "".join(REACH.format(time, height) for time, height in enumerate((1.1, 1.2, 1.4)))
     clip = recordings.from_text(f'figure = "human"\n{places}', name="reach")
     text = clip.text.replace("0.3, 1.4]", "0.3, 1.39]", 1)

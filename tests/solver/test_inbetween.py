@@ -9,9 +9,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from figures import BALL, ONE_BALL, TINY, figure_of
-from hinged import PENALTIES, hinge_keys, hinged
-from random_keys import TIMES, closed, distance_from_key, partial_keys, random_keys
+from figures import BALL, ONE_BALL, PENALTIES, TINY, figure_of, hinge_keys, hinged
+from random_models import TIMES, closed, distance_from_key, partial_keys, random_keys
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame, Timeline

@@ -6,15 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from even_frames import evenly
-from every_penalty import clip, every_penalty
-from figures import CHAIN, figure_of
-from hinged import hinge_keys, hinged
-from random_keys import TIMES
-from scaled import scaled
+from figures import CHAIN, figure_of, hinge_keys, hinged, scaled
+from gradients import clip, every_penalty, taylor_slope
+from motions import FINE, walk, walker
+from random_models import TIMES, evenly
 from scipy.interpolate import CubicSpline
-from taylor import taylor_slope
-from walker import FINE, walk, walker
 
 from dynsplines import models
 from dynsplines.solver import quaternion as quat

@@ -10,11 +10,11 @@ import importlib
 import importlib.util
 from pathlib import Path
 
+import motions
 import mujoco
 import numpy as np
 import pytest
-import wild
-from quiet import quiet
+from processes import quiet
 
 from dynsplines import recordings, solving
 from dynsplines.exchange import formats
@@ -84,13 +84,13 @@ def test_locomujoco_loads_a_trajectory_and_its_model_replays_it(tmp_path, monkey
         pytest.skip("no package loco_mujoco")
     trajectory = importlib.import_module("loco_mujoco.trajectory").Trajectory
     monkeypatch.chdir(tmp_path)
-    Path("robot.xml").write_text(wild.ROBOT)
-    saved = wild.motion_of("robot.xml")
+    Path("robot.xml").write_text(motions.ROBOT)
+    saved = motions.motion_of("robot.xml")
     target = formats.export(saved, "locomujoco", tmp_path / "a.loco.npz")
     found = trajectory.load(str(target), backend=np)
-    at = wild.samples(saved)
+    at = motions.samples(saved)
     model, data = saved.figure.model, mujoco.MjData(saved.figure.model)
-    assert found.info.frequency == wild.FPS
+    assert found.info.frequency == motions.FPS
     assert found.info.joint_names == [model.joint(i).name for i in range(model.njnt)]
     np.testing.assert_array_equal(np.asarray(found.data.split_points), [0, len(at.time)])
     for i in (0, len(at.time) // 2, len(at.time) - 1):

@@ -15,8 +15,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from small_disk import SMALL, largest_file
-from tiny import changed, names, written
+from problems import changed, names, written
+from processes import SMALL, largest_file
 
 from dynsplines import motion
 from dynsplines.clip import load as clips

@@ -11,9 +11,8 @@ from typing import Any
 import mujoco
 import numpy as np
 import pytest
-from command import commanded
-from meshes import stl
-from quiet import quiet
+from figures import stl
+from processes import commanded, quiet
 
 import dynsplines
 from dynsplines import cli, motion, solving

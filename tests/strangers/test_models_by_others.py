@@ -15,8 +15,8 @@ import drawing
 import mujoco
 import numpy as np
 import pytest
-import squats
-from quiet import quiet
+import shipped
+from processes import quiet
 
 from dynsplines import motion, recordings, solving
 from dynsplines.clip import load as clip
@@ -136,7 +136,7 @@ def squat_of(file: Path, angles: dict[str, float]) -> str:
 @pytest.mark.parametrize("path", SQUATTERS)
 def test_a_robot_by_others_squats(path):
     problem = recordings.from_text(squat_of(model_file(path), SQUATTERS[path]), name="squat")
-    found = squats.measured(problem, squats.solved(problem).motion.timeline)
+    found = shipped.measured(problem, shipped.solved_squat(problem).motion.timeline)
     assert found.deep <= 2e-3
     assert found.moved <= 10e-3
     assert not {joint: over for joint, over in found.beyond.items() if over > 0.1}

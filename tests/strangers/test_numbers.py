@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import motions
 import numpy as np
+import problems
 import pytest
-import tiny
-import wild
 
 from dynsplines import motion
 from dynsplines.clip import load as clip
@@ -33,7 +33,7 @@ GOOD = "0 0 1 1 0 0 0 1 0 0 0"
 )
 def test_keyframes_of_a_model_are_reported_alike_by_new_and_as_a_clip(other: str, said: str, tmp_path: Path):
     path = tmp_path / "m.xml"
-    path.write_text(tiny.FIGURE.replace("</mujoco>", KEYS.format(GOOD, other)), encoding="utf-8")
+    path.write_text(problems.FIGURE.replace("</mujoco>", KEYS.format(GOOD, other)), encoding="utf-8")
     with pytest.raises(UserError, match=f"m.xml: keyframe 2: {said}"):
         starter(str(path), tmp_path / "a.toml")
     with pytest.raises(UserError, match=rf"m.xml: keyframe 2 \(t = 1 s\): {said}"):
@@ -52,7 +52,7 @@ def test_a_motion_of_numbers_too_large_to_reckon_with_is_refused(name: str, save
 
 
 def test_a_skeleton_whose_joints_are_all_in_one_place_is_refused(tmp_path: Path):
-    formats.export(wild.motion_of("human"), "bvh", tmp_path / "a.bvh", fps=10.0)
+    formats.export(motions.motion_of("human"), "bvh", tmp_path / "a.bvh", fps=10.0)
     text = (tmp_path / "a.bvh").read_text(encoding="utf-8")
     (tmp_path / "a.bvh").write_text(re.sub(r"OFFSET .*", "OFFSET 0 0 0", text), encoding="utf-8")
     with pytest.raises(UserError, match=r"a.bvh: its legs are without length"):
@@ -62,13 +62,13 @@ def test_a_skeleton_whose_joints_are_all_in_one_place_is_refused(tmp_path: Path)
 @pytest.mark.parametrize("name", ["x" * 400, "x/" * 3000, "a\0b"])
 def test_names_that_no_disk_has_are_those_of_files_that_are_not_there(name: str, tmp_path: Path):
     quoted = name.replace("\0", "\\u0000")
-    text = tiny.changed('"tiny.xml"', f'"{quoted}.xml"')
+    text = problems.changed('"tiny.xml"', f'"{quoted}.xml"')
     with pytest.raises(UserError, match="no file '"):
-        clip.load(str(tiny.written(tmp_path, text)))
+        clip.load(str(problems.written(tmp_path, text)))
     if "\0" not in name:
         for element in (f'<include file="{name}"/>', f'<asset><mesh name="a" file="{name}.stl"/></asset>'):
             (tmp_path / "m.xml").write_text(
-                tiny.FIGURE.replace("<worldbody>", f"{element}<worldbody>"), encoding="utf-8"
+                problems.FIGURE.replace("<worldbody>", f"{element}<worldbody>"), encoding="utf-8"
             )
             with pytest.raises(UserError):
                 clip.load(str(tmp_path / "m.xml"))

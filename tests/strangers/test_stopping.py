@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from tiny import changed, names, written
+from problems import changed, names, written
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
 

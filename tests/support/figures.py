@@ -1,15 +1,37 @@
-"""Small figures as MJCF, and figures of them."""
+"""Figures as MJCF: small ones, robots, bipeds, limbs, chains, meshes and the ground below them."""
 
 from __future__ import annotations
 
+import struct
+from collections.abc import Sequence
 from copy import copy
 from functools import cache
+from pathlib import Path
 
 import mujoco
 import numpy as np
 
 from dynsplines import models
+from dynsplines.clip import load
+from dynsplines.clip.parse import Parsed
+from dynsplines.scene.assets import Scene
+from dynsplines.solver.array import Array
+from dynsplines.solver.cache import Cache
+from dynsplines.solver.contacts import Stance
+from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.penalty import (
+    Bend,
+    BendLimits,
+    CovariantAcceleration,
+    Penalty,
+    RootAcceleration,
+    UnitMagnitude,
+)
+from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface.points import Point
+
+# Small figures as MJCF, and figures of them.
 
 BALL_TREE = """
 <mujoco><option gravity="0 0 -9.81"/>
@@ -121,3 +143,360 @@ def link_named(figure: Figure, name: str) -> int | None:
     by_joint = next((i for i, link in enumerate(figure.links) if i and link.name == name), None)
     body = mujoco.mj_name2id(figure.model, mujoco.mjtObj.mjOBJ_BODY, name)
     return int(figure.body_link[body]) if by_joint is None and body > 0 else by_joint
+
+
+# A small robot with a body for every hinge, as robots have them: hip pitch, hip roll, hip yaw.
+
+
+def _leg(side: str, sign: float) -> str:
+    corners = "".join(
+        f'<geom name="{side}_sole_{i}" type="sphere" size=".01" pos="{x} {y} -.05" mass=".01"/>'
+        for i, (x, y) in enumerate([(-0.05, -0.03), (-0.05, 0.03), (0.13, -0.03), (0.13, 0.03)])
+    )
+    return f"""
+<body name="{side}_hip_pitch_link" pos="0 {0.1 * sign} -.05">
+ <joint name="{side}_hip_pitch" axis="0 1 0" range="-130 60"/>
+ <geom type="sphere" size=".03" mass=".3"/>
+ <body name="{side}_hip_roll_link"><joint name="{side}_hip_roll" axis="1 0 0" range="-40 40"/>
+  <geom type="sphere" size=".03" mass=".3"/>
+  <body name="{side}_hip_yaw_link"><joint name="{side}_hip_yaw" axis="0 0 1" range="-60 60"/>
+   <geom type="capsule" size=".04" fromto="0 0 -.05 0 0 -.3" mass="1.5"/>
+   <body name="{side}_knee_link" pos="0 0 -.35"><joint name="{side}_knee" axis="0 1 0" range="-2 140"/>
+    <geom type="capsule" size=".035" fromto="0 0 -.05 0 0 -.27" mass="1"/>
+    <body name="{side}_ankle_pitch_link" pos="0 0 -.33"><joint name="{side}_ankle_pitch" axis="0 1 0" range="-60 50"/>
+     <geom type="sphere" size=".02" mass=".1"/>
+     <body name="{side}_ankle_roll_link"><joint name="{side}_ankle_roll" axis="1 0 0" range="-25 25"/>{corners}
+      <geom type="box" size=".08 .025 .015" pos=".04 0 -.03" mass=".3"/>
+     </body></body></body></body></body></body>"""
+
+
+def _arm(side: str, sign: float) -> str:
+    return f"""
+<body name="{side}_shoulder_pitch_link" pos="0 {0.13 * sign} .25"><joint name="{side}_shoulder_pitch" axis="0 1 0"/>
+ <geom type="sphere" size=".03" mass=".3"/>
+ <body name="{side}_shoulder_roll_link"><joint name="{side}_shoulder_roll" axis="1 0 0"/>
+  <geom type="sphere" size=".03" mass=".3"/>
+  <body name="{side}_shoulder_yaw_link"><joint name="{side}_shoulder_yaw" axis="0 0 1"/>
+   <geom type="capsule" size=".03" fromto="0 0 -.03 0 0 -.18" mass=".6"/>
+   <body name="{side}_elbow_link" pos="0 0 -.22"><joint name="{side}_elbow" axis="0 1 0" range="-130 2"/>
+    <geom type="capsule" size=".025" fromto="0 0 -.03 0 0 -.2" mass=".5"/>
+    <body name="{side}_wrist_roll_link" pos="0 0 -.22"><joint name="{side}_wrist_roll" axis="0 0 1" range="-90 90"/>
+     <geom type="sphere" size=".03" mass=".2"/></body></body></body></body></body>"""
+
+
+ANDROID = f"""<mujoco model="android"><worldbody>
+<body name="pelvis" pos="0 0 .79"><freejoint name="floating_base"/>
+ <geom type="box" size=".06 .1 .05" mass="4"/>{_leg("left", 1)}{_leg("right", -1)}
+ <body name="waist_yaw_link" pos="0 0 .06"><joint name="waist_yaw" axis="0 0 1" range="-120 120"/>
+  <geom type="sphere" size=".04" mass=".5"/>
+  <body name="torso_link"><joint name="waist_pitch" axis="0 1 0" range="-30 50"/>
+   <geom type="capsule" size=".08" fromto="0 0 .1 0 0 .25" mass="6"/>{_arm("left", 1)}{_arm("right", -1)}
+  </body></body></body></worldbody></mujoco>"""
+
+
+# A small biped of six hinges, and objects that stand about it, as MJCF.
+
+FREE = '<freejoint name="root"/>'
+BOX = (
+    '<body name="box" pos=".6 0 .15"><freejoint name="box_free"/><geom type="box" size=".15 .15 .15" mass="1"/></body>'
+)
+OBJECT_BALL = '<body name="ball" pos=".6 1 .15"><freejoint/><geom size=".15" mass="1"/></body>'
+CART = (
+    '<body name="cart" pos="2 0 .3"><freejoint name="cart_free"/><geom type="box" size=".4 .3 .1" mass="20"/>'
+    + "".join(
+        f'<body pos="{x} {y} -.15"><joint name="wheel {x} {y}" axis="0 1 0"/>'
+        '<geom type="cylinder" size=".15 .03" euler="90 0 0" mass="1"/></body>'
+        for x in (-0.3, 0.3)
+        for y in (-0.3, 0.3)
+    )
+    + "</body>"
+)
+DOOR = (
+    '<body name="door" pos="3 0 1"><joint name="door" axis="0 0 1"/><geom type="box" size=".05 .5 1"/>'
+    '<body pos="-.1 .4 0"><joint name="handle" axis="1 0 0"/><geom size=".05"/></body></body>'
+)
+DRAWER = '<body name="drawer" pos="3 2 1"><joint type="slide" axis="1 0 0"/><geom type="box" size=".1 .5 .1"/></body>'
+AXES = {"x": "1 0 0", "y": "0 1 0", "z": "0 0 1"}
+
+
+def joints(names: Sequence[str]) -> str:
+    """The joints of a body: "tx" is a slide along x, "ry" a hinge about y."""
+    kinds = {"t": "slide", "r": "hinge"}
+    return "".join(f'<joint name="{name}" type="{kinds[name[0]]}" axis="{AXES[name[1]]}"/>' for name in names)
+
+
+def biped(root: str = FREE, prefix: str = "", x: float = 0.0, scale: float = 1.0) -> str:
+    """A body `pelvis`, 0.8 m above the ground, with two legs of hip, knee and ankle."""
+    legs = "".join(
+        f'<body name="{prefix}{side}_thigh" pos="0 {y} -.05"><joint name="{prefix}{side}_hip" axis="0 1 0" '
+        'range="-86 57"/><geom type="capsule" fromto="0 0 0 0 0 -.33" size=".05" mass="3"/>'
+        f'<body name="{prefix}{side}_shin" pos="0 0 -.35"><joint name="{prefix}{side}_knee" axis="0 1 0" '
+        'range="0 126"/><geom type="capsule" fromto="0 0 0 0 0 -.32" size=".04" mass="2"/>'
+        f'<body name="{prefix}{side}_foot" pos="0 0 -.36"><joint name="{prefix}{side}_ankle" axis="0 1 0" '
+        'range="-46 46"/><geom type="box" size=".1 .04 .02" pos=".04 0 -.02" mass="1"/></body></body></body>'
+        for side, y in (("left", 0.1), ("right", -0.1))
+    )
+    return (
+        f'<body name="{prefix}pelvis" pos="{x} 0 .8">{root}<geom type="box" size=".08 .12 .08" mass="8"/>{legs}</body>'
+    )
+
+
+def scene(*bodies: str) -> str:
+    """A model of bodies on a floor."""
+    floor = '<geom name="floor" type="plane" size="5 5 .1"/>'
+    return f'<mujoco model="scene"><worldbody>{floor}{"".join(bodies)}</worldbody></mujoco>'
+
+
+# A biped and a quadruped whose legs are hinges, straight and bent at rest, small enough to read.
+#
+# The biped's knees are straight at rest and its legs have six hinges each, as humanoid robots have. The quadruped
+# stands
+# on spheres with its knees bent backward, three hinges a leg.
+
+WALKER_LEG = """
+<body name="{side}_thigh" pos="0 {y} -.05">
+  <joint name="{side}_hip_yaw" axis="0 0 1" range="-60 60"/><joint name="{side}_hip_roll" axis="1 0 0" range="-40 40"/>
+  <joint name="{side}_hip_pitch" axis="0 1 0" range="-130 60"/>
+  <geom type="capsule" size=".05" fromto="0 0 0 0 0 -.3" mass="3"/>
+  <body name="{side}_shin" pos="0 0 -.35"><joint name="{side}_knee" axis="0 1 0" range="-3 150"/>
+    <geom type="capsule" size=".04" fromto="0 0 0 0 0 -.3" mass="2"/>
+    <body name="{side}_foot" pos="0 0 -.35"><joint name="{side}_ankle_pitch" axis="0 1 0" range="-60 40"/>
+      <joint name="{side}_ankle_roll" axis="1 0 0" range="-25 25"/>
+      <geom type="box" size=".1 .04 .02" pos=".04 0 -.03" mass=".7"/></body></body></body>"""
+
+ARM = """
+<body name="{side}_arm" pos="0 {y} .4">
+  <joint name="{side}_shoulder_pitch" axis="0 1 0" range="-180 60"/>
+  <joint name="{side}_shoulder_roll" axis="1 0 0" range="-90 90"/>
+  <joint name="{side}_shoulder_yaw" axis="0 0 1" range="-90 90"/>
+  <geom type="capsule" size=".035" fromto="0 0 0 0 0 -.25" mass="1.5"/>
+  <body name="{side}_forearm" pos="0 0 -.28"><joint name="{side}_elbow" axis="0 1 0" range="-140 0"/>
+    <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.22" mass="1"/>
+    <site name="{side}_hand" pos="0 0 -.26"/></body></body>"""
+
+BIPED = f"""
+<mujoco model="biped"><compiler angle="degree" autolimits="true"/><worldbody>
+  <geom name="floor" type="plane" size="5 5 .1"/>
+  <body name="pelvis" pos="0 0 .8"><freejoint name="root"/>
+    <geom type="box" size=".08 .12 .06" mass="8"/>
+    {WALKER_LEG.format(side="left", y=0.1)}{WALKER_LEG.format(side="right", y=-0.1)}
+    <body name="torso" pos="0 0 .1"><joint name="waist" axis="0 0 1" range="-60 60"/>
+      <geom type="capsule" size=".1" fromto="0 0 .1 0 0 .35" mass="15"/>
+      {ARM.format(side="left", y=0.18)}{ARM.format(side="right", y=-0.18)}</body>
+  </body>
+</worldbody></mujoco>"""
+BIPED_HEIGHT = 0.8  # [m] of the pelvis when it stands
+
+SHANK = """
+<body name="{name}" pos="{x} {y} 0">
+  <joint name="{name}_roll" axis="1 0 0" range="-45 45"/><joint name="{name}_hip" axis="0 1 0" range="-60 120"/>
+  <geom type="capsule" size=".03" fromto="0 0 0 -.15 0 -.15" mass="1"/>
+  <body name="{name}_shank" pos="-.15 0 -.15"><joint name="{name}_knee" axis="0 1 0" range="-60 35"/>
+    <geom type="capsule" size=".02" fromto="0 0 0 .15 0 -.15" mass=".3"/>
+    <geom type="sphere" size=".025" pos=".15 0 -.15" mass=".1"/></body></body>"""
+
+QUADRUPED = f"""
+<mujoco model="quadruped"><compiler angle="degree" autolimits="true"/><worldbody>
+  <geom name="floor" type="plane" size="5 5 .1"/>
+  <body name="trunk" pos="0 0 .325"><freejoint name="root"/>
+    <geom type="box" size=".22 .09 .05" mass="8"/>
+    {SHANK.format(name="FL", x=0.2, y=0.13)}{SHANK.format(name="FR", x=0.2, y=-0.13)}
+    {SHANK.format(name="RL", x=-0.2, y=0.13)}{SHANK.format(name="RR", x=-0.2, y=-0.13)}
+  </body>
+</worldbody></mujoco>"""
+QUADRUPED_HEIGHT = 0.325  # [m] of the trunk when it stands
+
+
+# A chain of hinges, keyframes of it, and soft constraints for it.
+
+PENALTIES: list[tuple[Penalty, float]] = [
+    (CovariantAcceleration(), 1.0),
+    (UnitMagnitude(), 0.5),
+    (RootAcceleration(), 1.0),
+]
+
+
+def hinged() -> Figure:
+    arm = '<joint axis="0 1 0"/><geom size=".1"/>'
+    return figure_of(f'<mujoco><worldbody><body>{arm}<body pos="0 0 -1">{arm}</body></body></worldbody></mujoco>')
+
+
+def hinge_keys() -> list[Frame]:
+    return [Frame.key(t, [a, b]) for t, a, b in [(0, 0.0, 1.0), (0.5, 1.0, -1.0), (1.4, 0.2, 0.4), (2, -1.0, 0)]]
+
+
+# A limb with a knee, and the limits of bends.
+
+
+def limits_of(figure: Figure) -> BendLimits:
+    """Bounds on every ball joint."""
+    joints = figure.tables.ball_links
+    return BendLimits(tuple(Bend(f"{i}", i, KNEE, np.array([0.0, 0, -1])) for i in joints), 0.1, 0.2, 0.3)
+
+
+LIMB = """
+<mujoco><worldbody><body name="upper" pos="0 0 1"><freejoint/><geom size=".1"/>
+  <body name="lower" pos="0 0 -.4" quat="{quat}"><joint name="joint" type="ball"/><geom size=".1"/></body></body>
+</worldbody></mujoco>"""
+DOWN = np.array([0.0, 0, -1])
+TEN = float(np.radians(10))
+KNEE, ELBOW = np.array([0.0, 1, 0]), np.array([0.0, -1, 0])
+
+
+def limb(coordinates: str = "world", quat: str = "1 0 0 0") -> Figure:
+    return figure_of(LIMB.format(quat=quat), coordinates)
+
+
+def limits(lateral: np.ndarray, *, least: float = 0.0, sideways: float = TEN, twist: float = TEN) -> BendLimits:
+    return BendLimits((Bend("joint", 2, lateral, DOWN),), least, sideways, twist)
+
+
+# A floor, a slope, points that touch them and stances on them.
+
+FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
+SLOPE = Plane("slope", np.array([0.1, 0, 0.2]), np.array([0.6, 0, 0.8]))
+
+
+def random_points(figure: Figure, rng: np.random.Generator) -> tuple[Point, ...]:
+    """Two points on every link, so that links repeat."""
+    indices = [*range(1, len(figure.links)), *range(1, len(figure.links))]
+    return tuple(Point(f"p{n}", i, 0.3 * rng.normal(size=3), rng.uniform(0, 0.2)) for n, i in enumerate(indices))
+
+
+def stance_of(link: int, first: float, last: float) -> Stance:
+    point = Point("p", link, np.array([0.1, 0.2, -0.3]))
+    return Stance(point, first, last, np.array([0.1, 0.2, 0]), np.array([0.13, 0.2, 0.01]))
+
+
+# A mesh as a file's bytes.
+
+
+def stl(size: float) -> bytes:
+    """A tetrahedron."""
+    corners = size * np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    faces = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2)]
+    triangles = b"".join(struct.pack("<12fH", 0, 0, 0, *corners[list(face)].ravel(), 0) for face in faces)
+    return bytes(80) + struct.pack("<I", len(faces)) + triangles
+
+
+# A figure of several trees, on which rows are compared with adjoint sweeps.
+
+# two figures of their own, a chain that hangs on the world, welded bodies, a link of two balls, and a joint with
+# another two behind it
+WOOD = """
+<mujoco><option gravity="0.3 0 -9.81"/>
+<worldbody>
+<body name="post" pos="1 0 0" quat=".8 .1 .5 0"><joint name="swing" type="ball"/>
+  <geom type="capsule" size=".04" fromto="0 0 0 .02 0 -.3"/>
+  <body name="tip" pos="0 .02 -.3"><joint name="turn" type="ball"/><geom type="box" size=".03 .05 .06" pos="0 .02 0"/>
+    <body name="cap" pos="0 0 -.1" quat=".9 .3 0 .1"><geom size=".03"/></body></body></body>
+<body name="trunk" pos="0 0 1"><freejoint name="root"/><geom type="capsule" size=".1" fromto="0 0 0 .05 0 .4"/>
+  <body name="arm" pos="0.02 .2 .4" quat=".9 .1 -.2 .3"><joint name="shoulder" type="ball"/>
+    <geom type="box" size=".05 .06 .2" pos="0 .03 -.2" euler="10 20 30"/>
+    <body name="forearm" pos="0 .01 -.4"><joint name="elbow" type="ball"/>
+      <geom type="capsule" size=".04" fromto="0 0 0 .02 0 -.3"/>
+      <body name="thumb" pos="0 .03 -.3"><joint name="thumb" type="ball"/><geom size=".02" pos=".01 0 0"/></body>
+      <body name="hand" pos="0 0 -.3"><joint name="wrist" type="ball"/><geom size=".03" pos="0 .01 -.02"/></body>
+    </body></body>
+  <body name="leg" pos="0 -.1 -.1"><joint name="hip" type="ball"/>
+    <geom type="capsule" size=".06" fromto="0 0 0 0 0 -.5"/></body>
+</body>
+<body name="other" pos="0 2 1"><freejoint name="root2"/><geom type="box" size=".1 .2 .3"/>
+  <body name="head" pos="0 0 .3"><joint name="neck" type="ball"/><geom size=".1" pos="0 .02 .1"/></body></body>
+</worldbody></mujoco>"""
+
+
+def assert_near(actual: Array, expected: Array, rtol: float) -> None:
+    assert np.abs(expected).max() > 0.1
+    np.testing.assert_allclose(actual, expected, rtol=0, atol=rtol * np.abs(expected).max())
+
+
+# Equal scenes and figures are built once in a process, so that a pose which several clips have is searched once.
+
+MOST = 50  # [1] scenes, and figures, that are kept
+BUILT = load.figure_of
+COMPOSED = load.scene_and_figure
+_figures: Cache[Figure] = Cache(MOST)
+_staged: Cache[tuple[Scene, Figure]] = Cache(MOST)
+
+
+def shared_figure_of(scene: Scene, where: str, coordinates: str = "auto") -> Figure:
+    return _figures.get(_key(scene, coordinates), lambda: BUILT(scene, where, coordinates))
+
+
+def scene_and_figure(
+    source: Parsed, figure_file: str | None = None, spec: mujoco.MjSpec | None = None
+) -> tuple[Scene, Figure]:
+    text = None if spec is not None else _self_contained(figure_file or source.table.figure, source.folder)
+    coordinates = source.table.solve.coordinates
+    if text is None:
+        return _shared(*COMPOSED(source, figure_file, spec), coordinates)
+    key = text, repr(source.table.scene), frozenset(row.others for row in source.table.keyframe), coordinates
+    return _staged.get(key, lambda: _shared(*COMPOSED(source, figure_file), coordinates))
+
+
+def _shared(scene: Scene, figure: Figure, coordinates: str) -> tuple[Scene, Figure]:
+    return scene, _figures.get(_key(scene, coordinates), lambda: figure)
+
+
+def _key(scene: Scene, coordinates: str) -> tuple[object, ...]:
+    return scene.mjcf, tuple(sorted(scene.assets.items())), coordinates
+
+
+def _self_contained(figure: str, folder: Path | None) -> str | None:
+    """Return the text of a figure; None if it refers to other files, or cannot be read."""
+    if figure in models.figures():
+        return models.figure_text(figure)
+    try:
+        text = ((folder or Path()) / figure).read_text(encoding="utf-8")
+    except (OSError, ValueError):
+        return None
+    return None if "file" in text else text
+
+
+def share() -> None:
+    """From here on, in whatever is loaded."""
+    load.figure_of, load.scene_and_figure = shared_figure_of, scene_and_figure
+
+
+# A model times a factor, by its MjSpec: lengths, masses, inertias, and gravity on demand.
+
+SLIDE = mujoco.mjtJoint.mjJNT_SLIDE
+
+
+def scaled(text: str, factor: float, *, gravity: bool = False) -> mujoco.MjSpec:
+    """The model in MJCF text with all lengths times a factor, of the same density."""
+    spec = mujoco.MjSpec.from_string(text)
+    for body in spec.bodies:
+        body.pos = factor * np.array(body.pos)
+        body.ipos = factor * np.array(body.ipos)
+        body.mass *= factor**3
+        body.inertia = factor**5 * np.array(body.inertia)
+        body.fullinertia = factor**5 * np.array(body.fullinertia)
+        for geom in body.geoms:
+            geom.pos, geom.size = factor * np.array(geom.pos), factor * np.array(geom.size)
+            geom.fromto = factor * np.array(geom.fromto)
+            geom.mass *= factor**3
+        for site in body.sites:
+            site.pos, site.size = factor * np.array(site.pos), factor * np.array(site.size)
+            site.fromto = factor * np.array(site.fromto)
+        for joint in body.joints:
+            joint.pos = factor * np.array(joint.pos)
+            if joint.type == SLIDE:
+                joint.range = factor * np.array(joint.range)
+    for camera in spec.cameras:
+        camera.pos = factor * np.array(camera.pos)
+    if gravity:
+        spec.option.gravity = factor * np.array(spec.option.gravity)
+    return spec
+
+
+def enlarged(model: mujoco.MjModel, qpos: np.ndarray, factor: float) -> np.ndarray:
+    """Configurations (K, nq) of the scaled model that are those of a model."""
+    out = np.array(qpos, float)
+    for kind, start in zip(model.jnt_type, model.jnt_qposadr, strict=True):
+        if kind == mujoco.mjtJoint.mjJNT_FREE:
+            out[:, start : start + 3] *= factor
+        elif kind == SLIDE:
+            out[:, start] *= factor
+    return out

@@ -10,8 +10,8 @@ import pytest
 import shipped
 from paper.figures import drawing, scenes
 from paper.figures.drawing import FIGURES, Results
-from quiet import quiet
-from tiny import names
+from problems import names
+from processes import quiet
 
 from dynsplines import recordings, solving
 from dynsplines.motion import Saved

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from gradients import penalty_slope
 from paper.barr import Discrete
 from paper.equations import PaperAcceleration, covariant_residual
 from paper.orientations import PAPER, Case, spinner
 from paper.study import run
-from penalty_slope import penalty_slope
-from random_samples import random_samples
+from random_models import random_samples
 
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import UnitMagnitude

@@ -15,9 +15,8 @@ from pathlib import Path
 
 import mujoco
 import pytest
-from command import commanded
-from quiet import quiet
-from tiny import CLIP, FIGURE, changed, written
+from problems import CLIP, FIGURE, changed, written
+from processes import commanded, quiet
 
 pytest.importorskip("distributed")
 

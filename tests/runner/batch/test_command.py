@@ -8,8 +8,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-from command import commanded, refusal
-from tiny import written
+from problems import written
+from processes import commanded, refusal
 
 import dynsplines.batch
 

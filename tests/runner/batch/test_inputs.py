@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
 import pytest
-from tiny import CLIP, FIGURE, changed, written
+from problems import CLIP, FIGURE, changed, written
 
 from dynsplines.batch import solving
 from dynsplines.batch.inputs import Source, sources, task_of

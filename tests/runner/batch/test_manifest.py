@@ -8,8 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 
 import pytest
-from quiet import quiet
-from tiny import CLIP, FIGURE, changed, written
+from problems import CLIP, FIGURE, changed, written
+from processes import quiet
 
 pytest.importorskip("distributed")
 

@@ -7,8 +7,7 @@ from pathlib import Path
 
 import pytest
 import shipped
-from command import commanded, refusal
-from quiet import quiet
+from processes import commanded, quiet, refusal
 
 pytest.importorskip("distributed")
 

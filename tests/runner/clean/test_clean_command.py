@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from kneeling import kneeling
+from motions import kneeling
 from oracles import kinematics
 
 from dynsplines import UserError, load_motion, motion

@@ -4,10 +4,9 @@ import mujoco
 import numpy as np
 import pytest
 import shipped
-from faulted import Take
-from kneeling import kneeling
+from motions import Take, kneeling
 from paper.penetration import penetration
-from quiet import quiet
+from processes import quiet
 
 from dynsplines import recordings, solving
 from dynsplines.clean import cleaning

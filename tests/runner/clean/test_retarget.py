@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 import pytest
 import shipped
-from android import ANDROID
+from figures import ANDROID
 from oracles import kinematics
 from rich.console import Console
 

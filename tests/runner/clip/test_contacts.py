@@ -8,10 +8,10 @@ from typing import Any
 import mujoco
 import numpy as np
 import pytest
-from move import in_carried
 from oracles import kinematics
-from quiet import quiet
+from processes import quiet
 from rekeyed import with_keys
+from shipped import in_carried
 
 import dynsplines
 from dynsplines import inbetween as solve

@@ -6,8 +6,8 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from gradients import penalty_slope
 from oracles import tracks
-from penalty_slope import penalty_slope
 
 from dynsplines import Motion, inbetween, recordings
 from dynsplines.solver.array import Array

@@ -8,6 +8,8 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
+from figures import BOX, CART, biped, joints, scene
+from figures import OBJECT_BALL as BALL
 from oracles import kinematics, tracks
 from scipy.spatial.transform import Rotation
 
@@ -17,7 +19,6 @@ from dynsplines.errors import UserError
 from dynsplines.scene.framing import middles
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
-from tests.support.biped import BALL, BOX, CART, biped, joints, scene
 
 
 def read(model: str, folder: Path, *keys: str) -> Clip:

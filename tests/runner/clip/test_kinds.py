@@ -15,11 +15,11 @@ import mujoco
 import numpy as np
 import pytest
 from oracles import kinematics
-from quiet import quiet
+from problems import CLIP as TINY_CLIP
+from problems import FIGURE, HINGE, changed, written
+from processes import quiet
 from rekeyed import with_keys
 from rich.console import Console
-from tiny import CLIP as TINY_CLIP
-from tiny import FIGURE, HINGE, changed, written
 
 from dynsplines import Clip, Keyframe, Motion, UserError, build, inbetween, load, load_motion, recordings, solving
 from dynsplines.cli import list_penalties

@@ -8,10 +8,10 @@ from typing import Any
 import mujoco
 import numpy as np
 import pytest
-from command import commanded
 from oracles import kinematics
+from problems import CLIP, FIGURE, HINGE, changed, written
+from processes import commanded
 from scipy.spatial.transform import Rotation
-from tiny import CLIP, FIGURE, HINGE, changed, written
 
 from dynsplines import Keyframe, build, load_motion, models, recordings
 from dynsplines import inbetween as solve_clip

@@ -7,12 +7,11 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
-from command import commanded
 from figures import figure_of, link_named
 from oracles import kinematics
-from quiet import quiet
+from problems import HINGE
+from processes import commanded, quiet
 from rekeyed import with_keys
-from tiny import HINGE
 
 from dynsplines import inbetween, recordings, solving
 from dynsplines.clip import load as clip

@@ -8,10 +8,10 @@ import mujoco
 import numpy as np
 import pytest
 import shipped
-from command import commanded
 from figures import figure_of
 from oracles import kinematics
 from paper.penetration import penetration
+from processes import commanded
 
 import dynsplines
 from dynsplines import Keyframe, build, motion, recordings, solving

@@ -7,7 +7,7 @@ from pathlib import Path
 import mujoco
 import pytest
 from figures import FIGURES
-from tiny import FIGURE, HINGE, changed, written
+from problems import FIGURE, HINGE, changed, written
 
 from dynsplines import models
 from dynsplines.clip import load as clip

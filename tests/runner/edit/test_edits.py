@@ -9,12 +9,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import puppet
+import problems
 import pytest
 import shipped
-import tiny
+from motions import moved
 from oracles import aligned, kinematics
-from quiet import quiet
+from processes import quiet
 from rich.console import Console
 
 from dynsplines import Keyframe, Motion, build, inbetween, models, motion, recordings, solving
@@ -37,7 +37,7 @@ from dynsplines.system.progress import Progress
 
 FOLLOWING = 'figure = "tiny.xml"\nfps = 20\n[recording]\nfile = "own.npz"\n'
 CONTACT = '[[contact]]\npoint = "left_toe"\nfrom = 0.05\nto = 0.35\nposition = [0.1, 0.2, 0]\n\n'
-LOOP = tiny.changed("frames = 2", 'frames = 2\nends = "periodic"\ntravel = [0.3, 0, 0.1]').replace(
+LOOP = problems.changed("frames = 2", 'frames = 2\nends = "periodic"\ntravel = [0.3, 0, 0.1]').replace(
     "root.position = [0.3, 0, 1]\nroot.rotation = {rotvec = [0, 10, 170]}", 'root.position = [0.3, "free", 1.1]'
 )
 TIMES = np.linspace(0, 0.41, 42)
@@ -45,7 +45,7 @@ Edit = Callable[[Saved], Saved]
 
 
 def solved(text: str, folder: Path) -> Saved:
-    found = recordings.load(str(tiny.written(folder, text)))
+    found = recordings.load(str(problems.written(folder, text)))
     return solving.solve(found, quiet()).saved(quiet(), with_report=False)
 
 
@@ -53,7 +53,7 @@ def solved(text: str, folder: Path) -> Saved:
 def motions(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Saved]:
     """A solved clip with contacts and a partial keyframe, one that follows its motion, and a loop."""
     folder = tmp_path_factory.mktemp("own")
-    plain = solved(tiny.changed("[[keyframe]]", CONTACT + "[[keyframe]]"), folder)
+    plain = solved(problems.changed("[[keyframe]]", CONTACT + "[[keyframe]]"), folder)
     motion.save(plain, folder / "own.npz")
     return {"plain": plain, "following": solved(FOLLOWING, folder), "loop": solved(LOOP, folder)}
 
@@ -158,7 +158,7 @@ def test_joined_motions_have_the_samples_of_both(motions, tmp_path, name):
 
 def test_an_edited_motion_is_followed_as_a_recording(motions, tmp_path):
     """To change a motion without a clip."""
-    tiny.written(tmp_path)
+    problems.written(tmp_path)
     motion.save(edits.retimed(motions["plain"], 0.5), tmp_path / "own.npz")
     key = "[[keyframe]]\ntime = 0.4\njoints.left_knee = {rotvec = [0, 70, 0]}\n"
     found = recordings.from_text(FOLLOWING + key, name="changed", folder=tmp_path)
@@ -226,11 +226,11 @@ def test_edits_that_make_no_motion_are_refused(motions, way):
 def test_loops_of_other_coordinates_figures_and_lengths_are_refused(motions, tmp_path):
     with pytest.raises(UserError, match="over 600 s"):
         edits.repeated(motions["loop"], 2000)
-    other = solved(tiny.changed("[solve]", '[solve]\ncoordinates = "joint"'), tmp_path)
+    other = solved(problems.changed("[solve]", '[solve]\ncoordinates = "joint"'), tmp_path)
     with pytest.raises(UserError, match="is in world coordinates, 'tiny' in joint coordinates"):
         edits.joined(motions["plain"], other, 0.4, quiet())
     with pytest.raises(UserError, match="puppet: no partner on the other side for: "):
-        edits.mirrored(puppet.moved())
+        edits.mirrored(moved())
 
 
 # clips
@@ -270,7 +270,7 @@ def test_rotations_are_written_as_one_would_write_them(rng):
 
 def test_hinges_and_slides_come_back_in_degrees_and_metres(tmp_path):
     keyframes = "".join(f"[[keyframe]]\ntime = {i}\njoints = {{slide = 0.1, swing = {30 * i}}}\n" for i in range(2))
-    path = tiny.written(tmp_path, f'figure = "hinge.xml"\n{keyframes}')
+    path = problems.written(tmp_path, f'figure = "hinge.xml"\n{keyframes}')
     found = clip.load(str(path))
     assert [row.joints for row in keyframe_tables(found.figure, found.keys)] == [
         {"slide": 0.1, "swing": pytest.approx(30 * i)} for i in range(2)
@@ -338,7 +338,7 @@ def test_keyframes_places_contacts_and_obstacles_change_sides_with_a_clip(tmp_pa
 @pytest.mark.parametrize(("y", "is_noted"), [(0.4, True), (0.0, False)])
 def test_a_mirrored_motion_keeps_its_scene_and_a_note_states_it(tmp_path, y, is_noted):
     ball = f'\n[[scene.sphere]]\nname = "ball"\nradius = 0.1\nposition = [2, {y}, 1]\n'
-    path = tiny.written(tmp_path, tiny.changed("fps = 20", "fps = 20" + ball))
+    path = problems.written(tmp_path, problems.changed("fps = 20", "fps = 20" + ball))
     output = io.StringIO()
     progress = Progress(Console(file=output))
     for ending in ("toml", "npz"):
@@ -351,7 +351,7 @@ def test_a_mirrored_motion_keeps_its_scene_and_a_note_states_it(tmp_path, y, is_
 
 @pytest.mark.slow
 def test_a_retimed_clip_has_other_times_also_of_contacts_flights_and_cycles_and_nothing_else(tmp_path):
-    path = tiny.written(tmp_path)
+    path = problems.written(tmp_path)
     (tmp_path / "sub").mkdir()
     target = tmp_path / "sub" / "fast.toml"
     edit_files.run([str(path)], edit_files.retimed(2.0, None), target, overwrite=False, progress=quiet())
@@ -380,14 +380,14 @@ def test_nothing_is_written_over_what_is_edited_unasked(tmp_path, saved):
     with pytest.raises(UserError, match="not inside"):
         edit_files.run([str(source)], edit_files.trimmed(-7, None), source, overwrite=True, progress=quiet())
     assert source.read_bytes() == was
-    assert tiny.names(tmp_path) == ["tiny.npz"]
+    assert problems.names(tmp_path) == ["tiny.npz"]
     edit_files.run([str(source)], edit, source, overwrite=True, progress=quiet())
     assert motion.load(source).keys[0].time == 0.1
 
 
 @pytest.mark.parametrize("name", ["tiny.toml", "own.npz", "following.toml"])
 def test_only_tables_of_clips_are_edited_to_a_clip(motions, tmp_path, name):
-    tiny.written(tmp_path)
+    problems.written(tmp_path)
     motion.save(motions["plain"], tmp_path / "own.npz")
     (tmp_path / "following.toml").write_text(FOLLOWING, encoding="utf-8")
     source, target = [str(tmp_path / name)], tmp_path / "out.toml"
@@ -400,7 +400,7 @@ def test_only_tables_of_clips_are_edited_to_a_clip(motions, tmp_path, name):
 
 
 def test_keyframes_of_a_recording_are_not_named_in_messages(motions, tmp_path):
-    tiny.written(tmp_path)
+    problems.written(tmp_path)
     motion.save(motions["plain"], tmp_path / "own.npz")
     (tmp_path / "following.toml").write_text(FOLLOWING, encoding="utf-8")
     edit, source = edit_files.retimed(2.0, None), [str(tmp_path / "following.toml")]
@@ -463,7 +463,7 @@ PLACED = "roots.crate = {{position = [{x}, 2, 0.1], rotation = {{rotvec = [0, 0,
 
 def test_things_go_with_the_recording_that_a_clip_follows(tmp_path):
     """Where a keyframe puts one is no place of it at the others, and without any all is as recorded."""
-    head, *keyframes = tiny.CLIP.replace("fps = 20", "fps = 20" + THING).split("[[keyframe]]")
+    head, *keyframes = problems.CLIP.replace("fps = 20", "fps = 20" + THING).split("[[keyframe]]")
     text = "[[keyframe]]".join([head, *(each + PLACED.format(x=x) for x, each in enumerate(keyframes, 1))])
     recorded = solved(text, tmp_path)
     motion.save(recorded, tmp_path / "own.npz")

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import shipped
-from tiny import names
+from problems import names
 
 from dynsplines import motion, solving
 from dynsplines.clip import load as clip

@@ -6,9 +6,9 @@ import pickle
 from pathlib import Path
 
 import numpy as np
+import problems
 import pytest
-import tiny
-from quiet import quiet
+from processes import quiet
 from scipy.spatial.transform import Rotation
 
 from dynsplines import motion, solving
@@ -29,12 +29,14 @@ from dynsplines.solver.figure.figure import Figure
 
 ENDS = 'frames = 2\nends = "periodic"\n'
 LAST = "root.position = [0.3, 0, 1]\nroot.rotation = {rotvec = [0, 10, 170]}"
-TOLD = tiny.changed("frames = 2\n", ENDS).replace(LAST, "root.position = [0.3, 0.1, 1]\nroot.rotation = {heading = 45}")
-GIVEN = tiny.changed("frames = 2\n", ENDS + "travel = [0.3, 0.1, 0]\nturn = 45\n").replace(LAST, "")
+TOLD = problems.changed("frames = 2\n", ENDS).replace(
+    LAST, "root.position = [0.3, 0.1, 1]\nroot.rotation = {heading = 45}"
+)
+GIVEN = problems.changed("frames = 2\n", ENDS + "travel = [0.3, 0.1, 0]\nturn = 45\n").replace(LAST, "")
 
 
 def solved(folder: Path, text: str) -> Saved:
-    return solving.solve(clips.load(str(tiny.written(folder, text))), quiet()).saved(quiet(), with_report=False)
+    return solving.solve(clips.load(str(problems.written(folder, text))), quiet()).saved(quiet(), with_report=False)
 
 
 @pytest.fixture(scope="module")
@@ -63,21 +65,21 @@ def test_the_solve_table_turns_a_loop_as_its_last_keyframe_does(circle, tmp_path
     ],
 )
 def test_a_heading_turns_the_rest_of_a_rotation_about_the_vertical(tmp_path, entry, wanted):
-    text = tiny.changed("root.rotation = {rotvec = [0, 0, 0]}", f"root.rotation = {entry}")
-    key = clips.load(str(tiny.written(tmp_path, text))).keys[0]
+    text = problems.changed("root.rotation = {rotvec = [0, 0, 0]}", f"root.rotation = {entry}")
+    key = clips.load(str(problems.written(tmp_path, text))).keys[0]
     assert (Rotation.from_quat(key.state[3:7], scalar_first=True).inv() * wanted).magnitude() < 1e-12
 
 
 def test_a_body_and_an_obstacle_take_a_heading(tmp_path):
     ways = ("{rotvec = [0, 8, 0], heading = 30}", '{euler = [30, 8], order = "zy"}')
     text = (
-        tiny.CLIP
+        problems.CLIP
         + '[[scene.box]]\nname = "crate"\nposition = [3, 0, 0.5]\nsize = [1, 1, 1]\nrotation = {heading = 20}\n'
     )
     shins = []
     for way in ways:
-        own = tiny.changed("joints.left_knee = {rotvec = [0, 0, 0]}", f"bodies.left_shin = {way}", text)
-        found = clips.load(str(tiny.written(tmp_path, own)))
+        own = problems.changed("joints.left_knee = {rotvec = [0, 0, 0]}", f"bodies.left_shin = {way}", text)
+        found = clips.load(str(problems.written(tmp_path, own)))
         shins.append(found.keys[0].state[7:11])
         crate = Rotation.from_quat(found.figure.model.geom("crate").quat, scalar_first=True)
         assert (crate.inv() * Rotation.from_euler("z", 20, degrees=True)).magnitude() < 1e-6
@@ -87,34 +89,40 @@ def test_a_body_and_an_obstacle_take_a_heading(tmp_path):
 
 def refused(folder: Path, text: str, words: str) -> None:
     with pytest.raises(UserError, match=words):
-        clips.load(str(tiny.written(folder, text)))
+        clips.load(str(problems.written(folder, text)))
 
 
 def test_headings_and_turns_that_make_no_sense_are_refused_where_they_stand(tmp_path):
     knee = "joints.left_knee = {rotvec = [0, 0, 0]}"
     refused(
         tmp_path,
-        tiny.changed(knee, "joints.left_knee = {rotvec = [0, 0, 0], heading = 3}"),
+        problems.changed(knee, "joints.left_knee = {rotvec = [0, 0, 0], heading = 3}"),
         r"keyframe 1 \(t = 0 s\): joints.left_knee: a heading is of the root, of bodies and of obstacles",
     )
     refused(
         tmp_path,
-        tiny.changed(knee, f"{knee}\nbodies.left_shin = {{flat = true, euler = [0], order = 'x', heading = 3}}"),
+        problems.changed(knee, f"{knee}\nbodies.left_shin = {{flat = true, euler = [0], order = 'x', heading = 3}}"),
         "give flat or a rotation, not both",
     )
     refused(
         tmp_path,
-        tiny.changed("root.rotation = {rotvec = [0, 0, 0]}", 'root.rotation = {heading = "north"}'),
+        problems.changed("root.rotation = {rotvec = [0, 0, 0]}", 'root.rotation = {heading = "north"}'),
         "root.rotation.heading must be a number, not 'north'",
     )
-    refused(tmp_path, tiny.changed("frames = 2", "frames = 2\nturn = 45"), "turn is for ends = 'periodic', not 'free'")
-    refused(tmp_path, tiny.changed("frames = 2\n", ENDS + "turn = 400\n"), "solve.turn must be at most 360, not 400")
+    refused(
+        tmp_path, problems.changed("frames = 2", "frames = 2\nturn = 45"), "turn is for ends = 'periodic', not 'free'"
+    )
+    refused(
+        tmp_path, problems.changed("frames = 2\n", ENDS + "turn = 400\n"), "solve.turn must be at most 360, not 400"
+    )
     refused(
         tmp_path,
         TOLD.replace(ENDS, ENDS + "turn = 40\n"),
         r"'root' \(a loop may travel, and turn about the vertical, here by 40 degrees\)",
     )
-    refused(tmp_path, tiny.changed("frames = 2\n", ENDS).replace(LAST, LAST.replace("0.3, 0, 1", "0, 0, 1")), "by 0.99")
+    refused(
+        tmp_path, problems.changed("frames = 2\n", ENDS).replace(LAST, LAST.replace("0.3, 0, 1", "0, 0, 1")), "by 0.99"
+    )
 
 
 @pytest.mark.slow

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import motions
 import pytest
-import wild
 
 from dynsplines.motion import Saved
 
 
 @pytest.fixture(scope="session")
 def human() -> Saved:
-    return wild.motion_of("human")
+    return motions.motion_of("human")

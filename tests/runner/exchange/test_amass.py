@@ -6,7 +6,7 @@ import zlib
 import mujoco
 import numpy as np
 import pytest
-from android import ANDROID
+from figures import ANDROID
 from oracles import kinematics
 from scipy.spatial.transform import Rotation
 

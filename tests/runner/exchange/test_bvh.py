@@ -7,10 +7,9 @@ from dataclasses import replace
 from itertools import pairwise, permutations
 from pathlib import Path
 
-import disguise
+import motions
 import mujoco
 import numpy as np
-import puppet
 import pytest
 import shipped
 from oracles import kinematics
@@ -99,7 +98,7 @@ def by_hand(skeleton, sample):
 
 def test_every_joint_and_several_figures_are_where_mujoco_has_them(tmp_path):
     """Slides and joints beside their bodies' origins have positions; turned rest poses are baked in."""
-    take = SampledTrajectory.of(puppet.moved(), 48.0)
+    take = SampledTrajectory.of(motions.moved(), 48.0)
     found = bvh_file.read(written(take, tmp_path))
     assert found.fps == 48.0
     names = hierarchy.names(take.model)
@@ -114,7 +113,7 @@ def test_every_joint_and_several_figures_are_where_mujoco_has_them(tmp_path):
 @pytest.mark.slow
 def test_of_several_figures_the_one_with_limbs_is_read(tmp_path, capsys):
     """The first moves freely under a common root, so its travel can be kept only without that root."""
-    take = SampledTrajectory.of(puppet.moved(), 48.0)
+    take = SampledTrajectory.of(motions.moved(), 48.0)
     path = written(take, tmp_path)
     back = SampledTrajectory.of(import_recording(path, scale=0.01, progress=Progress()), 48.0)
     assert back.time.size == take.time.size
@@ -237,7 +236,7 @@ def test_a_figure_of_its_own_has_every_joint_where_the_file_has_it(cartwheel, tm
 )
 def test_a_t_pose_skeleton_of_any_unit_and_axes_moves_our_figure_alike(other, rail, tmp_path):
     path = tmp_path / "t.bvh"
-    path.write_text(bvh_file.written(disguise.disguised(rail, zero=disguise.t_pose(), **other)))
+    path.write_text(bvh_file.written(motions.disguised(rail, zero=motions.t_pose(), **other)))
     back = SampledTrajectory.of(import_recording(path, figure="human"))
     shift = back.bodies.position[:, 1] - rail.bodies.position[:, 1]
     if "larger" not in other:
@@ -254,7 +253,7 @@ def test_a_skeleton_whose_zero_pose_means_nothing_still_points_its_limbs_alike(r
     """As LAFAN1's: directions of limbs come from the motion; a forearm's own twist may differ."""
     model = rail.model
     zero = {model.body(b).name: quat.normalised(rng.normal(size=4)) for b in range(1, model.nbody)}
-    qpos, _ = retarget.onto(CapturedSkeleton.of(disguise.disguised(rail, zero=zero)), model, "a.bvh")
+    qpos, _ = retarget.onto(CapturedSkeleton.of(motions.disguised(rail, zero=zero)), model, "a.bvh")
     back = Bodies.of(model, qpos, np.zeros((len(qpos), model.nv)))
     shift = back.position[:, 1] - rail.bodies.position[:, 1]
     np.testing.assert_allclose((back.position - rail.bodies.position - shift[:, None])[:, 1:], 0, atol=0.002)

@@ -2,9 +2,9 @@
 
 from pathlib import Path
 
+import motions
 import pytest
-import wild
-from command import commanded, refusal
+from processes import commanded, refusal
 
 from dynsplines import motion
 from dynsplines.exchange import formats
@@ -14,8 +14,8 @@ from dynsplines.exchange import formats
 def run(tmp_path, monkeypatch, capsys):
     """Runs the command in a folder with a robot's motion in it."""
     monkeypatch.chdir(tmp_path)
-    (tmp_path / "robot.xml").write_text(wild.ROBOT)
-    motion.save(wild.motion_of("robot.xml"), tmp_path / "wild.npz")
+    (tmp_path / "robot.xml").write_text(motions.ROBOT)
+    motion.save(motions.motion_of("robot.xml"), tmp_path / "wild.npz")
 
     return commanded(monkeypatch, capsys)
 
@@ -23,7 +23,7 @@ def run(tmp_path, monkeypatch, capsys):
 @pytest.mark.slow
 def test_an_imported_motion_is_measured_when_a_report_is_requested(run, tmp_path):
     assert (
-        run("export", "wild.npz", "--to", "mjlab").last == "wrote wild.mjlab.npz"
+        run("export", "wild.npz", "--to", "mjlab").last == "wrote motions.mjlab.npz"
     )  # beside it, no other: it has no ball joints
     assert sorted(path.name for path in tmp_path.iterdir()) == ["robot.xml", "wild.mjlab.npz", "wild.npz"]
     assert run("import", "wild.mjlab.npz", "--figure", "robot.xml", "-o", "back.npz").code == 0

@@ -7,9 +7,9 @@ import json
 import shutil
 import subprocess
 
+import motions
 import mujoco
 import numpy as np
-import puppet
 import pytest
 from oracles import kinematics
 
@@ -28,7 +28,7 @@ require('gltf-validator').validateBytes(new Uint8Array(require('fs').readFileSyn
 
 @pytest.fixture(scope="module")
 def take():
-    return SampledTrajectory.of(puppet.moved(), 48.0)
+    return SampledTrajectory.of(motions.moved(), 48.0)
 
 
 @pytest.fixture(scope="module")

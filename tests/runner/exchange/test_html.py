@@ -8,9 +8,9 @@ import re
 from pathlib import Path
 
 import browser as browsers
+import motions
 import mujoco
 import numpy as np
-import puppet
 import pytest
 from oracles import kinematics
 
@@ -23,7 +23,7 @@ SOURCES = Path(__file__).parents[3] / "pages" / "src"
 
 @pytest.fixture(scope="module")
 def take():
-    return SampledTrajectory.of(puppet.moved(name="a < b & </script>"), 48.0)
+    return SampledTrajectory.of(motions.moved(name="a < b & </script>"), 48.0)
 
 
 @pytest.fixture(scope="module")

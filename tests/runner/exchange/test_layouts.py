@@ -3,17 +3,17 @@
 import pickle
 from typing import Any
 
+import motions
 import numpy as np
 import pytest
-import walking_biped as biped
 from scipy.spatial.transform import Rotation
 
 from dynsplines.errors import UserError
 from dynsplines.exchange.formats import recording
 
-QPOS = biped.walk()
-PLACE, TURN = biped.poses(QPOS)
-NAMES = ["waist_yaw", *biped.JOINTS]
+QPOS = motions.biped_walk()
+PLACE, TURN = motions.biped_poses(QPOS)
+NAMES = ["waist_yaw", *motions.JOINTS]
 BODIES = [
     "world",
     "pelvis",
@@ -27,7 +27,7 @@ DEGREES = np.hstack([QPOS[:, :7], np.degrees(QPOS[:, 7:])])
 
 
 def read(path, kind=None, fps=50.0):
-    found = recording(path, kind, model=biped.model(), fps=fps)
+    found = recording(path, kind, model=motions.model(), fps=fps)
     return found, " ".join(found.notes)
 
 
@@ -69,7 +69,7 @@ OTHER = {
 @pytest.mark.parametrize(("change", "note"), OTHER.values(), ids=OTHER)
 def test_body_poses_decide_how_a_file_is_laid_out(change, note, tmp_path):
     found, notes = read(mjlab(tmp_path / "a.npz", **change))
-    biped.assert_same(found.qpos, QPOS, 1e-6)
+    motions.assert_same(found.qpos, QPOS, 1e-6)
     assert note in notes and bool(note) == bool(notes)
 
 
@@ -89,7 +89,7 @@ def test_body_poses_that_no_layout_reproduces_are_refused_with_distance_and_angl
 
 def test_body_poses_decide_on_the_quaternions_of_qpos(tmp_path):
     found, notes = read(arrays(tmp_path / "a.npz", qpos=QPOS[:, XYZW], xpos=PLACE, fps=50))
-    biped.assert_same(found.qpos, QPOS, 1e-9)
+    motions.assert_same(found.qpos, QPOS, 1e-9)
     assert "read with quaternions xyzw: " in notes
 
 
@@ -109,9 +109,9 @@ def test_tables_and_arrays_without_names_need_a_format(write, name, tmp_path):
     with pytest.raises(UserError, match=r"a\.\w+: (a table without a heading|an array without a name);.*--from"):
         read(path)
     kind = "npz" if write is array else "csv"
-    biped.assert_same(read(path, kind)[0].qpos, QPOS, 1e-8)
+    motions.assert_same(read(path, kind)[0].qpos, QPOS, 1e-8)
     if write is table:
-        biped.assert_same(read(table(path, QPOS[:, XYZW]), "mjlab-csv")[0].qpos, QPOS, 1e-8)
+        motions.assert_same(read(table(path, QPOS[:, XYZW]), "mjlab-csv")[0].qpos, QPOS, 1e-8)
 
 
 def gmr(path, rows):
@@ -133,10 +133,10 @@ def on_head(rows):
 @pytest.mark.parametrize(
     ("write", "name", "kind", "rows"),
     [
-        (gmr, "a.pkl", "gmr", biped.walk(heading=0.1)),  # wxyz for xyzw
+        (gmr, "a.pkl", "gmr", motions.biped_walk(heading=0.1)),  # wxyz for xyzw
         (gmr, "a.pkl", "gmr", on_head(QPOS)[:, XYZW]),
-        (qpos_alone, "a.npz", "npz", biped.walk(heading=2.0)[:, XYZW]),
-        (qpos_alone, "a.npz", "npz", biped.y_up(QPOS, with_frame=False)),
+        (qpos_alone, "a.npz", "npz", motions.biped_walk(heading=2.0)[:, XYZW]),
+        (qpos_alone, "a.npz", "npz", motions.y_up(QPOS, with_frame=False)),
     ],
 )
 def test_a_root_that_lies_or_stands_on_its_head_needs_a_format(write, name, kind, rows, tmp_path):
@@ -146,7 +146,7 @@ def test_a_root_that_lies_or_stands_on_its_head_needs_a_format(write, name, kind
     ):
         read(path)
     order = [0, 1, 2, 6, 3, 4, 5, *range(7, 14)] if kind == "gmr" else range(14)
-    biped.assert_same(read(path, kind)[0].qpos, rows[:, order], 1e-9)
+    motions.assert_same(read(path, kind)[0].qpos, rows[:, order], 1e-9)
 
 
 @pytest.mark.parametrize("write", [gmr, qpos_alone])
@@ -159,7 +159,7 @@ def test_other_motions_are_read_as_documented(write, tilt, tmp_path):
     found, notes = read(
         write(tmp_path / f"a.{'pkl' if write is gmr else 'npz'}", rows[:, XYZW] if write is gmr else rows)
     )
-    biped.assert_same(found.qpos, rows, 1e-9)
+    motions.assert_same(found.qpos, rows, 1e-9)
     assert not notes
 
 
@@ -190,7 +190,7 @@ def test_a_file_of_two_formats_needs_one(tmp_path):
     path = mjlab(tmp_path / "a.npz", qpos=QPOS)
     with pytest.raises(UserError, match=r"may be of several formats; give --from, .* one of: npz, mjlab"):
         read(path)
-    biped.assert_same(read(path, "mjlab")[0].qpos, QPOS, 1e-6)
+    motions.assert_same(read(path, "mjlab")[0].qpos, QPOS, 1e-6)
 
 
 UNEQUAL = {
@@ -216,7 +216,7 @@ def stored(path, entries):
 def test_arrays_of_samples_must_be_equally_long(file, tmp_path):
     entries: dict[str, Any] = UNEQUAL[file]
     found, _ = read(stored(tmp_path / file, entries | {"gains": np.ones(3)}))
-    biped.assert_same(found.qpos, QPOS, 1e-6)
+    motions.assert_same(found.qpos, QPOS, 1e-6)
     for name in OF_SAMPLES.intersection(entries):
         path = stored(tmp_path / file, entries | {name: entries[name][:90]})
         with pytest.raises(

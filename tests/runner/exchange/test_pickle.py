@@ -10,9 +10,9 @@ import zlib
 from collections import OrderedDict
 from typing import Any
 
+import motions
 import numpy as np
 import pytest
-import walking_biped as biped
 
 from dynsplines.errors import UserError
 from dynsplines.exchange import plain_pickle
@@ -220,12 +220,12 @@ JOBLIB = zlib.decompress(base64.b64decode(
     "sedYx/fX7NZbe4nUqC1utu/tl93Z8IzH/dH+4593l2XcfrS/5J/m1/d+j/eLfuP6tHLJ4/1LBRZzxN17vL9tsnalyt/H+6cawOKD"
     "A1wCFOWXYEYKSxss+SGihA01PmDAeNeuqWdfXrLfxal/RXbSO/vBLj+VG54e0wqAhYRRabEeALuK8xg="
 ))  # fmt: skip
-QPOS = biped.walk(6)
+QPOS = motions.biped_walk(6)
 COMPRESSED = {"none": bytes, "zlib": zlib.compress, "gzip": gzip.compress}
 
 
 def read(path, fps=None, model=None):
-    return recording(path, model=model or biped.model(), fps=fps)
+    return recording(path, model=model or motions.model(), fps=fps)
 
 
 @pytest.mark.parametrize("compress", COMPRESSED.values(), ids=COMPRESSED)
@@ -266,7 +266,7 @@ def test_the_root_is_verified_by_its_rotation_vector(tmp_path):
 def test_motions_that_are_not_one_robots_are_refused(content, message, tmp_path):
     (tmp_path / "a.pkl").write_bytes(pickle.dumps(content))
     with pytest.raises(UserError, match=message):
-        recording(tmp_path / "a.pkl", "gmr", model=biped.model())
+        recording(tmp_path / "a.pkl", "gmr", model=motions.model())
 
 
 @pytest.mark.parametrize("cut", [200, 900, len(JOBLIB) - 30])

@@ -2,13 +2,13 @@
 
 import csv
 
+import motions
 import mujoco
 import numpy as np
 import pytest
 import shipped
-import wild
 from oracles import inverse_dynamics
-from random_robots import motion_of
+from random_models import motion_of
 
 from dynsplines import recordings, solving
 from dynsplines.errors import UserError
@@ -50,7 +50,7 @@ def test_columns_have_names_and_units_and_the_table_is_read_as_before(walk, tabl
     assert set(NAMES) <= columns.keys()
     assert not any(name.startswith("root.t") for name in columns)
     back = import_recording(path, figure="human")
-    np.testing.assert_allclose(wild.samples(back).qpos, wild.samples(walk).qpos, atol=1e-12)
+    np.testing.assert_allclose(motions.samples(back).qpos, motions.samples(walk).qpos, atol=1e-12)
 
 
 @pytest.mark.slow
@@ -70,7 +70,7 @@ def test_feet_and_what_is_left_make_up_the_wrench_about_the_centre_of_mass(table
 
 @pytest.mark.slow
 def test_torques_are_inverse_dynamics_under_the_grounds_forces(walk, table):
-    columns, at, model = table[1], wild.samples(walk), walk.figure.model
+    columns, at, model = table[1], motions.samples(walk), walk.figure.model
     model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
     data = mujoco.MjData(model)
     for t in range(0, len(at.time), 6):
@@ -155,11 +155,11 @@ def test_torques_include_every_passive_force_of_the_users_own_file_and_large_one
     path, lines = tmp_path / "arm.xml", []
     path.write_text(ARM)
     saved = motion_of(path, 3)
-    expected = inverse_dynamics(mujoco.MjModel.from_xml_path(str(path)), wild.samples(saved))
+    expected = inverse_dynamics(mujoco.MjModel.from_xml_path(str(path)), motions.samples(saved))
     columns = quantities.table(SampledTrajectory.of(saved), ("torques",))
     torques = np.array([columns["shoulder.t [N m]"], columns["elbow.t [N m]"]]).T
     np.testing.assert_allclose(torques, expected, rtol=0, atol=1e-9 * np.abs(expected).max())
-    beyond = wild.through(str(path), 0.3 * np.arange(3), np.radians([[0, 0], [60, 10], [0, 0]]))
+    beyond = motions.through(str(path), 0.3 * np.arange(3), np.radians([[0, 0], [60, 10], [0, 0]]))
     formats.export(beyond, "csv", tmp_path / "a.csv", columns=("torques",), report=lines.append)
     assert any("forces of joint limits" in line and "N m at shoulder" in line for line in lines)
 

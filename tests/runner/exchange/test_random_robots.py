@@ -5,15 +5,16 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
+import motions
 import mujoco
 import numpy as np
 import pytest
-import wild
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from motions import exported_scene as exported
+from motions import played
 from oracles import inverse_dynamics
-from random_robots import RandomRobot, motion_of, robots
-from simulated import exported, played
+from random_models import RandomRobot, motion_of, robots
 
 from dynsplines.errors import UserError
 from dynsplines.exchange import quantities
@@ -42,7 +43,7 @@ def borne(forces: Forces) -> Mask:
 
 def check_forces(saved: Saved, expected: Array) -> None:
     """Torques, and the root's wrench about the centre of mass, are those of mj_inverse."""
-    forces, at, model = Forces.of(SampledTrajectory.of(saved)), wild.samples(saved), saved.figure.model
+    forces, at, model = Forces.of(SampledTrajectory.of(saved)), motions.samples(saved), saved.figure.model
     rows = forces.has_known_support & ~borne(forces)
     np.testing.assert_allclose(forces.torques[rows], expected[rows], rtol=0, atol=EXACT * np.abs(expected).max())
     root = saved.figure.root
@@ -113,9 +114,9 @@ def test_random_robots_are_exported_imported_and_simulated_as_mujoco_computes(ro
         folder, figure = Path(name), Path(name) / "robot.xml"
         figure.write_text(robot.mjcf())
         model, saved = mujoco.MjModel.from_xml_path(str(figure)), motion_of(figure, robot.seed, spread)
-        check_forces(saved, inverse_dynamics(model, wild.samples(saved)))
+        check_forces(saved, inverse_dynamics(model, motions.samples(saved)))
         for kind in carriers(robot):
-            target, _ = wild.exported(saved, kind, folder)
-            wild.came_back(saved, target, str(figure), EXACT, kind=kind, fps=saved.fps)
+            target, _ = motions.exported(saved, kind, folder)
+            motions.came_back(saved, target, str(figure), EXACT, kind=kind, fps=saved.fps)
         model.jnt_actgravcomp[:] = 0  # the scene compensates gravity without actuators
-        check_simulation(saved, folder, inverse_dynamics(model, wild.samples(saved)))
+        check_simulation(saved, folder, inverse_dynamics(model, motions.samples(saved)))

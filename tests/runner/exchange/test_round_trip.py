@@ -6,10 +6,10 @@ import pickle
 from functools import cache
 from pathlib import Path
 
+import motions
 import numpy as np
 import pytest
 import shipped
-import wild
 
 from dynsplines import motion
 from dynsplines.errors import UserError
@@ -23,7 +23,7 @@ MESHED = """
   <worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/><geom type="mesh" mesh="trunk"/>
     <body name="arm" pos="0 .2 0"><joint name="shoulder" type="ball"/><geom type="mesh" mesh="trunk"/></body></body>
   </worldbody></mujoco>"""
-REST = wild.ROBOT.replace('name="left_knee"', 'name="left_knee" ref="0.5"').replace(
+REST = motions.ROBOT.replace('name="left_knee"', 'name="left_knee" ref="0.5"').replace(
     'name="left_hip_roll"', 'name="left_hip_roll" ref="-0.3"'
 )
 HOLDS_FIGURE = ("npz", "mjcf")
@@ -40,7 +40,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("figures")
     (folder / "parts").mkdir()
     (folder / "parts" / "trunk.obj").write_text(TETRAHEDRON)
-    for name, text in (("robot", wild.ROBOT), ("rest", REST), ("meshed", MESHED)):
+    for name, text in (("robot", motions.ROBOT), ("rest", REST), ("meshed", MESHED)):
         (folder / f"{name}.xml").write_text(text)
     return folder
 
@@ -51,7 +51,7 @@ def named(figure: str, folder: Path) -> str:
 
 @cache
 def moved(figure: str) -> Saved:
-    return wild.motion_of(figure)
+    return motions.motion_of(figure)
 
 
 @pytest.mark.parametrize(("kind", "figure"), CASES)
@@ -59,25 +59,25 @@ def test_a_written_motion_is_read_as_it_was(kind: str, figure: str, folder: Path
     """With the complete ending, and by its content with the last part of it, as other programs name their files."""
     name = named(figure, folder)
     saved = moved(name)
-    target, _ = wild.exported(saved, kind, tmp_path)
-    wild.came_back(saved, target, name, fps=saved.fps)
+    target, _ = motions.exported(saved, kind, tmp_path)
+    motions.came_back(saved, target, name, fps=saved.fps)
     plain = target.rename(tmp_path / f"plain{target.suffix}")
-    wild.came_back(saved, plain, name, kind=kind if kind == "mjlab-csv" else None, fps=saved.fps)
+    motions.came_back(saved, plain, name, kind=kind if kind == "mjlab-csv" else None, fps=saved.fps)
 
 
 @pytest.mark.parametrize("kind", HOLDS_FIGURE)
 def test_a_file_that_holds_its_figure_holds_its_meshes(kind: str, folder: Path, tmp_path: Path):
     saved = moved(named("meshed", folder))
-    target, notes = wild.exported(saved, kind, tmp_path)
+    target, notes = motions.exported(saved, kind, tmp_path)
     assert (f"wrote {tmp_path / 'trunk.obj'}" in notes) == (kind == "mjcf")
-    wild.came_back(saved, target, None)
+    motions.came_back(saved, target, None)
     assert import_recording(target).figure.model.nmesh == 1
 
 
 def test_a_loop_wraps_and_its_last_frame_is_the_first_moved_on(tmp_path: Path):
     walk = shipped.unsolved("walk_loop")  # of a period that is not a whole number of samples
     period = walk.timeline.times[-1] - walk.timeline.times[0]
-    target, _ = wild.exported(walk, "mimickit", tmp_path)
+    target, _ = motions.exported(walk, "mimickit", tmp_path)
     held = pickle.loads(target.read_bytes())
     frames = np.array(held["frames"])
     assert held["loop_mode"] == 1 and (len(frames) - 1) / held["fps"] == pytest.approx(period, abs=1e-12)
@@ -85,9 +85,9 @@ def test_a_loop_wraps_and_its_last_frame_is_the_first_moved_on(tmp_path: Path):
     np.testing.assert_allclose(frames[-1, 3:], frames[0, 3:], atol=1e-9)
     back = import_recording(target, figure="human")
     assert back.timeline.times[-1] - back.timeline.times[0] == pytest.approx(period, abs=1e-9)
-    assert back.timeline.ends == "periodic" and len(wild.samples(back).time) == len(frames)
-    wild.same_poses(walk.figure.model, wild.samples(walk, held["fps"]).qpos, wild.samples(back).qpos, 1e-4)
-    straight, _ = wild.exported(moved("human"), "mimickit", tmp_path)
+    assert back.timeline.ends == "periodic" and len(motions.samples(back).time) == len(frames)
+    motions.same_poses(walk.figure.model, motions.samples(walk, held["fps"]).qpos, motions.samples(back).qpos, 1e-4)
+    straight, _ = motions.exported(moved("human"), "mimickit", tmp_path)
     held = pickle.loads(straight.read_bytes())
     straight.write_bytes(pickle.dumps(held | {"loop_mode": 1}))  # only says that it loops
     assert import_recording(straight, figure="human").timeline.ends == "free"
@@ -95,19 +95,19 @@ def test_a_loop_wraps_and_its_last_frame_is_the_first_moved_on(tmp_path: Path):
 
 def test_locomujoco_of_its_own_tool_has_joints_in_any_order(folder: Path, tmp_path: Path):
     saved, order = moved(named("robot", folder)), [3, 0, 1, 2, 4]
-    before = wild.samples(saved)
+    before = motions.samples(saved)
     names = [saved.figure.model.joint(1 + i).name for i in order]
     entries = {
         "joint_names": np.array([*names, "root_free"]),
         "jnt_type": np.array([3] * 5 + [0], np.int32),
         "qpos": np.concatenate([before.qpos[:, 7:][:, order], before.qpos[:, :7]], axis=1).astype(np.float32),
         "qvel": before.qvel,
-        "frequency": np.array(wild.FPS),
+        "frequency": np.array(motions.FPS),
         "split_points": np.array([0, len(before.time)], np.int32),
         "metadata": np.array(None, dtype=object),  # None is a pickle, which nobody loads
     }
     np.savez(tmp_path / "theirs.npz", **entries)
-    wild.came_back(saved, tmp_path / "theirs.npz", named("robot", folder), tolerance=1e-5)
+    motions.came_back(saved, tmp_path / "theirs.npz", named("robot", folder), tolerance=1e-5)
     np.savez(tmp_path / "two.npz", **entries | {"split_points": np.array([0, 10, len(before.time)])})
     with pytest.raises(UserError, match="holds 2 motions"):
         import_recording(tmp_path / "two.npz", figure=named("robot", folder))
@@ -115,15 +115,15 @@ def test_locomujoco_of_its_own_tool_has_joints_in_any_order(folder: Path, tmp_pa
 
 def test_gmr_without_bodies_and_arrays_without_times_are_read(folder: Path, tmp_path: Path):
     name = named("robot", folder)
-    target, _ = wild.exported(moved(name), "gmr", tmp_path)
+    target, _ = motions.exported(moved(name), "gmr", tmp_path)
     held = pickle.loads(target.read_bytes())
     target.write_bytes(pickle.dumps(held | {"local_body_pos": None, "link_body_list": None}, protocol=2))
-    wild.came_back(moved(name), target, name)
-    np.savez(tmp_path / "bare.npz", qpos=wild.samples(moved(name)).qpos)
-    wild.came_back(moved(name), tmp_path / "bare.npz", name, fps=wild.FPS)
+    motions.came_back(moved(name), target, name)
+    np.savez(tmp_path / "bare.npz", qpos=motions.samples(moved(name)).qpos)
+    motions.came_back(moved(name), tmp_path / "bare.npz", name, fps=motions.FPS)
 
 
 def test_a_motion_of_this_program_is_told_from_arrays(tmp_path: Path):
     motion.save(moved("human"), tmp_path / "ours.npz")
-    assert len(import_recording(tmp_path / "ours.npz").keys) == len(wild.samples(moved("human")).time)
+    assert len(import_recording(tmp_path / "ours.npz").keys) == len(motions.samples(moved("human")).time)
     assert not formats.is_foreign(tmp_path / "ours.npz")

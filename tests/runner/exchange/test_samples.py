@@ -6,10 +6,10 @@ import io
 import re
 from pathlib import Path
 
+import motions
 import numpy as np
 import pytest
 import shipped
-import wild
 from rich.console import Console
 
 from dynsplines import UserError
@@ -170,7 +170,7 @@ def test_every_format_is_unwrapped(arm, kind, tmp_path):
     qpos = recording(turret=wrapped(2.8 + 0.8 * TIME / 2))[:, : 10 if kind == "mimickit" else 11]
     keys = np.tile(qpos[0], (5, 1))
     keys[:, 7] = wrapped(angle)
-    saved = wild.through(str(arm), np.linspace(0, 2, 5), keys)
+    saved = motions.through(str(arm), np.linspace(0, 2, 5), keys)
     target = formats.export(saved, kind, tmp_path / f"a{formats.writer(kind).ending}", fps=2.0)
     found = read_recording(target, figure=str(arm), fps=2.0)
     np.testing.assert_allclose(found.qpos[:, 7], angle, atol=1e-8)

@@ -1,15 +1,15 @@
 """Tables of other programs: separators, decimal commas, comments, units in headings, and wrong tables."""
 
+import motions
 import numpy as np
 import pytest
-import walking_biped as biped
 
 from dynsplines.errors import UserError
 from dynsplines.exchange.formats import recording
 
-QPOS = biped.walk(60)
-TIME = np.arange(60) / biped.FPS
-OURS = [*(f"root.{part}" for part in ("x", "y", "z", "qw", "qx", "qy", "qz")), "waist_yaw", *biped.JOINTS]
+QPOS = motions.biped_walk(60)
+TIME = np.arange(60) / motions.BIPED_FPS
+OURS = [*(f"root.{part}" for part in ("x", "y", "z", "qw", "qx", "qy", "qz")), "waist_yaw", *motions.JOINTS]
 TIMED = np.column_stack([TIME, QPOS])
 
 
@@ -22,7 +22,7 @@ def written(path, names, rows, *, separator=",", decimal=".", head="", end="\n",
 
 
 def read(path, fps=None, kind="csv"):
-    return recording(path, kind, model=biped.model(), fps=fps)
+    return recording(path, kind, model=motions.model(), fps=fps)
 
 
 def is_walk(found, tolerance=1e-8):

@@ -7,11 +7,11 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+import motions
 import mujoco
 import numpy as np
+import problems
 import pytest
-import tiny
-import wild
 from scipy.spatial.transform import Rotation
 
 from dynsplines.errors import UserError
@@ -28,30 +28,30 @@ XYZW = [3, 0, 1, 2]  # columns of a quaternion xyzw, in MuJoCo's order
 @pytest.fixture(scope="module")
 def robot_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("robot") / "robot.xml"
-    path.write_text(wild.ROBOT)
+    path.write_text(motions.ROBOT)
     return path
 
 
 @pytest.fixture(scope="module")
 def robot(robot_file: Path) -> Saved:
-    return wild.motion_of(str(robot_file))
+    return motions.motion_of(str(robot_file))
 
 
 @pytest.fixture(scope="module")
 def at(robot: Saved) -> Sampled:
-    return wild.samples(robot)
+    return motions.samples(robot)
 
 
 @pytest.fixture(scope="module")
 def truth(robot: Saved, at: Sampled) -> Mapping[str, Array]:
     """What MuJoCo makes of the robot's motion: of all bodies but the world."""
-    return {name: rows[:, 1:] for name, rows in wild.poses(robot.figure.model, at.qpos, at.qvel).items()}
+    return {name: rows[:, 1:] for name, rows in motions.poses(robot.figure.model, at.qpos, at.qvel).items()}
 
 
 def test_mjlab_holds_hinges_and_bodies_in_the_world(robot, at, truth, tmp_path):
-    target, notes = wild.exported(robot, "mjlab", tmp_path)
+    target, notes = motions.exported(robot, "mjlab", tmp_path)
     file = np.load(target)
-    assert notes == [] and file["fps"].shape == (1,) and file["fps"][0] == wild.FPS
+    assert notes == [] and file["fps"].shape == (1,) and file["fps"][0] == motions.FPS
     assert file["body_names"].tolist() == [robot.figure.model.body(i).name for i in range(1, robot.figure.model.nbody)]
     assert file["joint_names"].tolist() == JOINTS
     np.testing.assert_array_equal(file["joint_pos"], at.qpos[:, 7:])
@@ -64,7 +64,7 @@ def test_mjlab_holds_hinges_and_bodies_in_the_world(robot, at, truth, tmp_path):
 
 
 def test_the_csv_of_mjlab_has_root_quaternion_xyzw_and_hinges(robot, robot_file, at, tmp_path):
-    target, notes = wild.exported(robot, "mjlab-csv", tmp_path)
+    target, notes = motions.exported(robot, "mjlab-csv", tmp_path)
     table = np.loadtxt(target, delimiter=",")
     assert any("50 samples a second" in note for note in notes)
     np.testing.assert_array_equal(table[:, [0, 1, 2, 6, 3, 4, 5, *range(7, 12)]], at.qpos)
@@ -73,21 +73,21 @@ def test_the_csv_of_mjlab_has_root_quaternion_xyzw_and_hinges(robot, robot_file,
 
 
 def test_gmr_holds_root_xyzw_hinges_and_bodies_about_an_unturned_root(robot, at, tmp_path):
-    target, _ = wild.exported(robot, "gmr", tmp_path)
+    target, _ = motions.exported(robot, "gmr", tmp_path)
     held, model = pickle.loads(target.read_bytes()), robot.figure.model
     assert set(held) == {"fps", "root_pos", "root_rot", "dof_pos", "local_body_pos", "link_body_list"}
-    assert held["fps"] == wild.FPS and held["link_body_list"] == [model.body(i).name for i in range(1, model.nbody)]
+    assert held["fps"] == motions.FPS and held["link_body_list"] == [model.body(i).name for i in range(1, model.nbody)]
     qpos = np.concatenate([held["root_pos"], held["root_rot"][:, XYZW], held["dof_pos"]], axis=1)
     np.testing.assert_array_equal(qpos, at.qpos)
     qpos[:, :7] = [0, 0, 0, 1, 0, 0, 0]
-    np.testing.assert_allclose(wild.poses(model, qpos)["xpos"][:, 1:], held["local_body_pos"], atol=1e-9)
+    np.testing.assert_allclose(motions.poses(model, qpos)["xpos"][:, 1:], held["local_body_pos"], atol=1e-9)
     assert b"numpy._core" not in target.read_bytes()  # numpy before 2 has no such module
 
 
 def test_locomujoco_holds_every_array_that_its_trajectory_has(robot, at, tmp_path):
-    target, _ = wild.exported(robot, "locomujoco", tmp_path)
+    target, _ = motions.exported(robot, "locomujoco", tmp_path)
     file, model = dict(np.load(target)), robot.figure.model
-    assert file["frequency"] == wild.FPS and file["split_points"].tolist() == [0, len(at.time)]
+    assert file["frequency"] == motions.FPS and file["split_points"].tolist() == [0, len(at.time)]
     for kind, number in (("joint", model.njnt), ("body", model.nbody), ("site", model.nsite)):
         assert file[f"{kind}_names"].tolist() == [getattr(model, kind)(i).name for i in range(number)]
     of_model = ("njnt", "jnt_type", "nbody", "body_rootid", "body_weldid", "body_mocapid", "body_pos", "body_quat")
@@ -105,10 +105,10 @@ def test_locomujoco_holds_every_array_that_its_trajectory_has(robot, at, tmp_pat
 
 
 def test_mimickit_frames_are_root_and_joints_as_rotation_vectors(human, tmp_path):
-    target, _ = wild.exported(human, "mimickit", tmp_path)
+    target, _ = motions.exported(human, "mimickit", tmp_path)
     held, model = pickle.loads(target.read_bytes()), human.figure.model
-    assert (held["fps"], held["loop_mode"]) == (wild.FPS, 0)
-    frames, truth = np.array(held["frames"]), wild.poses(model, wild.samples(human).qpos)
+    assert (held["fps"], held["loop_mode"]) == (motions.FPS, 0)
+    frames, truth = np.array(held["frames"]), motions.poses(model, motions.samples(human).qpos)
     bodies = [i for i in range(1, model.nbody) if model.body_jntnum[i]]
     for t in (0, 17, 60):  # forward_kinematics of kin_char_model.py: parent, then the body's rest, then the joint
         position, rotation = {bodies[0]: frames[t, :3]}, {bodies[0]: Rotation.from_rotvec(frames[t, 3:6])}
@@ -123,27 +123,27 @@ def test_mimickit_frames_are_root_and_joints_as_rotation_vectors(human, tmp_path
 
 
 def test_mimickit_takes_three_hinges_on_a_body_for_a_ball_joint_whose_angles_are_zero_at_rest(tmp_path):
-    text = wild.ROBOT.replace('name="left_knee"', 'name="left_knee" ref="0.5"')
+    text = motions.ROBOT.replace('name="left_knee"', 'name="left_knee" ref="0.5"')
     (tmp_path / "robot.xml").write_text(text.replace('name="left_hip_roll"', 'name="left_hip_roll" ref="-0.3"'))
-    robot = wild.motion_of(str(tmp_path / "robot.xml"))
-    target, notes = wild.exported(robot, "mimickit", tmp_path)
+    robot = motions.motion_of(str(tmp_path / "robot.xml"))
+    target, notes = motions.exported(robot, "mimickit", tmp_path)
     frames = np.array(pickle.loads(target.read_bytes())["frames"])
     assert frames.shape[1] == 6 + 3 + 1 + 1 and notes == []
-    turned = wild.samples(robot).qpos[:, 7:] - robot.figure.model.qpos0[7:]
+    turned = motions.samples(robot).qpos[:, 7:] - robot.figure.model.qpos0[7:]
     leg = Rotation.from_euler("YXZ", turned[:, :3])
     np.testing.assert_allclose(Rotation.from_rotvec(frames[:, 6:9]).as_matrix(), leg.as_matrix(), atol=1e-12)
     np.testing.assert_allclose(frames[:, 9:], turned[:, 3:], atol=1e-12)
-    slides = wild.ROBOT.replace('name="arm_pitch" type="hinge"', 'name="arm" type="slide"')
+    slides = motions.ROBOT.replace('name="arm_pitch" type="hinge"', 'name="arm" type="slide"')
     with pytest.raises(UserError, match="a body; 'arm' has others"):
         mimickit.parts(mujoco.MjModel.from_xml_string(slides))
 
 
 def test_plain_arrays_and_keys_hold_every_digit_and_the_figure(human, tmp_path):
-    before, model = wild.samples(human), human.figure.model
-    file = np.load(wild.exported(human, "npz", tmp_path)[0])
+    before, model = motions.samples(human), human.figure.model
+    file = np.load(motions.exported(human, "npz", tmp_path)[0])
     for name in ("time", "qpos", "qvel", "qacc"):
         np.testing.assert_array_equal(file[name], getattr(before, name))
-    keyed = mujoco.MjModel.from_xml_path(str(wild.exported(human, "mjcf", tmp_path)[0]))
+    keyed = mujoco.MjModel.from_xml_path(str(motions.exported(human, "mjcf", tmp_path)[0]))
     np.testing.assert_array_equal(keyed.key_time, before.time)
     np.testing.assert_allclose(keyed.key_qpos, before.qpos, atol=1e-15)  # quaternions are made unit once more
     np.testing.assert_array_equal(keyed.key_qvel, before.qvel)
@@ -186,7 +186,7 @@ BAD = {
 def test_bad_files_are_reported_in_one_line_that_names_file_and_fault(
     kind: str, change: dict[str, Any], says: str, robot: Saved, robot_file: Path, tmp_path: Path
 ):
-    target, _ = wild.exported(robot, kind, tmp_path)
+    target, _ = motions.exported(robot, kind, tmp_path)
     entries = pickle.loads(target.read_bytes()) if kind == "gmr" else dict(np.load(target))
     entries = {name: value for name, value in (entries | change).items() if value is not None}
     if kind == "gmr":
@@ -202,8 +202,8 @@ KEYS = '<keyframe><key time="0" qpos="0 0"/><key time="0.5" qpos="0.1 1.2"/></ke
 
 
 def test_keys_of_others_are_read_with_their_figure(tmp_path):
-    (tmp_path / "own.xml").write_text(tiny.HINGE.format(keys=KEYS))
-    np.testing.assert_allclose(wild.samples(import_recording(tmp_path / "own.xml")).qpos[-1], [0.1, 1.2])
+    (tmp_path / "own.xml").write_text(problems.HINGE.format(keys=KEYS))
+    np.testing.assert_allclose(motions.samples(import_recording(tmp_path / "own.xml")).qpos[-1], [0.1, 1.2])
 
 
 @pytest.mark.parametrize(
@@ -223,7 +223,7 @@ def test_files_that_lack_something_are_refused(name: str, content: Any, figure: 
     if isinstance(content, dict):
         np.savez(tmp_path / name, **content)
     elif content is not None:
-        (tmp_path / name).write_text(tiny.HINGE.format(keys=content) if name == "own.xml" else content)
+        (tmp_path / name).write_text(problems.HINGE.format(keys=content) if name == "own.xml" else content)
     with pytest.raises(UserError, match=says):
         import_recording(tmp_path / name, figure=figure)
 
@@ -231,9 +231,9 @@ def test_files_that_lack_something_are_refused(name: str, content: Any, figure: 
 @pytest.mark.parametrize("kind", ["mjlab", "mjlab-csv", "gmr", "locomujoco"])
 def test_figures_without_a_free_root_are_refused(kind: str, tmp_path: Path):
     (tmp_path / "post.xml").write_text(
-        wild.ROBOT.replace('<freejoint name="floating"/>', '<joint name="swing" axis="0 1 0"/>')
+        motions.ROBOT.replace('<freejoint name="floating"/>', '<joint name="swing" axis="0 1 0"/>')
     )
-    fixed = wild.through(str(tmp_path / "post.xml"), np.array([0, 0.5]), np.zeros((2, 6)))
+    fixed = motions.through(str(tmp_path / "post.xml"), np.array([0, 0.5]), np.zeros((2, 6)))
     with pytest.raises(UserError, match=f"'{kind}' is for a figure with one free joint, its root; this one has none"):
         formats.export(fixed, kind, tmp_path / f"out{formats.writer(kind).ending}")
     assert not list(tmp_path.glob("out*"))
@@ -243,7 +243,7 @@ def test_figures_without_a_free_root_are_refused(kind: str, tmp_path: Path):
 def test_figures_with_ball_joints_are_refused(kind: str, human: Saved, robot: Saved, tmp_path: Path):
     words = f"the format '{kind}' contains hinges and slides only; 'spine' is a ball joint: use a figure of hinges, or"
     with pytest.raises(UserError, match=words):
-        wild.exported(human, kind, tmp_path)
-    target, _ = wild.exported(robot, kind, tmp_path)
+        motions.exported(human, kind, tmp_path)
+    target, _ = motions.exported(robot, kind, tmp_path)
     with pytest.raises(UserError, match=words):
-        formats.recording(target, kind, model=human.figure.model, fps=wild.FPS)
+        formats.recording(target, kind, model=human.figure.model, fps=motions.FPS)

@@ -8,8 +8,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
-from small_disk import largest_file
-from tiny import names
+from problems import names
+from processes import largest_file
 
 from dynsplines.errors import UserError
 from dynsplines.measure import chart

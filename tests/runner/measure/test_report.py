@@ -10,12 +10,12 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 import pytest
-from even_frames import evenly
 from oracles import kinematics
-from quiet import quiet
+from problems import FIGURE, written
+from processes import quiet
+from random_models import evenly
 from rekeyed import with_keys
 from rich.console import Console
-from tiny import FIGURE, written
 
 from dynsplines import solving
 from dynsplines.clip import load as clip

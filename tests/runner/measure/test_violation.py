@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 from oracles import kinematics
 from paper.penetration import penetration
-from quiet import quiet
+from processes import quiet
 
 from dynsplines import Keyframe, build, inbetween, load, load_motion, motion, recordings, solving
 from dynsplines.clip import load as clip

@@ -13,8 +13,8 @@ import mujoco
 import numpy as np
 import pytest
 from figures import EVERY_JOINT
+from problems import names, written
 from scipy.spatial.transform import Rotation
-from tiny import names, written
 
 import dynsplines
 from dynsplines import (

@@ -8,9 +8,9 @@ import drawing
 import mujoco
 import numpy as np
 import pytest
-from meshes import stl
+from figures import stl
 from PIL import Image
-from quiet import quiet
+from processes import quiet
 
 from dynsplines import motion, solving
 from dynsplines.clip import load as clip

@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 from oracles import kinematics
-from tiny import FIGURE, HINGE, names
+from problems import FIGURE, HINGE, names
 
 from dynsplines import models
 from dynsplines.clip.obstacles import obstacles

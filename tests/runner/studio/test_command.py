@@ -6,8 +6,8 @@ import subprocess
 import sys
 
 import browser as browsers
+import problems
 import pytest
-import tiny
 
 COMMAND = [sys.executable, "-c", browsers.COMMAND, "studio"]
 
@@ -42,7 +42,7 @@ def test_without_its_packages_it_says_which_command_brings_them(tmp_path):
 def test_ctrl_c_ends_it_with_no_process_left(tmp_path):
     import psutil
 
-    tiny.written(tmp_path)
+    problems.written(tmp_path)
     running = browsers.Studio(tmp_path, "tiny.toml")
     children = psutil.Process(running.process.pid).children(recursive=True)
     said = running.end()

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import tomllib
 
+import problems
 import pytest
-import tiny
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
@@ -331,9 +331,9 @@ def test_edits_keep_a_key_of_the_model():
 
 def test_a_clip_file_and_a_shipped_clip_are_opened(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    file = tiny.written(tmp_path)
+    file = problems.written(tmp_path)
     found = opened(file.name)
-    assert (found.text, found.file, found.folder) == (tiny.CLIP, file.resolve(), tmp_path.resolve())
+    assert (found.text, found.file, found.folder) == (problems.CLIP, file.resolve(), tmp_path.resolve())
     shipped = opened("run_and_step")
     assert (shipped.text, shipped.file, shipped.folder) == (models.clip_text("run_and_step"), None, tmp_path)
     assert not found.is_dirty
@@ -353,7 +353,7 @@ def test_a_clip_file_and_a_shipped_clip_are_opened(tmp_path, monkeypatch):
 )
 def test_other_files_are_rejected_with_the_command_that_writes_a_clip(tmp_path, monkeypatch, name, words):
     monkeypatch.chdir(tmp_path)
-    tiny.written(tmp_path)
+    problems.written(tmp_path)
     for file in ("walk.npz", "walk.bvh"):
         (tmp_path / file).write_bytes(b"")
     with pytest.raises(UserError) as error:

@@ -10,11 +10,11 @@ import signal
 import tomllib
 from pathlib import Path
 
-import android
 import browser as browsers
+import figures
+import problems
 import psutil
 import pytest
-import tiny
 from browser import Studio, Tab
 from websockets.sync.client import connect
 
@@ -43,7 +43,7 @@ def clip_in(folder):
 
 
 def test_work_survives_whatever_is_killed(browser, tmp_path):
-    file = tiny.written(tmp_path)
+    file = problems.written(tmp_path)
     first = file.read_text(encoding="utf-8")
     running = Studio(tmp_path, "tiny.toml")
     tab = Tab(browser, running.address)
@@ -295,7 +295,7 @@ def test_a_second_tab_may_take_over(browser, tab):
 
 
 def test_an_edit_is_applied_once_if_the_connection_is_lost_before_its_answer(tmp_path):
-    tiny.written(tmp_path)
+    problems.written(tmp_path)
     with browsers.studio(tmp_path, "tiny.toml") as studio:
         origin = studio.address.partition("/?")[0]
         address = studio.address.replace("http", "ws").replace("/?", "/line?") + "&tab=1"
@@ -455,7 +455,7 @@ HANDS = {"android.xml": "left_wrist_roll_link", "g1.xml": "left_wrist_yaw_link"}
 def robot_in(folder, name):
     """A robot's model in a folder: ours, or that of a package by others, with its meshes."""
     if name == "android.xml":
-        (folder / name).write_text(android.ANDROID)
+        (folder / name).write_text(figures.ANDROID)
         return
     found = importlib.util.find_spec("mjlab")
     if found is None or found.origin is None:
@@ -523,8 +523,8 @@ mass = 1
 def test_what_is_part_of_a_thing_that_moves_is_moved_in_its_axes(tab):
     folder = Path(tab.folder)
     placed = "\nroots.crate = {position = [1, 0.5, 0], rotation = {rotvec = [0, 0, 90]}}"
-    text = re.sub(r"\ntime = [0-9.]+", lambda found: found[0] + placed, tiny.CLIP)
-    tiny.written(folder, text.replace("[[keyframe]]", CRATE + "\n[[keyframe]]", 1), "crate.toml")
+    text = re.sub(r"\ntime = [0-9.]+", lambda found: found[0] + placed, problems.CLIP)
+    problems.written(folder, text.replace("[[keyframe]]", CRATE + "\n[[keyframe]]", 1), "crate.toml")
     opened(tab, "crate.toml")
     tab.until("studio.model.now.bodies === studio.model.stage.bodies.length")
     tab.settled()

@@ -7,7 +7,7 @@ import time
 import numpy as np
 import pytest
 from oracles import kinematics
-from pulls import Pull, Pulls, human_model
+from problems import Pull, Pulls, human_model
 
 from dynsplines.clip import load as clips
 from dynsplines.clip.kinds import posing_limits

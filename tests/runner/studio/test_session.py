@@ -6,9 +6,9 @@ import asyncio
 import json
 import tomllib
 
+import problems
 import pytest
-import tiny
-from spoken import session_without_solver
+from processes import session_without_solver
 
 from dynsplines.errors import UserError
 from dynsplines.studio import solver
@@ -58,7 +58,7 @@ def test_unsaved_work_is_restored_and_removed_when_it_is_saved(start, unsaved, f
     asyncio.run(again.take_offer(yes=True))
     assert times(again) == EDITED
     asyncio.run(Files(again).save())
-    assert tiny.names(file.parent) == ["clip.toml"]
+    assert problems.names(file.parent) == ["clip.toml"]
     asyncio.run(again.undo())  # across a save
     assert times(again) == [0.0, 0.1, 0.2]
     assert unsaved.is_file()
@@ -70,7 +70,7 @@ def test_discarded_work_is_removed(start, unsaved, file):
     with pytest.raises(UserError, match="there is no unsaved work"):
         asyncio.run(session.take_offer(yes=True))
     assert start().offer is None
-    assert tiny.names(file.parent) == ["clip.toml"]
+    assert problems.names(file.parent) == ["clip.toml"]
 
 
 def test_nothing_changes_until_unsaved_work_is_restored_or_discarded(start, unsaved):
@@ -83,7 +83,7 @@ def test_nothing_changes_until_unsaved_work_is_restored_or_discarded(start, unsa
             asyncio.run(action)
     session.close()
     assert unsaved.read_text() == before
-    assert tiny.names(unsaved.parent) == [".clip.toml.unsaved", "clip.toml"]
+    assert problems.names(unsaved.parent) == [".clip.toml.unsaved", "clip.toml"]
     asyncio.run(session.take_offer(yes=True))
     assert times(session) == EDITED
 
@@ -92,7 +92,7 @@ def test_undone_edits_leave_no_unsaved_work(start, file):
     session = start()
     add_key(session, 0.15)
     asyncio.run(session.undo())
-    assert tiny.names(file.parent) == ["clip.toml"]
+    assert problems.names(file.parent) == ["clip.toml"]
 
 
 def test_unsaved_work_of_another_studio_is_not_replaced(start, unsaved, file, monkeypatch):

@@ -10,9 +10,9 @@ from dataclasses import replace
 
 import mujoco
 import numpy as np
+import problems
 import pytest
-import tiny
-from spoken import Recorded
+from processes import Recorded
 
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
@@ -26,12 +26,12 @@ DEVIATION = ("Euler-Lagrange residual", "what a frame promises")
 
 @pytest.fixture
 def work(tmp_path):
-    tiny.written(tmp_path)
+    problems.written(tmp_path)
     return Recorded()
 
 
 def test_a_text_becomes_a_figure_keyframes_better_and_better_paths_and_a_verdict(work, tmp_path):
-    told = work.loaded(tmp_path, tiny.CLIP, first=True)
+    told = work.loaded(tmp_path, problems.CLIP, first=True)
     assert [each["is"] for each in told][:2] == ["stage", "loaded"]
     assert told[-1]["is"] == "settled"
     stage = json.loads(told[0]["stage"])
@@ -47,20 +47,20 @@ def test_a_text_becomes_a_figure_keyframes_better_and_better_paths_and_a_verdict
 
 
 def test_an_edited_keyframe_is_solved_on_from_the_present_path(work, tmp_path):
-    work.loaded(tmp_path, tiny.CLIP, first=True)
-    text = tiny.CLIP.replace("[0, 40, 0]", "[0, 44, 0]")
+    work.loaded(tmp_path, problems.CLIP, first=True)
+    text = problems.CLIP.replace("[0, 40, 0]", "[0, 44, 0]")
     told = work.loaded(tmp_path, text, 1)
     assert "stage" not in {each["is"] for each in told}  # the figure is the same
     kinds = [each["kind"] for each in told if each["is"] == "path"]
     assert kinds[0] == "initial"
     assert kinds.count("raw") == 1
-    again = work.loaded(tmp_path, tiny.CLIP, 2)  # undone: as it was found before
+    again = work.loaded(tmp_path, problems.CLIP, 2)  # undone: as it was found before
     first = next(each for each in again if each["is"] == "path" and each["kind"] == "initial")
-    assert pickle.loads(first["timeline"]).times.size == work.path_cache[tiny.CLIP].times.size
+    assert pickle.loads(first["timeline"]).times.size == work.path_cache[problems.CLIP].times.size
 
 
 def test_a_text_that_is_no_clip_is_refused_in_words_and_the_last_one_stays(work, tmp_path):
-    work.loaded(tmp_path, tiny.CLIP, first=True)
+    work.loaded(tmp_path, problems.CLIP, first=True)
     before = work.solution
     for old, new, words in (
         ("time = 0.2", "time = 0.9", "times must rise"),
@@ -68,22 +68,22 @@ def test_a_text_that_is_no_clip_is_refused_in_words_and_the_last_one_stays(work,
         ("left_knee = {rotvec = [0, 40", "left_kne = {rotvec = [0, 40", "no joint 'left_kne'"),
         ("fps = 20", "fps = 20\n[", "not valid TOML"),
     ):
-        told = work.loaded(tmp_path, tiny.CLIP.replace(old, new), 1)
+        told = work.loaded(tmp_path, problems.CLIP.replace(old, new), 1)
         assert [each["is"] for each in told] == ["refused"]
         assert words in told[0]["words"]
     assert work.solution is before
-    assert work.loaded(tmp_path, tiny.CLIP, 2)[-1]["is"] == "settled"
+    assert work.loaded(tmp_path, problems.CLIP, 2)[-1]["is"] == "settled"
 
 
 def test_nothing_is_searched_while_it_is_stopped(work, tmp_path):
-    told = work.loaded(tmp_path, tiny.CLIP, first=True, go=False)
+    told = work.loaded(tmp_path, problems.CLIP, first=True, go=False)
     assert [each["kind"] for each in told if each["is"] == "path"] == ["initial", "raw"]
     assert told[-1]["stop"] == "paused"
     assert "best" in {each.get("kind") for each in work.asked("go")}
 
 
 def test_a_path_is_sent_as_poses_of_every_body(work, tmp_path):
-    told = work.loaded(tmp_path, tiny.CLIP, first=True)
+    told = work.loaded(tmp_path, problems.CLIP, first=True)
     data = next(each for each in told if each["is"] == "path")["data"]
     (size,) = struct.unpack("<I", data[:4])
     head = json.loads(data[4 : 4 + size])
@@ -113,7 +113,7 @@ def test_the_centre_of_mass_is_the_figure_s_without_its_table_and_what_lies_on_i
 
 
 def test_curves_are_of_joints_feet_and_terms(work, tmp_path):
-    work.loaded(tmp_path, tiny.CLIP, first=True)
+    work.loaded(tmp_path, problems.CLIP, first=True)
     (told,) = work.asked("curves", on=True)
     groups = {group["name"]: group for group in told["curves"]["groups"]}
     assert set(groups) == {"angle", "speed", "height of feet", "torque", "E by segment", *DEVIATION}
@@ -139,7 +139,7 @@ def test_the_present_motion_is_kept_for_what_is_made_of_it(work, tmp_path):
     from dynsplines import motion
 
     assert work.asked("save", file=str(tmp_path / "none.npz"), id=1)[0]["is"] == "refused"
-    work.loaded(tmp_path, tiny.CLIP, first=True)
+    work.loaded(tmp_path, problems.CLIP, first=True)
     assert work.asked("save", file=str(tmp_path / "now.npz"), id=1) == [{"is": "saved", "id": 1}]
     assert motion.load(tmp_path / "now.npz").timeline.times.size == work.solution.timeline.times.size
 
@@ -178,7 +178,7 @@ joints.left_knee = {{rotvec = [0, {}, 0]}}
 @pytest.fixture
 def continued(work, tmp_path):
     """A clip whose path, after several searches of two evaluations, is better than the result of a restart."""
-    work.loaded(tmp_path, tiny.changed("evaluations = 8", "evaluations = 2"), first=True)
+    work.loaded(tmp_path, problems.changed("evaluations = 8", "evaluations = 2"), first=True)
     for _ in range(3):
         work.asked("go")
     return work
@@ -208,7 +208,7 @@ def test_an_interrupted_restart_does_not_replace_the_present_path_and_is_repeate
 
 
 def test_a_restart_replaces_a_worse_path(work, tmp_path):
-    work.loaded(tmp_path, tiny.CLIP, first=True)
+    work.loaded(tmp_path, problems.CLIP, first=True)
     good, objective = work.solution, work.clip.problem.objective
     rows = good.timeline.rows.copy()
     rows[1:-1][~good.timeline.fixed.any(axis=1)] += 0.8
@@ -234,7 +234,7 @@ INVALID = {"text": "figure = 1", "name": "tiny", "place": "tiny.toml", "folder":
 def test_a_search_continues_after_a_message_that_does_not_replace_the_clip(work, tmp_path, monkeypatch, asked, checks):
     monkeypatch.chdir(tmp_path)
     interrupted_after(work, checks)
-    assert "settled" not in {each["is"] for each in work.loaded(tmp_path, tiny.CLIP, first=True)}
+    assert "settled" not in {each["is"] for each in work.loaded(tmp_path, problems.CLIP, first=True)}
     uninterrupted(work)
     do, arguments = asked
     ends = [each["stop"] for each in work.asked(do, **arguments) if each["is"] == "settled"]
@@ -253,14 +253,14 @@ def test_an_interrupt_just_outside_of_a_search_repeats_it(work, tmp_path, monkey
         raise KeyboardInterrupt
 
     monkeypatch.setattr(Recorded, "_minimise", interrupted)
-    told = work.loaded(tmp_path, tiny.CLIP, first=True)
+    told = work.loaded(tmp_path, problems.CLIP, first=True)
     assert [each["is"] for each in told].count("searching") == 2
     assert told[-1]["stop"] == "CONVERGED"
 
 
 def test_a_search_that_was_stopped_stays_so(work, tmp_path):
     interrupted_after(work, 2)
-    work.loaded(tmp_path, tiny.CLIP, first=True)
+    work.loaded(tmp_path, problems.CLIP, first=True)
     uninterrupted(work)
     assert [each["stop"] for each in work.asked("stop")] == ["INTERRUPTED"]
     assert {each["is"] for each in work.asked("curves", on=True)} == {"curves"}

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import crew
+import figures
 import mujoco
 import pytest
-import shared_figures
-from command import Command, commanded
+from processes import Command, commanded
 
 from dynsplines import Keyframe, build, inbetween
 from dynsplines.batch import solving
@@ -36,7 +36,7 @@ others = "rest"
 @pytest.fixture
 def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> Command:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(load, "scene_and_figure", shared_figures.COMPOSED)  # MuJoCo warns while a figure is built
+    monkeypatch.setattr(load, "scene_and_figure", figures.COMPOSED)  # MuJoCo warns while a figure is built
     Path("arm.xml").write_text(SINGULAR)
     Path("clip.toml").write_text(CLIP)
     return commanded(monkeypatch, capsys)

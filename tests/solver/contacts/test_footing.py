@@ -7,10 +7,11 @@ from functools import cache
 
 import numpy as np
 import pytest
-from figures import BALL, CHAIN, figure_of
-from scaled import enlarged, scaled
+from figures import BALL, CHAIN, enlarged, figure_of, scaled
+from motions import BIPED_FPS as FPS
+from motions import TEXT
+from motions import biped_walk as walk
 from scipy.spatial import ConvexHull
-from walking_biped import FPS, TEXT, walk
 
 from dynsplines import models
 from dynsplines.clip import load

@@ -5,13 +5,12 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
+import figures
 import mujoco
 import numpy as np
 import pytest
-import walkers
 from figures import EVERY_JOINT, figure_of
-from gaits import FIGURE, GROUND, PERIOD, SOLES, TIME, WALK, gait
-from walker import FINE
+from motions import FIGURE, FINE, GROUND, PERIOD, SOLES, TIME, WALK, gait
 
 from dynsplines import Keyframe, build, load
 from dynsplines.clip.build import Clip, constraints
@@ -253,7 +252,7 @@ def test_hips_and_knees_of_a_person_place_a_foot():
 
 @pytest.mark.parametrize(
     ("text", "others"),
-    [(walkers.BIPED, "_ankle_roll"), (walkers.QUADRUPED, "trunk")],
+    [(figures.BIPED, "_ankle_roll"), (figures.QUADRUPED, "trunk")],
     ids=["feet with several points", "feet that are points"],
 )
 def test_every_joint_of_a_leg_places_a_foot_unless_it_only_turns_one(text: str, others: str, tmp_path: Path):

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from figures import figure_of
+from gradients import penalty_slope
 from oracles import kinematics
-from penalty_slope import penalty_slope
-from random_samples import random_samples
+from random_models import random_samples
 
 from dynsplines import inbetween, load
 from dynsplines.solver.contacts import ContactSchedule, Grasp, Stance, flights, grasped_links, stances, surfaces_on

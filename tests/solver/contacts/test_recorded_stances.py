@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import shipped
-from faulted import Take
 from figures import figure_of
-from kneeling import kneeling
+from motions import Take, kneeling
 
 from dynsplines.clip.posing.places import sole_points
 from dynsplines.clip.tracking.penalties import Ground

@@ -7,10 +7,9 @@ from collections.abc import Sequence
 import mujoco
 import numpy as np
 import pytest
-from even_frames import evenly
 from figures import BALL_TREE, figure_of, link_named
 from oracles import kinematics
-from random_keys import random_qpos
+from random_models import evenly, random_qpos
 
 from dynsplines import models
 from dynsplines.solver import quaternion as quat

@@ -6,13 +6,12 @@ import itertools
 
 import numpy as np
 import pytest
-from even_frames import evenly
 from figures import BALL, TINY, figure_of
-from hopping_loop import PERIOD, STRIDE, hop, loop, pose
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 from oracles import aligned, by_scipy
-from random_keys import TIMES, closed, distance_from_key, mask_without, partial_keys, random_keys
+from problems import PERIOD, STRIDE, hop, loop, pose
+from random_models import TIMES, closed, distance_from_key, evenly, mask_without, partial_keys, random_keys
 from scipy.spatial.transform import Rotation
 
 from dynsplines import models

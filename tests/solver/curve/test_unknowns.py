@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from even_frames import evenly
 from figures import BALL, BALL_TREE, figure_of
-from random_keys import TIMES, distance_from_key, mask_without, masks_by_name, random_keys
+from random_models import TIMES, distance_from_key, evenly, mask_without, masks_by_name, random_keys
 from scipy.interpolate import CubicSpline
 
 from dynsplines.solver import quaternion as quat

@@ -7,15 +7,12 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 import pytest
-from curvature_of import RESIDUALS
-from dense_hessian import SMOOTH, assert_dense
-from even_frames import evenly
-from every_penalty import every_penalty
 from figures import BALL_TREE, TINY, figure_of
-from hopping_loop import TERMS, hop
+from gradients import RESIDUALS, SMOOTH, assert_dense, every_penalty, taylor_slope
 from oracles import kinematics
-from random_keys import random_keys, random_qpos
-from taylor import taylor_slope
+from problems import HOP_TERMS as TERMS
+from problems import hop
+from random_models import evenly, random_keys, random_qpos
 
 from dynsplines.scene.compose import figure_spec
 from dynsplines.solver import quaternion as quat

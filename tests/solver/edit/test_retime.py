@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from even_frames import evenly
 from figures import BALL_TREE, TINY, figure_of
-from hopping_loop import PERIOD, loop
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from random_keys import TIMES, random_keys
+from problems import PERIOD, loop
+from random_models import TIMES, evenly, random_keys
 
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.seam import Seam

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from dense_hessian import SMOOTH, assert_dense, smooth_problem
-from even_frames import evenly
 from figures import BALL, TINY, figure_of
-from hopping_loop import PERIOD, TERMS, TIMES, assert_exact_gradient, assert_splits_keep_the_curve
-from hopping_loop import pose as straight
+from gradients import SMOOTH, assert_dense, smooth_problem
 from oracles import aligned, kinematics
-from random_keys import mask_without
+from problems import HOP_TERMS as TERMS
+from problems import PERIOD, TIMES, assert_exact_gradient, assert_splits_keep_the_curve
+from problems import pose as straight
+from random_models import evenly, mask_without
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array

@@ -7,12 +7,27 @@ import itertools
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE, CHAIN, EVERY_JOINT, LEG, MIXED, TINY, figure_of, link_named
+from figures import (
+    BALL_TREE,
+    BOX,
+    CART,
+    CHAIN,
+    DOOR,
+    DRAWER,
+    EVERY_JOINT,
+    LEG,
+    MIXED,
+    TINY,
+    biped,
+    figure_of,
+    joints,
+    link_named,
+    scene,
+)
+from figures import OBJECT_BALL as BALL
+from gradients import taylor_slope
 from oracles import kinematics, mujoco_forces
-from random_keys import random_qpos
-from random_model import random_figure
-from random_samples import random_samples
-from taylor import taylor_slope
+from random_models import random_figure, random_qpos, random_samples
 
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.dynamics import InverseDynamics, generalised_forces, velocities
@@ -20,7 +35,6 @@ from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_column
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.naming import geom_name, names_of_joints
 from dynsplines.solver.figure.root import has_fixed_base, root_of, sliding_joints
-from tests.support.biped import BALL, BOX, CART, DOOR, DRAWER, biped, joints, scene
 
 
 @pytest.mark.parametrize("text", [BALL_TREE, EVERY_JOINT, MIXED, TINY, LEG])

@@ -7,12 +7,10 @@ from unittest import mock
 import mujoco
 import numpy as np
 import pytest
-from closed_forms import WOOD, assert_near
-from figures import BALL_TREE, figure_of, with_armature
+from figures import BALL_TREE, WOOD, assert_near, figure_of, with_armature
+from gradients import taylor_slope
 from oracles import kinematics, mujoco_forces
-from random_model import random_figure
-from random_samples import random_samples
-from taylor import taylor_slope
+from random_models import random_figure, random_samples
 
 from dynsplines.solver import compiled
 from dynsplines.solver import quaternion as quat

@@ -7,24 +7,22 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
-from bends import limits_of
-from curvature_of import (
+from figures import BALL, FLOOR, SLOPE, TINY, figure_of, limits_of, random_points, with_armature
+from gradients import (
     RESIDUALS,
     _efforts,
     assembled,
     assert_near,
     assert_squares,
+    clip,
     curvature_of,
+    every_penalty,
     low_samples,
     sides_of,
     some_samples,
 )
-from even_frames import evenly
-from every_penalty import clip, every_penalty
-from figures import BALL, TINY, figure_of, with_armature
-from ground import FLOOR, SLOPE, random_points
-from random_samples import random_samples
-from small_problems import slider, turning
+from problems import slider, turning
+from random_models import evenly, random_samples
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame

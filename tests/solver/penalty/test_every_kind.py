@@ -7,11 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from curvature_of import shifted, sides_of
-from figures import figure_named, with_armature
-from ground import FLOOR, SLOPE, random_points, stance_of
-from penalty_slope import penalty_slope
-from random_samples import at_times, random_samples
+from figures import FLOOR, SLOPE, figure_named, random_points, stance_of, with_armature
+from gradients import penalty_slope, shifted, sides_of
+from random_models import at_times, random_samples
 from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat

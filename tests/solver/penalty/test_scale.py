@@ -7,10 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
-from bends import limits_of
-from figures import BALL, BALL_TREE, CHAIN, figure_of
-from ground import FLOOR
-from random_samples import at_times, random_samples
+from figures import BALL, BALL_TREE, CHAIN, FLOOR, figure_of, limits_of
+from random_models import at_times, random_samples
 
 from dynsplines import models
 from dynsplines.solver import quaternion as quat

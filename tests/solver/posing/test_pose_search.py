@@ -10,10 +10,9 @@ import pytest
 from figures import EVERY_JOINT, LEG, MIXED, figure_of, link_named
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from oracles import kinematics
+from oracles import SiteGoal, kinematics
 from scipy.optimize import least_squares, lsq_linear
 from scipy.spatial.transform import Rotation
-from site_goal import SiteGoal
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array

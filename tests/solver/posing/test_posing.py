@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import figures
 import mujoco
 import numpy as np
 import pytest
-import walkers
 from figures import figure_of, link_named
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from oracles import kinematics
+from oracles import SiteGoal, kinematics
 from scipy.optimize import minimize
-from site_goal import SiteGoal
 
 from dynsplines import models
 from dynsplines.clip.kinds import LimitOptions, posing_limits
@@ -323,7 +322,7 @@ def asked_again(figure: Figure, points: Sequence[Point], wanted: Array, rng: np.
 def test_hands_and_feet_of_poses_inside_the_ranges_are_found_from_the_rest_pose(name):
     rng = np.random.default_rng(4)
     human = name == "human"
-    figure = HUMAN["joint"] if human else figure_of(getattr(walkers, name.upper()))
+    figure = HUMAN["joint"] if human else figure_of(getattr(figures, name.upper()))
     points = (
         *site_points(figure, () if name == "quadruped" else ENDS),
         *sole_points(figure, np.zeros((0, figure.width))),

@@ -7,10 +7,10 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from even_frames import evenly
-from hinged import PENALTIES, hinge_keys, hinged
+from figures import PENALTIES, hinge_keys, hinged
 from oracles import aligned
-from small_problems import turning
+from problems import turning
+from random_models import evenly
 
 from dynsplines.clip import load as clips
 from dynsplines.solver.curve.frame import Frame, Timeline

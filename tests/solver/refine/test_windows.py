@@ -8,10 +8,8 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from even_frames import evenly
-from figures import TINY, figure_of
-from ground import FLOOR
-from random_keys import distance_from_key, mask_without
+from figures import FLOOR, TINY, figure_of
+from random_models import distance_from_key, evenly, mask_without
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array

@@ -2,12 +2,9 @@
 
 import numpy as np
 import pytest
-from bends import limits_of
-from even_frames import evenly
-from figures import TINY, figure_of
-from ground import FLOOR
-from random_keys import TIMES
-from small_problems import TERMS, Watched, by_nlopt, problem_of, slider
+from figures import FLOOR, TINY, figure_of, limits_of
+from problems import TERMS, Watched, by_nlopt, problem_of, slider
+from random_models import TIMES, evenly
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame

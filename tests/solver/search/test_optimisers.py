@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import shipped
 from figures import BALL_TREE, figure_of
-from small_problems import Watched, by_nlopt, discretised, problem_of, slider
+from problems import Watched, by_nlopt, discretised, problem_of, slider
 
 from dynsplines import load
 from dynsplines.solver.array import Array

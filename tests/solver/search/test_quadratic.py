@@ -5,9 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from bends import limits_of
-from curvature_of import RESIDUALS
-from dense_hessian import (
+from figures import BALL, FLOOR, ONE_BALL, TINY, figure_of, limits_of, stance_of
+from gradients import (
+    RESIDUALS,
     SMOOTH,
     assert_dense,
     dense_hessian,
@@ -17,10 +17,7 @@ from dense_hessian import (
     smooth_problem,
     tiny_clip,
 )
-from even_frames import evenly
-from figures import BALL, ONE_BALL, TINY, figure_of
-from ground import FLOOR, stance_of
-from random_keys import TIMES, mask_without, masks_by_name, random_keys
+from random_models import TIMES, evenly, mask_without, masks_by_name, random_keys
 from scipy.optimize import minimize
 
 from dynsplines.solver import quaternion as quat

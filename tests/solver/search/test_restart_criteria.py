@@ -7,12 +7,9 @@ from functools import cache
 
 import numpy as np
 import pytest
-from bends import KNEE, limb, limits
-from even_frames import evenly
-from figures import BALL_TREE, ONE_BALL, figure_of
-from hinged import hinged
+from figures import BALL_TREE, KNEE, ONE_BALL, figure_of, hinged, limb, limits
 from oracles import by_scipy, kinematics
-from random_keys import distance_from_key, random_keys
+from random_models import distance_from_key, evenly, random_keys
 
 from dynsplines.solver import Problem, Solution, inbetween
 from dynsplines.solver import quaternion as quat

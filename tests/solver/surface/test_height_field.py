@@ -5,9 +5,9 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
+from gradients import taylor_slope
 from oracles import kinematics, tells_height_fields
 from scipy.optimize import nnls
-from taylor import taylor_slope
 
 from dynsplines import Keyframe, build, inbetween
 from dynsplines.solver.array import Array

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 from figures import EVERY_JOINT, LEG, MIXED, figure_of
 from oracles import kinematics
-from random_keys import random_qpos
+from random_models import random_qpos
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure

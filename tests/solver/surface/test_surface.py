@@ -5,8 +5,8 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
+from gradients import taylor_slope
 from scipy.spatial.transform import Rotation
-from taylor import taylor_slope
 
 from dynsplines.clip.obstacles import obstacles
 from dynsplines.clip.table import SceneTable

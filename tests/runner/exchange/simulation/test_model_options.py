@@ -2,11 +2,12 @@
 
 import re
 
+import motions
 import mujoco
 import numpy as np
 import pytest
-import wild
-from simulated import clip_file, exported, played
+from motions import clip_file, played
+from motions import exported_scene as exported
 
 from dynsplines import inbetween, load, load_motion
 
@@ -98,13 +99,13 @@ def solved(path, folder, middle=SQUAT, lasts=1.0):
 def squat(tmp_path_factory):
     """Times and poses of a squat of a plain biped."""
     folder = tmp_path_factory.mktemp("squat")
-    samples = wild.samples(solved(biped(folder), folder).saved, 30.0)
+    samples = motions.samples(solved(biped(folder), folder).saved, 30.0)
     return samples.time, samples.qpos
 
 
 def squatting(folder, squat, **changes):
     """The scene of a squat of a biped, and the notes of its export."""
-    return exported(wild.through(str(biped(folder, **changes)), *squat), folder)
+    return exported(motions.through(str(biped(folder, **changes)), *squat), folder)
 
 
 def assert_follows(model):

@@ -2,13 +2,14 @@
 
 from xml.etree import ElementTree
 
+import motions
 import mujoco
 import numpy as np
 import pytest
 import shipped
-import wild
-from quiet import quiet
-from simulated import between, clip_file, exported, played
+from motions import between, clip_file, played
+from motions import exported_scene as exported
+from processes import quiet
 
 from dynsplines import solving
 from dynsplines.clip import load as clip
@@ -66,7 +67,7 @@ def simulated(tmp_path, text, qpos, step=0.5):
     """The scene of the motion through poses some time apart [s], how it follows it, and the line on that."""
     (tmp_path / "model.xml").write_text(text)
     take = SampledTrajectory.of(
-        wild.through(str(tmp_path / "model.xml"), step * np.arange(len(qpos)), np.array(qpos, float))
+        motions.through(str(tmp_path / "model.xml"), step * np.arange(len(qpos)), np.array(qpos, float))
     )
     simulation, tracking = refined(Simulation.of(take), take)
     return simulation, tracking, note(tracking, simulation, take)

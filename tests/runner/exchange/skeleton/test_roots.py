@@ -5,6 +5,8 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
+from figures import CART, biped, joints, scene
+from figures import OBJECT_BALL as BALL
 from oracles import kinematics
 from scipy.spatial.transform import Rotation
 
@@ -14,7 +16,6 @@ from dynsplines.exchange.robot import configurations
 from dynsplines.exchange.skeleton import bvh_file, retarget
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 from dynsplines.solver.array import Array
-from tests.support.biped import BALL, CART, biped, joints, scene
 
 CLIP = """
 figure = "human"

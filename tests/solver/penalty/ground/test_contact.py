@@ -7,14 +7,10 @@ import itertools
 import mujoco
 import numpy as np
 import pytest
-from even_frames import evenly
-from every_penalty import clip
-from figures import BALL, figure_of
-from ground import FLOOR, random_points, stance_of
+from figures import BALL, FLOOR, figure_of, random_points, stance_of
+from gradients import clip, taylor_slope
 from oracles import kinematics
-from random_keys import TIMES
-from random_samples import at_times, random_samples
-from taylor import taylor_slope
+from random_models import TIMES, at_times, evenly, random_samples
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array

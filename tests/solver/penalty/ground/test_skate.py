@@ -7,9 +7,9 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 import pytest
-from curvature_of import assembled, curvature_of, sides_of
 from figures import BALL, figure_of
-from random_samples import at_times, random_samples
+from gradients import assembled, curvature_of, sides_of
+from random_models import at_times, random_samples
 
 from dynsplines.solver.contacts.grounded import grounded_intervals, open_intervals
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints

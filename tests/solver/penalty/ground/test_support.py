@@ -7,11 +7,10 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 import pytest
-from closed_forms import WOOD
-from curvature_of import assembled, curvature_of, shifted
-from figures import BALL_TREE, figure_of
+from figures import BALL_TREE, WOOD, figure_of
+from gradients import assembled, curvature_of, shifted
 from oracles import mujoco_forces
-from random_samples import at_times, random_samples
+from random_models import at_times, random_samples
 from scipy.optimize import nnls
 
 from dynsplines.solver import quaternion as quat

@@ -8,9 +8,9 @@ import mujoco
 import numpy as np
 import pytest
 from figures import figure_of
-from penalty_slope import penalty_slope
-from quiet import quiet
-from random_samples import random_samples
+from gradients import penalty_slope
+from processes import quiet
+from random_models import random_samples
 
 from dynsplines import recordings, solving
 from dynsplines.clip.build import Clip

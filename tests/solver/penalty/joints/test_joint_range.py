@@ -5,14 +5,12 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
-from bends import DOWN, ELBOW, KNEE, limb, limits
-from curvature_of import shifted, sides_of
-from figures import BALL_TREE, EVERY_JOINT, figure_of
+from figures import BALL_TREE, DOWN, ELBOW, EVERY_JOINT, KNEE, figure_of, limb, limits
+from gradients import penalty_slope, shifted, sides_of
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from oracles import kinematics
-from penalty_slope import penalty_slope
-from random_samples import at_times, random_samples
+from random_models import at_times, random_samples
 from scipy.spatial.transform import Rotation
 
 from dynsplines import inbetween as solve_clip

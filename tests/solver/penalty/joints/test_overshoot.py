@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 from figures import BALL_TREE, EVERY_JOINT, ONE_BALL, figure_of
-from random_samples import at_times, random_samples
+from random_models import at_times, random_samples
 from scipy.spatial.transform import Rotation
 
 from dynsplines.solver.array import Array

@@ -7,16 +7,14 @@ import io
 import mujoco
 import numpy as np
 import pytest
-from curvature_of import sides_of
 from figures import EVERY_JOINT, figure_of
-from geom_pairs import geom_pairs
+from gradients import penalty_slope, scaled_like, sides_of
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
-from oracles import kinematics
+from oracles import geom_pairs, kinematics
 from paper.penetration import self_penetration
-from penalty_slope import penalty_slope, scaled_like
-from quiet import quiet
-from random_samples import random_samples
+from processes import quiet
+from random_models import random_samples
 from rich.console import Console
 
 from dynsplines import solving

@@ -7,15 +7,13 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 import pytest
-from curvature_of import assembled, assert_near, assert_squares, curvature_of, jacobians
-from even_frames import evenly
 from figures import BALL_TREE, CHAIN, HUMAN_AND_CHAINS, TINY, figure_of, with_armature
-from gaits import FIGURE, GROUND, SOLES, TIME, WALK, gait
+from gradients import assembled, assert_near, assert_squares, curvature_of, jacobians, penalty_slope
+from motions import FIGURE, GROUND, SOLES, TIME, WALK, gait
 from oracles import mujoco_forces
-from penalty_slope import penalty_slope
-from random_samples import random_samples
+from problems import turning
+from random_models import evenly, random_samples
 from scipy.spatial.transform import Rotation, Slerp
-from small_problems import turning
 
 from dynsplines.clip.build import constraints
 from dynsplines.clip.context import Context

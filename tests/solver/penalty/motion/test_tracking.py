@@ -3,10 +3,10 @@
 import mujoco
 import numpy as np
 import pytest
-from curvature_of import curvature_of, shifted
 from figures import CHAIN, EVERY_JOINT, figure_of
+from gradients import curvature_of, shifted
 from oracles import kinematics
-from random_samples import at_times, random_samples
+from random_models import at_times, random_samples
 from scipy.interpolate import CubicSpline
 
 from dynsplines.solver.curve.frame import Frame, Timeline
