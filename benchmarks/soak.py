@@ -181,7 +181,7 @@ class Soak:
         }
         return {
             "missing": self.count - len(finished),
-            "twice": len(entries) - len({entry["clip"] for entry in entries}) + self.twice,
+            "twice": sum(entry["state"] == "done" for entry in entries) - len(finished) + self.twice,
             "damaged": damaged,
             "other files": len(others - {"manifest.jsonl"}),
         }

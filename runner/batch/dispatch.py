@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 from asyncio import CancelledError
 from collections import Counter, deque
-from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import fields, replace
 from pathlib import Path
@@ -25,6 +24,7 @@ from .tally import Tally
 from .task import Options, Outcome, Result
 
 READING_EVERY = 500  # clips per line of progress
+ENDED = "each worker that tried to solve it ended: a crash, or too little memory"
 AHEAD = 2  # clips submitted per worker, so that the next one is available when one is done
 
 
@@ -100,16 +100,18 @@ class Batch:
 
     def solve(self, client: Client) -> None:
         """Solve all clips that are waiting. Raises UserError if the workers no longer exist."""
-        completed = as_completed(loop=client.loop)
-        completed.update(self._submit(client))
+        completed = as_completed(self._submit(client), loop=client.loop)
         for future in completed:
-            self._finish(*self.running.pop(future), _outcome(future, client))
+            source, digest = self.running.pop(future)
+            outcome = _outcome(future, client)
+            self._finish(source, "" if outcome is None else digest, outcome or Outcome(ENDED))
             completed.update(self._submit(client))
             self._report_progress()
         self._report_progress(force=True)
 
-    def _submit(self, client: Client) -> Iterator[Any]:
-        """Yield Dask's futures of the next clips."""
+    def _submit(self, client: Client) -> list[Any]:
+        """Submit the next clips and return Dask's futures of them."""
+        futures = []
         while self.waiting and len(self.running) < max(AHEAD * _worker_count(client), 1):
             source = self.waiting.popleft()
             try:
@@ -124,7 +126,8 @@ class Batch:
             task = replace(task, output=f"{source.name.name}{self.options.suffix}", allow_outside=is_allowed())
             future = client.submit(solving.outcome_of, self.solve_task, task, self.options.limit_time, pure=False)
             self.running[future] = source, digest
-            yield future
+            futures.append(future)
+        return futures
 
     def _finish(self, source: Source, digest: str, outcome: Outcome) -> None:
         """Write the files of a solved clip, and record its result."""
@@ -160,12 +163,12 @@ class Batch:
         self.progress.step("batch", over / self.total, f"{counts} of {self.total}{note}", force=force)
 
 
-def _outcome(future: Any, client: Client) -> Outcome:
-    """Return the outcome of a clip, also if its workers ended. Raises UserError if it has none."""
+def _outcome(future: Any, client: Client) -> Outcome | None:
+    """Return the outcome of a clip; None if its workers ended. Raises UserError if the workers no longer exist."""
     try:
         return future.result()
-    except KilledWorker as error:
-        return Outcome(f"{error.allowed_failures + 1} workers ended while solving it: a crash, or too little memory")
+    except KilledWorker:
+        return None
     except (Exception, CancelledError) as error:
         _worker_count(client)
         text = f"{type(error).__name__}: {one_line(error)}"

@@ -31,7 +31,8 @@ class Entry(Result):
     Attributes:
         clip: Its unique name, also that of its output without extension.
         source: Its path relative to the manifest's folder; "shipped:NAME" for a shipped clip.
-        input: A hash of everything on which the output depends; "" if it cannot be read.
+        input: A hash of everything on which the output depends; "" to try the clip again, if it could not be read or
+            its workers ended.
         files: The files of the result in the manifest's folder, with their hashes: the output first, then files that
             belong to it, such as meshes. Several clips may share such a file.
     """

@@ -206,7 +206,7 @@ def test_clips_that_fail_in_every_way_stop_nothing_and_are_reported(
     assert (process.returncode, out) == (1, ""), said
     assert "batch 100% 3 done, 7 failed, 0 running of 10" in said and said.splitlines()[-1] == "out: 3 solved, 7 failed"
     failures = said.splitlines()[-8:-1]
-    ended = "2 workers ended while solving it: a crash, or too little memory"
+    ended = "each worker that tried to solve it ended: a crash, or too little memory"
     assert failures[:1] + failures[2:6] == [
         "failed: b_hangs: it took longer than 8 s",
         f"failed: d_dies: {ended}",
@@ -220,6 +220,7 @@ def test_clips_that_fail_in_every_way_stop_nothing_and_are_reported(
     assert (tmp_path / "out" / "a_good.npz").read_bytes() == b"fine 1"
     assert (tmp_path / "out" / "f_once.npz").exists()
     assert sorted(entry.clip for entry in journal(tmp_path / "out")) == sorted(deeds)
+    assert {entry.clip for entry in journal(tmp_path / "out") if not entry.input} == {"d_dies", "g_grows", "i_freezes"}
 
 
 @pytest.mark.slow

@@ -106,6 +106,9 @@ def test_what_failed_is_done_again_on_request(out: Path):
     end(out, "tiny", error="it did not work")
     assert left(out) == []
     assert left(out, Options(retry_failed=True)) == ["tiny"]
+    manifest = Manifest.of(out)
+    manifest.record(replace(manifest.entries["tiny"], input=""))  # as of a clip whose workers ended
+    assert left(out) == ["tiny"]
 
 
 def test_a_result_of_another_clip_is_not_written_over(out: Path):
