@@ -1,27 +1,22 @@
 """Worker processes, each of which opens a tool and applies it to one item after another.
 
-No worker outlives the program: workers ignore Ctrl-C and end with their connection, and a thread in each ends it with
-its parent, even during an item.
+No worker outlives the program: a thread in each ends it with its parent. After Ctrl-C, a worker completes its item.
 """
 
 from __future__ import annotations
 
-import gc
-import math
 import multiprocessing
 import os
-import pickle
 import signal
 import sys
 import threading
-import time
-import traceback
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
-from concurrent.futures import wait as wait_for
-from contextlib import AbstractContextManager, contextmanager, suppress
-from multiprocessing.connection import Connection, wait
+from concurrent.futures import Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
+from contextlib import AbstractContextManager, ExitStack, contextmanager
+from functools import cache
+from multiprocessing.connection import wait
 from typing import Any, TypeVar
 
 from ..errors import UserError
@@ -34,10 +29,9 @@ Opened = Callable[[], AbstractContextManager[Tool]]
 Work = Callable[[Tool, Item], Result]
 
 MOST_WORKERS = 60  # maximum number of processes for which Windows can wait
-GRACE_SECONDS = 5.0  # [s] time in which a process should end
-START_SECONDS = 120.0  # [s] time in which a process should start and open its tool
-WATCH_SECONDS = 0.1  # [s] interval of checks whether results are still needed
 AHEAD = 2  # results per process that may wait for an earlier one
+
+_job: tuple[Work[Any, Any, Any], Callable[[], Any]]  # in a worker: its work, and the function that returns its tool
 
 
 def cores() -> int:
@@ -59,139 +53,59 @@ def in_order(
             for item in items:
                 yield work(tool, item)
         return
-    pool, futures = _Pool(opened, work), deque[Future[Result]]()
-    with ThreadPoolExecutor(workers) as threads:
-        try:
-            for item in items:
-                futures.append(threads.submit(pool.run, item))
-                if len(futures) >= AHEAD * workers:
-                    yield _result(futures.popleft())
-            while futures:
+    pool = ProcessPoolExecutor(workers, multiprocessing.get_context("spawn"), _prepare, (opened, work))
+    futures = deque[Future[tuple[Result, list[str]]]]()
+    try:
+        for item in items:
+            futures.append(_submit(pool, item))
+            if len(futures) >= AHEAD * workers:
                 yield _result(futures.popleft())
-        except WorkerEnded as error:
-            raise UserError(f"a worker process {error}; --workers 1 does without") from None
-        finally:
-            pool.stop()
-            threads.shutdown(cancel_futures=True)
+        while futures:
+            yield _result(futures.popleft())
+    except BrokenProcessPool:
+        raise UserError("a worker process ended; too little memory? --workers 1 does without") from None
+    finally:
+        pool.shutdown(cancel_futures=True)
 
 
-def _result(future: Future[Result]) -> Result:
-    """Return a future result. On Windows, Ctrl-C interrupts only waits with a timeout."""
-    while not wait_for([future], WATCH_SECONDS).done:
-        pass
-    return future.result()
+def _submit(pool: ProcessPoolExecutor, item: object) -> Future[Any]:
+    """Submit an item; the first one starts the processes."""
+    try:
+        with ctrl_c_blocked():
+            return pool.submit(_apply, item)
+    except OSError as error:
+        why = error.strerror or error
+        raise UserError(f"a worker process cannot be started: {why}; --workers 1 does without") from None
 
 
-class _Pool:
-    """Worker processes, one for every thread that calls `run` at the same time."""
-
-    def __init__(self, opened: Opened[Any], work: Work[Any, Any, Any]) -> None:
-        self._start = (opened, work)
-        self._idle: list[_Worker] = []
-        self._stopped = threading.Event()
-
-    def run(self, item: object) -> Any:
-        """Return work(tool, item). Raises UserError if no more processes can be started.
-
-        Any error ends the process.
-        """
-        worker = self._idle_worker()
-        is_new = worker is None
-        if worker is None:
-            worker = _Worker(*self._start)
-        try:
-            if is_new:
-                self._wait(worker, START_SECONDS)
-            worker.give(item)
-            result = self._wait(worker)
-        except BaseException:
-            worker.stop()
-            raise
-        self._idle.append(worker)
-        if self._stopped.is_set():
-            self.stop()
-        return result
-
-    def stop(self) -> None:
-        """End all processes: idle ones close their tools, the others end within WATCH_SECONDS."""
-        self._stopped.set()
-        idle = list(iter(self._idle_worker, None))
-        for worker in idle:
-            worker.line.close()
-        for worker in idle:
-            worker.stop(GRACE_SECONDS)
-
-    def _idle_worker(self) -> _Worker | None:
-        with suppress(IndexError):
-            return self._idle.pop()
-        return None
-
-    def _wait(self, worker: _Worker, seconds: float = math.inf) -> Any:
-        """Return the next answer of a process."""
-        end = time.monotonic() + seconds
-        while not worker.line.poll(WATCH_SECONDS):
-            if self._stopped.is_set():
-                raise WorkerEnded("was stopped")
-            if time.monotonic() >= end:
-                raise WorkerEnded(f"did not start within {seconds:g} s")
-        return worker.result()
+def _result(future: Future[tuple[Result, list[str]]]) -> Result:
+    result, warnings = future.result()
+    for warning in warnings:
+        mujoco_warnings.pass_on(warning)
+    return result
 
 
-class WorkerEnded(Exception):
-    """A worker process has ended; the text describes how."""
+def _prepare(opened: Opened[Any], work: Work[Any, Any, Any]) -> None:
+    """Let a worker ignore Ctrl-C and end with its parent, and give it its tool, which the first item opens."""
+    global _job
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    _job = work, cache(lambda: ExitStack().enter_context(opened()))
 
 
-class _Worker:
-    """A process with a tool, and the connection to it. Its first answer is None."""
+def _end_with_parent() -> None:
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+    wait([parent.sentinel])
+    os._exit(1)
 
-    def __init__(self, opened: Opened[Any], work: Work[Any, Any, Any]) -> None:
-        spawn = multiprocessing.get_context("spawn")
-        self.line, theirs = spawn.Pipe()
-        self.process = spawn.Process(target=_serve, args=(theirs, opened, work), daemon=True)
-        try:
-            with ctrl_c_blocked():
-                self.process.start()
-        except OSError as error:
-            why = error.strerror or error
-            raise UserError(f"a worker process cannot be started: {why}; --workers 1 does without") from None
-        finally:
-            theirs.close()
 
-    def give(self, item: object) -> None:
-        """Send an item. Wait for its result before the next one."""
-        with suppress(OSError):  # `result` reports the end of the process
-            self.line.send(item)
-
-    def result(self) -> Any:
-        """Return the result of the item. Raises the error of the work, and WorkerEnded."""
-        try:
-            error, result, notes = self.line.recv()
-        except (EOFError, OSError):
-            raise WorkerEnded(self._ending()) from None
-        for note in notes:
-            mujoco_warnings.pass_on(note)
-        if error is not None:
-            raise error
-        return result
-
-    def stop(self, patience: float = 0.0) -> None:
-        """End the process, by force after a timeout [s]."""
-        self.line.close()
-        if patience:
-            self.process.join(patience)
-        self.process.kill()
-        self.process.join()
-
-    def _ending(self) -> str:
-        """Return how the process ended."""
-        self.process.join(GRACE_SECONDS)
-        code = self.process.exitcode
-        if code is None:
-            return "did not answer"
-        if code >= 0:
-            return f"ended with code {code}"
-        memory = "; too little memory?" if code == -9 else ""
-        return f"was ended by signal {-code} ({signal.strsignal(-code) or 'unknown'}{memory})"
+def _apply(item: object) -> tuple[Any, list[str]]:
+    """Return the result of an item in a worker, and MuJoCo's warnings."""
+    warnings: list[str] = []
+    with mujoco_warnings.reported_to(warnings.append):
+        work, tool = _job
+        return work(tool(), item), warnings
 
 
 @contextmanager
@@ -208,37 +122,3 @@ def ctrl_c_blocked() -> Iterator[None]:
         yield
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
-
-
-def _serve(line: Connection[Any, Any], opened: Opened[Any], work: Work[Any, Any, Any]) -> None:
-    """Open the tool, then receive items and send results with their notes, until the connection closes."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    threading.Thread(target=_end_with_parent, daemon=True).start()
-    notes: list[str] = []
-    with mujoco_warnings.reported_to(notes.append), suppress(EOFError, OSError):
-        try:
-            with opened() as tool:
-                line.send((None, None, notes))
-                while True:
-                    item = line.recv()
-                    notes.clear()
-                    line.send((None, work(tool, item), notes))
-        except Exception as error:
-            line.send((_portable(error), None, notes))
-    gc.freeze()  # without a garbage collection, the process ends sooner
-
-
-def _end_with_parent() -> None:
-    parent = multiprocessing.parent_process()
-    assert parent is not None
-    wait([parent.sentinel])
-    os._exit(1)
-
-
-def _portable(error: Exception) -> Exception:
-    """Return the error, or its text if it cannot be sent to another process."""
-    try:
-        error.add_note(f"In a worker process:\n{traceback.format_exc()}")
-        return pickle.loads(pickle.dumps(error))
-    except Exception:
-        return RuntimeError(f"{type(error).__name__}: {error}")

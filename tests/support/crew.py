@@ -25,13 +25,6 @@ class Bench:
         self.is_open = False
 
 
-class Stubborn(Exception):
-    """An error that cannot be sent to another process."""
-
-    def __init__(self, first: str, second: str) -> None:
-        super().__init__(f"{first} and {second}")
-
-
 def locked(*_: object) -> Bench:
     raise ValueError("the bench is locked")
 
@@ -50,10 +43,6 @@ def fails_at_three(bench: Bench, number: int) -> int:
     return number
 
 
-def fails_strangely(bench: Bench, number: int) -> int:
-    raise Stubborn("one thing", "another")
-
-
 def is_killed(tool: object, item: object) -> None:
     os.kill(os.getpid(), signal.SIGKILL)
 
@@ -62,8 +51,8 @@ def leaves(tool: object, item: object) -> None:
     os._exit(3)
 
 
-def never_ends(tool: object, item: object) -> None:
-    time.sleep(600)
+def lasts(tool: object, item: object) -> None:
+    time.sleep(3)
 
 
 def warns(tool: object, item: object) -> None:

@@ -53,21 +53,13 @@ def test_no_items_give_no_results():
 
 @pytest.mark.parametrize("workers", [1, 2])
 def test_an_error_of_the_work_is_raised_as_it_is(workers: int):
-    with pytest.raises(ValueError) as caught:
+    with pytest.raises(ValueError, match=r"^three is too many$"):
         list(in_order(Bench, crew.fails_at_three, range(100), workers))
-    assert str(caught.value) == "three is too many"
-    if workers > 1:
-        assert "fails_at_three" in caught.value.__notes__[0]
 
 
 def test_a_tool_that_does_not_open_is_reported():
     with pytest.raises(ValueError, match="the bench is locked"):
         list(in_order(crew.locked, crew.squared, range(3), 2))
-
-
-def test_an_error_that_cannot_be_sent_is_reported_in_its_words():
-    with pytest.raises(RuntimeError, match="Stubborn: one thing and another"):
-        list(in_order(Bench, crew.fails_strangely, range(3), 2))
 
 
 def test_an_error_of_the_items_ends_the_workers():
@@ -79,15 +71,10 @@ def test_an_error_of_the_items_ends_the_workers():
         list(in_order(Bench, crew.squared, items(), 2))
 
 
-def test_a_worker_that_ends_is_reported_with_its_code():
-    with pytest.raises(UserError, match="a worker process ended with code 3; --workers 1 does without"):
-        list(in_order(Bench, crew.leaves, range(3), 2))
-
-
-@POSIX
-def test_a_worker_that_is_killed_is_reported_with_the_signal():
-    with pytest.raises(UserError, match=r"ended by signal 9 \(Killed.*; too little memory\?\)"):
-        list(in_order(Bench, crew.is_killed, range(3), 2))
+@pytest.mark.parametrize("work", [crew.leaves, pytest.param(crew.is_killed, marks=POSIX)])
+def test_a_worker_that_ends_is_reported(work):
+    with pytest.raises(UserError, match=r"a worker process ended.* --workers 1 does without"):
+        list(in_order(Bench, work, range(3), 2))
 
 
 def test_a_process_that_cannot_be_started_is_reported(monkeypatch: pytest.MonkeyPatch):
@@ -166,7 +153,7 @@ def test_workers_go_when_their_parent_is_killed(at_work):
 
 
 @pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="needs /proc")
-@pytest.mark.parametrize("at_work", ["never_ends"], indirect=True)
+@pytest.mark.parametrize("at_work", ["lasts"], indirect=True)
 def test_ctrl_c_ends_the_workers_and_only_the_parent_speaks(at_work):
     process, numbers = at_work
     os.killpg(process.pid, signal.SIGINT)
