@@ -29,7 +29,7 @@ def run(words: list[str], folder: Path, progress: Progress, options: Options) ->
     try:
         from . import dispatch
     except ModuleNotFoundError as error:
-        if error.name not in ("distributed", "dask"):
+        if error.name not in ("cryptography", "distributed", "dask"):
             raise
         raise missing_package("dynsplines batch", error.name, "batch") from None
     tally = dispatch.run(words, folder, options, progress)

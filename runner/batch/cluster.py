@@ -1,22 +1,20 @@
 """The Dask workers of a batch, as processes of this machine or as a cluster.
 
-Anyone who can reach a Dask scheduler can run code on its workers. On this machine, this requires a certificate that
-only this user can read. Dask's settings must protect a cluster.
+Anyone who can reach a Dask scheduler can run code on its workers. On this machine, it requires a certificate
+that only this program and its workers have. Dask's settings must protect a cluster.
 """
 
 from __future__ import annotations
 
 import atexit
 import logging
-import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext, suppress
-from pathlib import Path
 
+import cryptography  # noqa: F401  Dask needs it for certificates
 import dask.config
 from distributed import Client, LocalCluster
 from distributed.deploy.spec import close_clusters
-from distributed.security import Security
 
 from ..errors import UserError, one_line
 from ..system.progress import Progress
@@ -71,7 +69,7 @@ def _local(count: int) -> Iterator[LocalCluster]:
                 cluster = LocalCluster(
                     n_workers=count,
                     threads_per_worker=1,
-                    security=_credentials(folder),
+                    security=True,
                     dashboard_address="127.0.0.1:0",
                     scheduler_kwargs={"dashboard": False},
                     silence_logs=logging.CRITICAL,
@@ -83,19 +81,3 @@ def _local(count: int) -> Iterator[LocalCluster]:
         finally:
             with suppress(AssertionError):  # of Dask, for workers that are still starting; they end with this process
                 cluster.close()
-
-
-def _credentials(folder: Path) -> Security:
-    """Return a new certificate, which other users of this machine lack. Raises UserError without OpenSSL."""
-    key, certificate = str(folder / "key.pem"), str(folder / "certificate.pem")
-    command = ["openssl", "req", "-x509", "-newkey", "ec", "-pkeyopt", "ec_paramgen_curve:prime256v1", "-nodes"]
-    command += ["-days", "3650", "-subj", "/CN=dynsplines", "-keyout", key, "-out", certificate]
-    try:
-        subprocess.run(command, check=True, capture_output=True)
-    except (OSError, subprocess.CalledProcessError) as error:
-        raise UserError(
-            f"a batch needs the program openssl ({one_line(error)}); install it, or use --cluster"
-        ) from None
-    files = {f"tls_{role}_key": key for role in ("client", "scheduler", "worker")}
-    files |= {f"tls_{role}_cert": certificate for role in ("client", "scheduler", "worker")}
-    return Security(require_encryption=True, tls_ca_file=certificate, **files)
