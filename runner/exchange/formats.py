@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 import mujoco
 
@@ -20,42 +20,6 @@ from .trajectory import Recording, SampledTrajectory
 
 OF_MOTIONS = {"format_version", "frame_state"}  # names of arrays that only this program's motions have
 CONVERTIBLE = (".glb", ".gltf", ".vrm", ".fbx", ".usd", ".usda", ".usdc")  # animations that Blender converts to BVH
-
-
-class Writer(Protocol):
-    """Writes motions in a format."""
-
-    def write(self, trajectory: SampledTrajectory, path: Path) -> None:
-        """Write a motion.
-
-        Args:
-            trajectory: The motion at equal time steps.
-            path: A temporary file, which is then renamed to the output file.
-
-        Raises:
-            UserError: For a motion that the format cannot represent.
-        """
-        ...
-
-
-class Reader(Protocol):
-    """Reads motions in a format."""
-
-    def read(self, path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-        """Read a motion.
-
-        Args:
-            path: The file.
-            model: The figure, if the caller names one.
-            fps: Samples per second [1/s], if the caller gives them.
-
-        Returns:
-            The motion.
-
-        Raises:
-            UserError: For an invalid file.
-        """
-        ...
 
 
 @dataclass(frozen=True)
@@ -232,14 +196,6 @@ def export(
     return target
 
 
-def written_by(custom: Writer, saved: Saved, target: Path, *, fps: float | None = None) -> Path:
-    """Write a motion by a custom writer."""
-    check_target(target)
-    with Replacement(target) as temporary:
-        custom.write(SampledTrajectory.of(saved, fps), temporary)
-    return target
-
-
 def recording(
     source: Path,
     kind: str | None = None,
@@ -274,17 +230,6 @@ def _read(
     if scale is not None:
         raise UserError(f"{source}: lengths of the format '{form.name}' are metres; --scale does not apply")
     return read(source, model, fps)
-
-
-def read_by(custom: Reader, source: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """Read a file by a custom reader; raises UserError if its result is invalid or requires a figure."""
-    size_limit.check_file(source)
-    result = custom.read(source, model, fps)
-    if not isinstance(result, Recording):
-        raise UserError(f"{source}: a reader's read gives a Recording, not {type(result).__name__}")
-    if result.mjcf is None and model is None:
-        raise UserError(f"{source}: its reader gives no figure; name one, figure=")
-    return result
 
 
 def _write_only(name: str) -> str:

@@ -22,7 +22,7 @@ from ..solving import unsolved
 from ..system.progress import Progress
 from ..system.quantity import positive
 from . import gaps
-from .formats import Reader, read_by, recording, stem
+from .formats import recording, stem
 
 TURN = 2 * np.pi  # [rad]
 NEAR = 1.0  # [rad] largest deviation of a jump from a whole turn that counts as a wrap in every recording
@@ -47,7 +47,7 @@ class ImportedMotion:
 
 def read_recording(
     source: Path,
-    kind: str | Reader | None = None,
+    kind: str | None = None,
     *,
     figure: str | None = None,
     fps: float | None = None,
@@ -72,11 +72,7 @@ def read_recording(
     if spec is not None:
         spec.assets = dict(taken_along(spec))  # under the names that compose assigns, so that MuJoCo finds the meshes
     model = None if spec is None else compiled(spec, figure)
-    if kind is None or isinstance(kind, str):
-        record = recording(source, kind, model=model, fps=fps, scale=scale)
-    else:
-        record = read_by(kind, source, model, fps)
-    record = gaps.without_missing(record, source)
+    record = gaps.without_missing(recording(source, kind, model=model, fps=fps, scale=scale), source)
     if record.mjcf is not None:
         spec = mujoco.MjSpec.from_string(record.mjcf)
         spec.assets = dict(record.assets)
@@ -93,7 +89,7 @@ def read_recording(
 
 def import_recording(
     source: Path,
-    kind: str | Reader | None = None,
+    kind: str | None = None,
     *,
     figure: str | None = None,
     fps: float | None = None,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from .. import motion as files
 from .. import recordings
@@ -16,9 +15,6 @@ from ..scene.model_inputs import is_text, spec_of_text
 from ..system.mujoco_warnings import as_python_warnings
 from ..system.quantity import positive
 from .motion import Motion
-
-if TYPE_CHECKING:
-    from ..exchange.formats import Reader
 
 
 @as_python_warnings()
@@ -87,7 +83,7 @@ def import_motion(
     source: str | os.PathLike[str],
     figure: str | os.PathLike[str] | None = None,
     *,
-    format: str | Reader | None = None,
+    format: str | None = None,
     fps: float | None = None,
     scale: float | None = None,
     allow_outside: bool = False,
@@ -97,8 +93,7 @@ def import_motion(
     Args:
         source: The recording.
         figure: Name of a shipped figure, or path of an MJCF file, if the recording contains no figure.
-        format: Name of the format (see `dynsplines formats`), if the file's extension is ambiguous; or a custom reader,
-            an object with read(path, model, fps).
+        format: Name of the format (see `dynsplines formats`), if the file's extension is ambiguous.
         fps: Samples per second [1/s], if the file has no rate.
         scale: Unit of length of the file [m], instead of the inferred one.
         allow_outside: Let the figure's model read files outside its folder.

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import Any, Literal
 
 import mujoco
 import numpy as np
@@ -34,9 +34,6 @@ from ..system.mujoco_warnings import as_python_warnings
 from ..system.output import check_target
 from ..system.progress import Progress, silent
 from ..system.quantity import length, positive
-
-if TYPE_CHECKING:
-    from ..exchange.formats import Writer
 
 PLAYER_HEIGHT = 480  # [pixels] height of the player in a notebook
 
@@ -333,7 +330,7 @@ class Motion:
     def export(
         self,
         path: str | os.PathLike[str],
-        to: str | Writer | None = None,
+        to: str | None = None,
         *,
         fps: float | None = None,
         columns: str | Sequence[str] = (),
@@ -342,8 +339,7 @@ class Motion:
 
         Args:
             path: Output file.
-            to: Name of a format, default by the ending of `path`; or a custom writer, an object with
-                write(trajectory, path).
+            to: Name of a format, default by the ending of `path`.
             fps: Samples per second [1/s]; default: the motion's.
             columns: Only for tables: additional columns, "velocities", "torques", "wrench" (at the root), "ground"
                 (force at each foot), several of these, or "all": those for which the motion has values.
@@ -357,8 +353,6 @@ class Motion:
         from ..exchange import formats, quantities
 
         target = Path(path)
-        if to is not None and not isinstance(to, str):
-            return formats.written_by(to, self.saved, target, fps=fps)
         groups = quantities.named(columns if isinstance(columns, str) else ",".join(columns))
         return formats.export(self.saved, formats.chosen(to, target).name, target, fps=fps, columns=groups)
 
