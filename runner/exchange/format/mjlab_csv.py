@@ -14,11 +14,11 @@ import mujoco
 import numpy as np
 
 from ...errors import UserError
-from .. import missing_input, table_text
+from .. import missing_input
 from ..array_reader import ArrayReader
 from ..robot import Robot, configurations, needs_figure, refuse_balls, robot_joints
 from ..trajectory import Recording, SampledTrajectory
-from .csv_table import without_heading
+from .csv_table import table, without_heading
 
 NAME = "mjlab-csv"
 
@@ -36,7 +36,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Read root and hinges, after an optional column of times; raises UserError for rows of another length."""
     model = needs_figure(model, path)
-    names, numbers = table_text.table(path)
+    names, numbers = table(path)
     if names is not None:
         raise UserError(f"{path}: a table with a heading; the format has none; give --from csv")
     figure_joints = robot_joints(model)
@@ -49,8 +49,8 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         raise UserError(
             f"{path}: a table {shape}; a row is root xyz, root quaternion xyzw, and hinges: {width} columns"
         )
-    time, table = without_heading(path, numbers, width, fps)
-    parts = {"root": table[:, :3], "quaternion (columns 4 to 7)": table[:, 3:7], "hinges": table[:, 7:]}
+    time, rows = without_heading(path, numbers, width, fps)
+    parts = {"root": rows[:, :3], "quaternion (columns 4 to 7)": rows[:, 3:7], "hinges": rows[:, 7:]}
     arrays = ArrayReader(path, parts)
     position, joints = arrays.numbers("root", "T", 3), arrays.numbers("hinges", "T", "n")
     rotation = arrays.quaternions("quaternion (columns 4 to 7)", "T", 4, scalar_last=True)
