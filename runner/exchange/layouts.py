@@ -1,15 +1,11 @@
-"""Layout of a robot's arrays: the documented one, unless body poses in the same file decide for another.
+"""Layout of a robot's arrays: the documented one, which body poses in the same file must confirm.
 
-Body poses beside joint angles are redundant, because forward kinematics must reproduce them. So they decide between the
-layouts that occur in such files: the order of the components of quaternions, the order of the joints, and those that
-the reader adds. A file without body poses has the documented layout.
+Body poses beside joint angles are redundant, because forward kinematics must reproduce them.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from itertools import combinations
 
 import mujoco
 import numpy as np
@@ -20,34 +16,28 @@ from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.root import root_of
 
 from ..errors import UserError
-from ..scene.configuration import posed, quaternions
+from ..scene.configuration import posed
 from ..scene.framing import spread
 from .array_reader import ArrayReader
-from .skeleton import hierarchy
 from .trajectory import Recording
 
 CLOSE, ALIGNED = 0.02, np.radians(2)  # [m], [rad] allowed difference between forward kinematics and recorded bodies
-EQUAL = 0.05  # difference in `Disagreement.share` up to which layouts agree equally well with body poses
 LOOKED_AT = 60  # samples of a file that are compared, evenly spread
 FALLEN = np.radians(60)  # [rad] tilt of the root that casts doubt on the order of its quaternions
 OFTEN = 0.1  # fraction of samples that are no outliers
 TURN = 2 * np.pi  # [rad]
-Reading = Callable[[], Array]
-Layout = tuple[str, ...]  # deviations from the documented layout
 
 
 @dataclass(frozen=True)
 class BodyPoses:
     """Body poses that a file stores in addition to joint angles.
 
-    position (T, b, 3) [m]; rotation (T, b, 4) or None; names (b,) or None
-    is_wxyz   whether rotations are certainly wxyz, else they may be xyzw
+    position (T, b, 3) [m]; rotation (T, b, 4) wxyz or None; names (b,) or None
     is_local  whether positions are relative to the root, as if it were unrotated at the origin
     """
 
     position: Array
     rotation: Array | None = None
-    is_wxyz: bool = False
     names: tuple[str, ...] | None = None
     is_local: bool = False
 
@@ -58,79 +48,42 @@ def body_poses(reader: ArrayReader) -> BodyPoses | None:
     if place is None or np.ndim(reader.of(place)) != 3:
         return None
     position = reader.numbers(place, "samples", "bodies", 3)
-    turn = next((name for name in ("xquat", "body_quat_w", "body_quat", "body_rot") if name in reader), None)
-    rotation = None if turn is None else reader.quaternions(turn, "samples", "bodies", 4)
+    rotation = reader.quaternions("xquat", "samples", "bodies", 4) if "xquat" in reader else None
     names = tuple(reader.texts("body_names")) if "body_names" in reader else None
-    return BodyPoses(position, rotation, turn == "xquat", names)
-
-
-@dataclass(frozen=True)
-class Disagreement:
-    """The largest distance [m] and angle [rad] between recorded body poses and those of the figure."""
-
-    distance: float
-    angle: float
-
-    @property
-    def share(self) -> float:
-        """Ratio of the disagreement to the allowed value."""
-        return max(self.distance / CLOSE, self.angle / ALIGNED)
-
-    def __str__(self) -> str:
-        return f"{100 * self.distance:.1f} cm and {np.degrees(self.angle):.1f}°"
+    return BodyPoses(position, rotation, names)
 
 
 def recording(
     model: mujoco.MjModel,
     where: object,
     time: Array,
-    readings: Mapping[Layout, Reading],
+    qpos: Array,
     bodies: BodyPoses | None,
     *,
     scalar_last: bool,
-    has_names: bool,
     fps: float | None = None,
 ) -> Recording:
-    """Return a recording in the layout that reproduces the body poses, with a note if it is not the documented one.
+    """Return a recording whose configurations qpos (T, nq) reproduce the body poses of its file.
 
     Args:
         where: Label of the file in errors.
-        time: (T,) [s].
-        readings: Functions that return qpos (T, nq), wxyz, by their deviations from the documented layout, which is
-            first. A function that raises UserError does not fit the file.
-        bodies: The body poses; None for the documented layout.
-        scalar_last: Whether quaternions are documented as xyzw.
-        has_names: Whether the file names its joints, so that their order is certain.
+        scalar_last: Whether quaternions are documented as xyzw, for errors.
 
     Raises:
-        UserError: No layout fits, or none reproduces the body poses.
+        UserError: The body poses differ from those of the figure.
     """
-    assumed = ("xyzw" if scalar_last else "wxyz") if bodies is None or bodies.is_local else None
-    if bodies is None:
-        return Recording(time, next(iter(readings.values()))(), fps=fps, assumed_quaternions=assumed)
-    candidates: dict[Layout, Array] = {}
-    failure: UserError | None = None
-    for layout, read in readings.items():
-        try:
-            qpos = read()
-        except UserError as error:
-            failure = failure or error
-        else:
-            candidates |= {(*layout, *more): other for more, other in _variants(model, qpos, scalar_last, has_names)}
-    if not candidates:
-        assert failure is not None, "a file has a documented layout"
-        raise failure
-    off = {layout: disagreement(model, qpos, bodies) for layout, qpos in candidates.items()}
-    best = min(off.values(), key=lambda each: each.share)
-    if best.share > 1:
-        raise UserError(
-            f"{where}: its body poses differ from the figure's at its joint angles [rad], by up to {best} at best; "
-            "name the model that it was recorded with"
-        )
-    layout = min((one for one, each in off.items() if each.share <= best.share + EQUAL), key=len)
-    note = f"read with {' and '.join(layout)}: its body poses differ from the figure's by up to {off[layout]}"
-    notes = (note + (f"; as documented by {off[()]}" if () in off else ""),) if layout else ()
-    return Recording(time, candidates[layout], fps=fps, notes=notes, assumed_quaternions=assumed)
+    order = "xyzw" if scalar_last else "wxyz"
+    if bodies is not None:
+        distance, angle = disagreement(model, qpos, bodies)
+        if distance > CLOSE or angle > ALIGNED:
+            raise UserError(
+                f"{where}: its body poses differ from the figure's at its joint angles [rad], by up to "
+                f"{100 * distance:.1f} cm and {np.degrees(angle):.1f}°; name the model that it was recorded with, or "
+                f"convert the file: quaternions {order}, the root as the first body, and joints by name or in the "
+                "model's order"
+            )
+    is_assumed = bodies is None or bodies.is_local
+    return Recording(time, qpos, fps=fps, assumed_quaternions=order if is_assumed else None)
 
 
 def check_radians(model: mujoco.MjModel, qpos: Array, where: object) -> None:
@@ -164,8 +117,8 @@ def check_upright(model: mujoco.MjModel, recorded: Recording, form: str, where: 
         )
 
 
-def disagreement(model: mujoco.MjModel, qpos: Array, bodies: BodyPoses) -> Disagreement:
-    """Return how far recorded body poses are from those of the figure at configurations (T, nq).
+def disagreement(model: mujoco.MjModel, qpos: Array, bodies: BodyPoses) -> tuple[float, float]:
+    """Return the largest distance [m] and angle [rad] of recorded body poses from those of the figure at qpos (T, nq).
 
     Each recorded body is compared with the figure's body that is nearest to it over all samples. So the order of the
     bodies does not matter, nor whether the world is among them. If the figure has fewer bodies, each of them is
@@ -181,12 +134,13 @@ def disagreement(model: mujoco.MjModel, qpos: Array, bodies: BodyPoses) -> Disag
         rotation = quat.product(back, rotation)
     columns = _matching_bodies(model, bodies)
     away = np.linalg.norm(bodies.position[rows][:, columns, None] - position[:, None], axis=-1).max(axis=0)
-    angles = [np.zeros_like(away)]
+    angle = np.zeros_like(away)
     if bodies.rotation is not None:
-        shifts = (0,) if bodies.is_wxyz else (0, 1)
-        recorded = bodies.rotation[rows][:, columns, None]
-        angles = [quat.angle_between(np.roll(recorded, n, -1), rotation[:, None]).max(axis=0) for n in shifts]
-    return min((_nearest(away, angle) for angle in angles), key=lambda each: each.share)
+        angle = quat.angle_between(bodies.rotation[rows][:, columns, None], rotation[:, None]).max(axis=0)
+    if away.shape[0] > away.shape[1]:
+        away, angle = away.T, angle.T
+    nearest = np.arange(len(away)), np.argmin(np.maximum(away / CLOSE, angle / ALIGNED), axis=1)
+    return float(away[nearest].max()), float(angle[nearest].max())
 
 
 def _matching_bodies(model: mujoco.MjModel, bodies: BodyPoses) -> Index:
@@ -197,46 +151,3 @@ def _matching_bodies(model: mujoco.MjModel, bodies: BodyPoses) -> Index:
     names = {model.body(body).name for body in range(model.nbody)}
     matching = np.flatnonzero([name in names for name in bodies.names])
     return matching if 2 * matching.size > everything.size else everything
-
-
-def _nearest(distance: Array, angle: Array) -> Disagreement:
-    """Return the largest distance and angle (b, nbody) after assigning each body of the smaller set to its nearest."""
-    if distance.shape[0] > distance.shape[1]:
-        distance, angle = distance.T, angle.T
-    partner = np.argmin(np.maximum(distance / CLOSE, angle / ALIGNED), axis=1)
-    rows = np.arange(len(partner))
-    return Disagreement(float(distance[rows, partner].max()), float(angle[rows, partner].max()))
-
-
-def _variants(model: mujoco.MjModel, qpos: Array, scalar_last: bool, has_names: bool) -> Iterator[tuple[Layout, Array]]:
-    """Yield configurations as they are, and with other orders of quaternions and joints, by their deviations."""
-    changes: list[tuple[str, Index, Index]] = []
-    if turned := list(quaternions(model).values()):
-        columns = np.concatenate([np.arange(model.nq)[each] for each in turned])
-        rolled = np.roll(columns.reshape(-1, 4), -1 if scalar_last else 1, axis=1).ravel()
-        changes.append((f"quaternions {'wxyz' if scalar_last else 'xyzw'}", columns, rolled))
-    if not has_names and (order := breadth_first(model)) is not None:
-        changes.append(("joints breadth first", model.jnt_qposadr[order], model.jnt_qposadr[np.sort(order)]))
-    for count in range(len(changes) + 1):
-        for combination in combinations(changes, count):
-            out = qpos.copy()
-            for _, target, source in combination:
-                out[:, target] = out[:, source]
-            yield tuple(words for words, _, _ in combination), out
-
-
-def breadth_first(model: mujoco.MjModel) -> Index | None:
-    """Return hinges and slides in breadth-first order from the root, as Isaac has them.
-
-    None if that is MuJoCo's order, and for figures with ball joints, which no program with that order has.
-    """
-    if JointKind.BALL in model.jnt_type:
-        return None
-    joints = np.flatnonzero(model.jnt_type != JointKind.FREE)
-    above = []
-    for joint in joints:
-        body = int(model.jnt_bodyid[joint])
-        carriers = hierarchy.above(model, body)
-        above.append(int(joint - model.body_jntadr[body]) + int(model.body_jntnum[carriers].sum()))
-    order = np.argsort(above, kind="stable")
-    return None if np.array_equal(order, np.arange(joints.size)) else joints[order]

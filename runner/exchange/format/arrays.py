@@ -74,7 +74,4 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     time = arrays.numbers("time", "samples") if rate is None or "time" in arrays else times(len(qpos), rate)
     if "mjcf" in arrays:  # written by this program
         return Recording(time, qpos, mjcf, rate, assets={} if mjcf is None else assets)
-    return layouts.recording(
-        figure, path, time, {(): lambda: qpos}, layouts.body_poses(arrays),
-        scalar_last=False, has_names="joint_names" in arrays, fps=rate,
-    )  # fmt: skip
+    return layouts.recording(figure, path, time, qpos, layouts.body_poses(arrays), scalar_last=False, fps=rate)

@@ -17,7 +17,6 @@ root_trans_offset, root_rot, dof, and pose_aa (T, b, 3), rotation vectors of all
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
 
 import mujoco
@@ -70,9 +69,8 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     else:
         rotation = motion.quaternions("root_rot", "samples", 4, scalar_last=True)
     joints = motion.numbers("dof_pos", "samples", "joints")
-    reading = partial(configurations, model, NAME, path, position, rotation, joints)
-    time, bodies = times(len(joints), rate), _bodies(motion)
-    return layouts.recording(model, path, time, {(): reading}, bodies, scalar_last=True, has_names=False, fps=rate)
+    qpos = configurations(model, NAME, path, position, rotation, joints)
+    return layouts.recording(model, path, times(len(joints), rate), qpos, _bodies(motion), scalar_last=True, fps=rate)
 
 
 def _motion(reader: ArrayReader) -> ArrayReader:
@@ -103,5 +101,5 @@ def _bodies(reader: ArrayReader) -> layouts.BodyPoses | None:
         return layouts.BodyPoses(reader.numbers("local_body_pos", "samples", "bodies", 3), names=names, is_local=True)
     if "pose_aa" in reader and np.ndim(reader.of("pose_aa")) == 3:
         root = reader.numbers("root_pos", "samples", 3)
-        return layouts.BodyPoses(root[:, None], _root_turned(reader)[:, None], is_wxyz=True)
+        return layouts.BodyPoses(root[:, None], _root_turned(reader)[:, None])
     return None

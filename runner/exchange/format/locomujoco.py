@@ -15,7 +15,6 @@ are not read.
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
 
 import mujoco
@@ -95,9 +94,9 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     turned = unit_quaternions(qpos[:, root + 3 : root + 7], "qpos (the root's quaternion)", path)
     joints, called = qpos[:, [starts[i] for i in hinges]], [names[i] for i in hinges]
     rate = arrays.rate("frequency", fps)
-    reading = partial(configurations, model, NAME, path, qpos[:, root : root + 3], turned, joints, called)
     time, bodies = times(len(qpos), rate), layouts.body_poses(arrays)
-    return layouts.recording(model, path, time, {(): reading}, bodies, scalar_last=False, has_names=True, fps=rate)
+    qpos = configurations(model, NAME, path, qpos[:, root : root + 3], turned, joints, called)
+    return layouts.recording(model, path, time, qpos, bodies, scalar_last=False, fps=rate)
 
 
 def _declared(reader: ArrayReader, path: Path) -> int:

@@ -13,19 +13,16 @@ Source: mjlab, src/mjlab/scripts/csv_to_npz.py, which records body_link_pos_w an
 
 from __future__ import annotations
 
-from functools import partial
 from pathlib import Path
 
 import mujoco
 import numpy as np
 
-from dynsplines.solver.array import Array
 from dynsplines.solver.figure.root import root_of
 
-from ...errors import UserError
 from ...motion import write_arrays
 from .. import layouts
-from ..array_reader import names_in, read_npz, times, unit_quaternions
+from ..array_reader import names_in, read_npz, times
 from ..robot import Robot, configurations, needs_figure
 from ..trajectory import Bodies, Recording, SampledTrajectory
 
@@ -64,33 +61,10 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     position = arrays.numbers("body_pos_w", "samples", "bodies", 3)
     rotation = arrays.quaternions("body_quat_w", "samples", "bodies", 4)
     names = arrays.texts("joint_names") if "joint_names" in arrays else None
-    body_names = arrays.texts("body_names") if "body_names" in arrays else None
-    readings: dict[layouts.Layout, layouts.Reading] = {
-        words: partial(configurations, model, NAME, path, position[:, body], rotation[:, body], joints, names)
-        for words, body in _roots(model, body_names, position.shape[1]).items()
-    }
-    readings["qpos in joint_pos",] = partial(_complete_qpos, model, path, joints, names)
-    poses = layouts.BodyPoses(position, rotation, names=None if body_names is None else tuple(body_names))
-    return layouts.recording(
-        model, path, times(len(joints), rate), readings, poses, scalar_last=False, has_names=names is not None, fps=rate
-    )
-
-
-def _roots(model: mujoco.MjModel, names: list[str] | None, count: int) -> dict[layouts.Layout, int]:
-    """Return the recorded bodies that may be the root."""
+    body_names = arrays.texts("body_names") if "body_names" in arrays else []
     figure_root = root_of(model)
-    root = "" if figure_root is None else model.body(figure_root.body).name
-    if names is not None and root in names:
-        return {(): names.index(root)}
-    return {(): 0, ("the world first",): 1} if count > 1 else {(): 0}
-
-
-def _complete_qpos(model: mujoco.MjModel, path: Path, numbers: Array, names: list[str] | None) -> Array:
-    """Return complete qpos, with the root's seven numbers before the joints."""
-    if numbers.shape[1] < 7:
-        raise UserError(f"{path}: 'joint_pos' has {numbers.shape[1]} columns, too few for a root")
-    rotation = unit_quaternions(numbers[:, 3:7], "joint_pos", path)
-    joints = numbers[:, 7:]
-    if names is not None and len(names) == joints.shape[1] + 1:  # the root's joint is named, too
-        names = names[1:]
-    return configurations(model, NAME, path, numbers[:, :3], rotation, joints, names)
+    root_name = "" if figure_root is None else model.body(figure_root.body).name
+    root = body_names.index(root_name) if root_name in body_names else 0
+    qpos = configurations(model, NAME, path, position[:, root], rotation[:, root], joints, names)
+    poses = layouts.BodyPoses(position, rotation, tuple(body_names) or None)
+    return layouts.recording(model, path, times(len(joints), rate), qpos, poses, scalar_last=False, fps=rate)

@@ -245,12 +245,9 @@ def entries():
 def test_the_root_is_verified_by_its_rotation_vector(tmp_path):
     vector = np.zeros((6, 3, 3))
     vector[:, 0, 2] = 0.6  # the heading of the walk
-    for turn in (QPOS[:, [4, 5, 6, 3]], QPOS[:, 3:7]):
-        motion = entries() | {"pose_aa": vector, "root_rot": turn}
-        (tmp_path / "a.pkl").write_bytes(pickle.dumps({"walk": motion}))
-        np.testing.assert_allclose(read(tmp_path / "a.pkl").qpos, QPOS, atol=1e-12)
-    motion["pose_aa"] = vector * 2
-    (tmp_path / "a.pkl").write_bytes(pickle.dumps({"walk": motion}))
+    (tmp_path / "a.pkl").write_bytes(pickle.dumps({"walk": entries() | {"pose_aa": vector}}))
+    np.testing.assert_allclose(read(tmp_path / "a.pkl").qpos, QPOS, atol=1e-12)
+    (tmp_path / "a.pkl").write_bytes(pickle.dumps({"walk": entries() | {"pose_aa": vector * 2}}))
     with pytest.raises(UserError, match=r"differ from the figure's .* 0\.0 cm and 34\.4°"):
         read(tmp_path / "a.pkl")
 
