@@ -1,22 +1,114 @@
-"""MJCF of a scene for `mj_step`: contacts, actuators, and a <key> with their targets for every sample."""
+"""MJCF of a scene for `mj_step`: contacts, actuators, and a <key> with their targets for every sample.
+
+The first second is simulated from the first key, with `ctrl` interpolated between the keys. A scene that stays within
+0.05 rad and 5 cm follows its motion. Otherwise the note names the joint that deviates first.
+"""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 
-from ..simulation.scene import Simulation
-from ..simulation.tracking import note, refined
+import mujoco
+import numpy as np
+from scipy.interpolate import make_interp_spline
+
+from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.figure.figure import JointKind
+
+from ...system.mujoco_warnings import quietly
+from ..simulation import Simulation
 from ..trajectory import SampledTrajectory
 from .mjcf_keys import write_keys
 
+DURATION = 1.0  # [s] simulated
+ANGLE, DISTANCE = 0.05, 0.05  # [rad] and [m] largest deviations of a scene that follows its motion
+
 
 def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """Write the scene, with notes on what it overrides and how far it follows the motion."""
-    simulation, tracked = Simulation.of(trajectory), None
-    if len(trajectory.time) > 1:
-        simulation, tracked = refined(simulation, trajectory)
+    """Write the scene, with notes on what it changes and how far it follows the motion."""
+    simulation = Simulation.of(trajectory)
     trajectory.notes.append(f"{simulation.model.nu} position actuators; `ctrl` of the keys is what to aim them at")
     trajectory.notes.extend(simulation.notes)
-    if tracked is not None:
-        trajectory.notes.append(note(tracked, simulation, trajectory))
+    if len(trajectory.time) > 1:
+        trajectory.notes.append(note(tracked(simulation, trajectory), simulation.model))
     write_keys(simulation.root, trajectory, path, simulation.control)
+
+
+@dataclass(frozen=True)
+class Tracking:
+    """Deviations of a simulated scene from its motion.
+
+    time       (S,) [s] of the steps
+    deviation  (S, nv) [m] of translations, [rad] of rotations
+    is_length  (nv,) whether a degree of freedom is a translation
+    fell       whether the simulation became unstable
+    """
+
+    time: Array
+    deviation: Array
+    is_length: Mask
+    fell: bool
+
+    @property
+    def share(self) -> Array:
+        """The deviations (S, nv), relative to the allowed ones."""
+        return self.deviation / np.where(self.is_length, DISTANCE, ANGLE)
+
+    @property
+    def is_within(self) -> bool:
+        """Whether the scene follows its motion."""
+        return not self.fell and bool(np.all(self.share <= 1))
+
+    @property
+    def leaves(self) -> tuple[int, int]:
+        """The first step beyond the allowed deviation, or the last, and the degree of freedom that deviates most."""
+        beyond = np.flatnonzero((self.share > 1).any(axis=1))
+        step = int(beyond[0]) if beyond.size else len(self.time) - 1
+        return step, int(self.share[step].argmax())
+
+
+def tracked(simulation: Simulation, trajectory: SampledTrajectory) -> Tracking:
+    """Simulate a scene from its first key."""
+    model, (first, end) = simulation.model, trajectory.time[[0, -1]].tolist()
+    last = min(first + DURATION, end)
+    aims, poses = (make_interp_spline(trajectory.time, rows, k=1) for rows in (simulation.control, trajectory.qpos))
+    data = mujoco.MjData(model)
+    data.time, data.qpos, data.qvel, data.ctrl = first, trajectory.qpos[0], trajectory.qvel[0], aims(first)
+    is_length = np.zeros(model.nv, bool)
+    for kind, dof in zip(model.jnt_type.tolist(), model.jnt_dofadr.tolist(), strict=True):
+        is_length[dof : dof + (3 if kind == JointKind.FREE else int(kind == JointKind.SLIDE))] = True
+    times, errors, fell = [first], [np.zeros(model.nv)], False
+    with quietly():
+        while data.time < last and not fell:
+            before = data.time
+            data.ctrl = aims(before)
+            mujoco.mj_step(model, data)
+            fell = data.time <= before or not np.isfinite(data.qpos).all()  # MuJoCo resets an unstable simulation
+            if not fell:
+                times.append(data.time)
+                pose, error = poses(min(data.time, end)), np.zeros(model.nv)
+                mujoco.mj_normalizeQuat(model, pose)
+                mujoco.mj_differentiatePos(model, error, 1.0, pose, data.qpos)
+                errors.append(np.abs(error))
+    return Tracking(np.array(times), np.array(errors), is_length, fell)
+
+
+def note(tracking: Tracking, model: mujoco.MjModel) -> str:
+    """Return a note on how far the scene, `model`, follows its motion."""
+    is_length, lasts = tracking.is_length, tracking.time[-1] - tracking.time[0]
+    size = f"{_rounded(tracking.deviation[:, ~is_length].max(initial=0))} rad"
+    if is_length.any():
+        size += f", {_rounded(100 * tracking.deviation[:, is_length].max())} cm"
+    if tracking.is_within:
+        return f"mj_step of the scene stays within {size} of the motion for {lasts:.2g} s"
+    at, dof = tracking.leaves
+    name = model.joint(int(model.dof_jntid[dof])).name
+    off = f"{100 * DISTANCE:g} cm" if is_length[dof] else f"{ANGLE:g} rad"
+    then = "MuJoCo stops the simulation" if tracking.fell else f"up to {size} after {lasts:.2g} s"
+    when = tracking.time[at] - tracking.time[0]
+    return f"mj_step of the scene leaves the motion: '{name}' by {off} after {when:.2f} s, {then}"
+
+
+def _rounded(value: float) -> str:
+    return f"{value:.2g}" if value >= 1e-4 else f"{value:.0e}"

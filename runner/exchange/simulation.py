@@ -20,9 +20,8 @@ itself (`FIGURE_FLAGS`) are inherited, as the feed-forward torque includes these
 
 from __future__ import annotations
 
-import copy
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from xml.etree import ElementTree
 
 import mujoco
@@ -35,22 +34,22 @@ from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.root import sliding_joints
 from dynsplines.solver.surface.touch import bolted, is_scenery, movers, solids
 
-from ...clip import load as clip
-from ...errors import listed
-from ...scene.framing import size_of
-from ...scene.mujoco_versions import geoms_by_number, portable_text, remove
-from ...system.mujoco_warnings import quietly
-from ..forces import Forces
-from ..skeleton import hierarchy
-from ..skeleton.roles import unique
-from ..trajectory import SampledTrajectory
+from ..clip import load as clip
+from ..errors import listed
+from ..scene.framing import size_of
+from ..scene.mujoco_versions import geoms_by_number, portable_text, remove
+from ..system.mujoco_warnings import quietly
+from .forces import Forces
+from .skeleton import hierarchy
+from .skeleton.roles import unique
+from .trajectory import SampledTrajectory
 
 FREQUENCY = 8.0  # [Hz] natural frequency of a limb on its actuators, several times that of human motion
 DAMPING = 2 / (2 * np.pi * FREQUENCY)  # [s] kv / kp of critical damping
 STANDING = 0.7  # [1/rad] least kp of a supporting limb over weight times height; figures fall at 0.55, bounce above 0.7
 OFFSET = 1.0  # [rad] most offset of `ctrl` from a joint that its torque causes
 GIVE = 0.1  # [m] deflection of a slide that corresponds to a radian of a hinge
-TIMESTEPS = (1e-4, 0.002)  # [s] least and largest time step
+TIMESTEP_RANGE = (1e-4, 0.002)  # [s] least and largest time step
 ITERATIONS = (100, 50)  # least limits of iterations of the constraint solver and its line search
 SOFTNESS = (0.01, 1.5)  # time constant [s] and damping of contacts: feet land without bouncing
 IMPEDANCE = 10.0  # least `impratio`, friction to normal impedance, so that standing feet do not creep
@@ -61,7 +60,6 @@ LOOKED_AT = 200  # most poses of a motion that are checked
 ALL = 1  # bit of `contype` by which formerly visual geoms collide with the scenery
 CONSTRAINED = ("EQUALITY", "FRICTIONLOSS", "LIMIT")  # forces other than contacts that the flag CONSTRAINT disables
 FIGURE_FLAGS = ("GRAVITY", "PASSIVE", "SPRING", "DAMPER", *CONSTRAINED, "SENSOR")
-TELLING = ("CONTACT", "CONSTRAINT", "ACTUATION", "FILTERPARENT")  # flags of the model whose override is reported
 ACTUATORS = (
     "general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder", "muscle", "adhesion", "dcmotor",
     "pid", "orientation", "plugin",
@@ -90,7 +88,7 @@ class Simulation:
     root     its MJCF, without keys
     model    the same, compiled
     control  (T, nu) `ctrl` at the samples of the motion
-    notes    options of the model that are overridden
+    notes    changes of the model
     """
 
     root: ElementTree.Element
@@ -108,15 +106,6 @@ class Simulation:
                 ElementTree.tostring(root, encoding="unicode"), dict(trajectory.saved.scene.assets)
             )
         return cls(root, model, targets(trajectory, model, actuators), tuple(notes))
-
-    def with_timestep(self, timestep: float) -> Simulation:
-        """Return the scene with another time step [s]."""
-        root, model = copy.deepcopy(self.root), copy.copy(self.model)
-        option = root.find("option")
-        option = ElementTree.SubElement(root, "option") if option is None else option
-        option.set("timestep", f"{timestep:g}")
-        model.opt.timestep = timestep
-        return replace(self, root=root, model=model)
 
 
 def drives(trajectory: SampledTrajectory) -> list[Drive]:
@@ -197,7 +186,8 @@ def _scene(trajectory: SampledTrajectory, actuators: list[Drive]) -> tuple[Eleme
     """Return the model's MJCF with colliding geoms, actuators and options, and notes on what is overridden."""
     spec = trajectory.saved.scene.spec()
     model, names = trajectory.model, joint_names(trajectory.model)
-    notes = [*_set_options(spec, model), *_collide(spec, model)]
+    _set_options(spec, model)
+    notes = _collide(spec, model)
     for name, joint in zip(names, spec.joints, strict=True):
         joint.name = name
     with quietly():
@@ -219,16 +209,15 @@ def _flag(name: str) -> int:
     return int(getattr(mujoco.mjtDisableBit, f"mjDSBL_{name}", 0))
 
 
-def _set_options(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
-    """Set the options of `mj_step`; return notes on overrides that matter."""
+def _set_options(spec: mujoco.MjSpec, model: mujoco.MjModel) -> None:
+    """Set the options of `mj_step`."""
     option, flags = spec.option, int(model.opt.disableflags)
     if flags & _flag("CONSTRAINT"):
         flags |= sum(map(_flag, CONSTRAINED))
     option.disableflags = flags & sum(map(_flag, FIGURE_FLAGS))
     option.enableflags = int(model.opt.enableflags) & int(mujoco.mjtEnableBit.mjENBL_ENERGY)
     option.disableactuator = 0
-    least, most = TIMESTEPS
-    option.timestep = min(max(float(model.opt.timestep), least), most)
+    option.timestep = float(np.clip(model.opt.timestep, *TIMESTEP_RANGE))
     option.integrator = int(mujoco.mjtIntegrator.mjINT_IMPLICITFAST)  # others are unstable with stiff damping
     option.cone = int(mujoco.mjtCone.mjCONE_ELLIPTIC)
     option.impratio = max(float(model.opt.impratio), IMPEDANCE)
@@ -237,14 +226,6 @@ def _set_options(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
     option.ls_iterations = max(int(model.opt.ls_iterations), ITERATIONS[1])
     option.tolerance = min(float(model.opt.tolerance), 1e-8)
     option.noslip_iterations = 0
-    overridden = [f'{name.lower()}="disable"' for name in TELLING if int(model.opt.disableflags) & _flag(name)]
-    if model.opt.enableflags & int(mujoco.mjtEnableBit.mjENBL_OVERRIDE):
-        overridden.append('override="enable"')
-    if model.opt.disableactuator:
-        overridden.append("actuatorgroupdisable")
-    if model.opt.timestep < least:
-        overridden.append(f"timestep {model.opt.timestep:g} s, which is {least:g} s here")
-    return [f"the scene to simulate overrides options of the model: {', '.join(overridden)}"] if overridden else []
 
 
 def _remove_actuators(root: ElementTree.Element) -> None:
