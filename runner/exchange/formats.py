@@ -28,10 +28,9 @@ class Format:
 
     The module has `write(trajectory, path)` if the format can be written, and `read(path, model, fps)`, which returns a
     Recording, if it can be read; `model` is None without a figure from the user. Both raise UserError. An optional
-    function `recognises(path)` decides between formats that share an extension.
+    function `recognises(path)` decides between formats that share an extension. Only BVH's reader takes `scale` [m].
 
     containers  extensions of other files with the same content, only read
-    scales      whether files lack a unit of length, so that `read` takes `scale` [m]; None infers it
     """
 
     name: str
@@ -40,7 +39,6 @@ class Format:
     module: str
     writes: bool = True
     reads: bool = False
-    scales: bool = False
     containers: tuple[str, ...] = ()
 
     @property
@@ -75,9 +73,8 @@ FORMATS = (
     Format("gmr", ".gmr.pkl", "GMR: root pose (xyzw), hinge angles, body positions", "gmr", reads=True,
            containers=(".pickle", ".joblib")),
     Format("mimickit", ".mimickit.pkl", "MimicKit: rotation vectors of root and ball joints", "mimickit", reads=True),
-    Format("amass", ".amass.npz", "AMASS: motion capture of an SMPL body", "amass", writes=False, reads=True,
-           containers=(".pkl", ".pickle", ".joblib")),
-    Format("bvh", ".bvh", "skeleton and joint angles, y up, in centimetres", "bvh", reads=True, scales=True),
+    Format("amass", ".amass.npz", "AMASS: motion capture of an SMPL body", "amass", writes=False, reads=True),
+    Format("bvh", ".bvh", "skeleton and joint angles, y up, in centimetres", "bvh", reads=True),
     Format("gltf", ".glb", "meshes and an animation, for Blender, game engines and the web", "gltf"),
     Format("html", ".html", "page that plays the motion before and after solving, in any browser", "html"),
 )  # fmt: skip
@@ -213,23 +210,15 @@ def recording(
         raise UserError(_write_only(kind) if kind in writers() else unknown("format", kind, available))
     form = available[kind] if kind is not None else _recognised(source)
     size_limit.check_file(source)
-    result = _read(form, source, model, fps, scale)
+    if scale is not None and form.name != "bvh":
+        raise UserError(f"{source}: lengths of the format '{form.name}' are metres; --scale does not apply")
+    unit = {} if scale is None else {"scale": scale}
+    result = _module(form).read(source, model, fps, **unit)
     if model is not None:
         layouts.check_radians(model, result.qpos, source)
-        if kind is None and by_ending(source) is None:
-            layouts.check_upright(model, result, form.name, source)
+    if kind is None and by_ending(source) is None:
+        layouts.check_upright(model, result, form.name, source)
     return result
-
-
-def _read(
-    form: Format, source: Path, model: mujoco.MjModel | None, fps: float | None, scale: float | None
-) -> Recording:
-    read = _module(form).read
-    if form.scales:
-        return read(source, model, fps, scale=scale)
-    if scale is not None:
-        raise UserError(f"{source}: lengths of the format '{form.name}' are metres; --scale does not apply")
-    return read(source, model, fps)
 
 
 def _write_only(name: str) -> str:

@@ -23,7 +23,7 @@ from .trajectory import Recording
 
 CLOSE, ALIGNED = 0.02, np.radians(2)  # [m], [rad] allowed difference between forward kinematics and recorded bodies
 LOOKED_AT = 60  # samples of a file that are compared, evenly spread
-FALLEN = np.radians(60)  # [rad] tilt of the root that casts doubt on the order of its quaternions
+FALLEN = np.radians(60)  # [rad] tilt of the root that casts doubt on its layout
 OFTEN = 0.1  # fraction of samples that are no outliers
 TURN = 2 * np.pi  # [rad]
 
@@ -83,7 +83,7 @@ def recording(
                 "model's order"
             )
     is_assumed = bodies is None or bodies.is_local
-    return Recording(time, qpos, fps=fps, assumed_quaternions=order if is_assumed else None)
+    return Recording(time, qpos, fps=fps, assumed_layout=f"quaternions {order} and z up" if is_assumed else None)
 
 
 def check_radians(model: mujoco.MjModel, qpos: Array, where: object) -> None:
@@ -101,19 +101,21 @@ def check_radians(model: mujoco.MjModel, qpos: Array, where: object) -> None:
             )
 
 
-def check_upright(model: mujoco.MjModel, recorded: Recording, form: str, where: object) -> None:
-    """Raise UserError if only the documentation of a format states the order of the root's quaternions, and the root
-    is far from upright in most samples."""
-    root = root_of(model)
-    if recorded.assumed_quaternions is None or root is None:
+def check_upright(model: mujoco.MjModel | None, recorded: Recording, form: str, where: object) -> None:
+    """Raise UserError if only the documentation of a format states which axis is up or the order of the root's
+    quaternions, and the root is far from upright in most samples."""
+    if recorded.assumed_layout is None:
+        return
+    root = root_of(model := model or mujoco.MjModel.from_xml_string(recorded.mjcf))
+    if root is None:
         return
     start = int(model.jnt_qposadr[root.joint]) + 3
     turned = quat.product(recorded.qpos[:, start : start + 4], quat.conjugate(model.qpos0[start : start + 4]))
     tilt = float(np.median(np.arccos(np.clip(quat.rotated(turned, np.array([0, 0, 1.0]))[:, 2], -1, 1))))
     if tilt > FALLEN:
         raise UserError(
-            f"{where}: the root is tilted by {np.degrees(tilt):.0f}° with quaternions {recorded.assumed_quaternions} "
-            f"and z up, as the format {form} has them; convert the file, or give --from {form} if that is right"
+            f"{where}: the root is tilted by {np.degrees(tilt):.0f}° with {recorded.assumed_layout}, as the format "
+            f"{form} has it; convert the file, or give --from {form} if that is right"
         )
 
 

@@ -116,7 +116,7 @@ class Recording:
         notes: Lines for the user on how the file was read.
         loops: Whether the file is marked as a loop: its last sample is the first again, translated.
         assets: The files that `mjcf` refers to, by name.
-        assumed_quaternions: The order of the root's quaternions, if only the documentation of the format states it.
+        assumed_layout: The root's quaternions and vertical axis, if only the format's documentation states them.
     """
 
     time: Array
@@ -126,4 +126,4 @@ class Recording:
     notes: tuple[str, ...] = ()
     loops: bool = False
     assets: Assets = field(default_factory=dict)
-    assumed_quaternions: str | None = None
+    assumed_layout: str | None = None

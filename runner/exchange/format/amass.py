@@ -1,14 +1,11 @@
-"""NPZ of AMASS and other recordings on the SMPL body, only read: motion capture of thousands of people.
+"""NPZ of AMASS, only read: motion capture of thousands of people on the SMPL body.
 
 trans (T, 3) [m]        z up, the floor at z = 0
 poses (T, n)            rotation vectors [rad] of SMPL's joints, relative to the parent, the root's in the world:
                         pelvis, left_hip, right_hip, spine1, left_knee, right_knee, spine2, left_ankle, right_ankle,
                         spine3, ...; n is 66, 72 (SMPL), 156 (SMPL-H) or 165 (SMPL-X); 22 joints are read
+root_orient, pose_body  the first three columns of poses and the others, in its place
 mocap_framerate         [1/s]; mocap_frame_rate in later files
-
-Other names of the same arrays are those of `POSES`, `ROOTS`, `BODIES`, `PLACES` and `RATES`; poses may also have the
-shape (T, joints, 3). Files with y up, or positions in centimetres or millimetres, are recognised and converted.
-Positions of AIST++ are divided by `smpl_scaling`.
 
 At rest SMPL's body has its arms to the sides, x to its left, y up and z forward. Source: N. Mahmood et al., AMASS, ICCV
 2019. The files contain no skeleton, only coefficients of a body model that may not be redistributed. So a file is read
@@ -19,13 +16,18 @@ in one of two ways:
   joints of the spine become one, and collar bones become part of the shoulders; toes, neck, head and wrists are
   omitted. The figure keeps its limb lengths. The motion is shifted vertically until the lowest sole point of all
   samples touches z = 0.
-- Any other figure gets the motion of SMPL's mean shape (`smpl`) by retargeting. Without a figure, the mean shape is
-  the figure.
+- Any other figure gets the motion of SMPL's mean shape by retargeting. Without a figure, the mean shape is the figure.
+
+Joints are named as in SMPL, except for its left_foot and right_foot, which are the toes. Offsets are those of the mean
+shape (betas of zero), rounded to a millimetre and made symmetric.
+
+Sources: M. Loper et al., SMPL: A Skinned Multi-Person Linear Model, SIGGRAPH Asia 2015, for joints and their order;
+Z. Luo et al., PHC (ICCV 2023), phc/data/assets/mjcf/smpl_humanoid.xml, which publishes the offsets of the mean shape.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import mujoco
@@ -37,28 +39,37 @@ from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.forward import kinematics
 
 from ...errors import UserError
-from ...motion import FARTHEST
 from ...scene.configuration import posed
-from .. import missing_input, plain_pickle
+from .. import missing_input
 from ..array_reader import SAMPLES, ArrayReader, names_in, read_npz, times
-from ..skeleton import hierarchy, smpl
+from ..skeleton import hierarchy
+from ..skeleton.bvh_file import placed
+from ..skeleton.captured_skeleton import CapturedSkeleton
 from ..skeleton.roles import SIDES, lineage
 from ..trajectory import Recording
 from . import bvh
 
-POSES = ("poses", "smpl_poses", "pose_aa", "fullpose", "full_pose")
-ROOTS = ("root_orient", "global_orient", "poses_root")
-BODIES = ("pose_body", "body_pose", "poses_body")
-PLACES = ("trans", "transl", "smpl_trans", "translation", "trans_orig", "root_trans_offset")
-RATES = ("mocap_framerate", "mocap_frame_rate", "mocap_fps", "framerate", "frame_rate", "fps")
-SCALE = "smpl_scaling"
-ROBOT = "dof"  # array that only files of robots have, among SMPL's names
-BODY = 3 * len(smpl.NAMES)
+NAMES = (
+    "pelvis", "left_hip", "right_hip", "spine1", "left_knee", "right_knee", "spine2", "left_ankle", "right_ankle",
+    "spine3", "left_toe", "right_toe", "neck", "left_collar", "right_collar", "head", "left_shoulder",
+    "right_shoulder", "left_elbow", "right_elbow", "left_wrist", "right_wrist",
+)  # fmt: skip
+PARENT = (-1, 0, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 9, 9, 12, 13, 14, 16, 17, 18, 19)
+OFFSET_OF = {  # [m] offset from the parent, for the left side and the middle
+    "pelvis": (0, 0, 0), "left_hip": (0.069, -0.091, -0.006), "left_knee": (0.036, -0.379, -0.007),
+    "left_ankle": (-0.015, -0.398, -0.043), "left_toe": (0.026, -0.052, 0.121), "spine1": (0, 0.109, -0.027),
+    "spine2": (0, 0.135, 0.001), "spine3": (0, 0.053, 0.025), "neck": (0, 0.214, -0.043), "head": (0, 0.065, 0.051),
+    "left_collar": (0.080, 0.120, -0.036), "left_shoulder": (0.094, 0.032, -0.009),
+    "left_elbow": (0.257, -0.013, -0.024), "left_wrist": (0.252, 0.008, -0.003),
+}  # fmt: skip
+END_OF = {"left_toe": (0, -0.018, 0.072), "head": (0, 0.18, 0), "left_wrist": (0.17, -0.014, -0.026)}  # [m], about
+RATES = ("mocap_framerate", "mocap_frame_rate")
 COUNTS = (22, 24, 52, 55)  # joints of SMPL's body, SMPL, SMPL-H and SMPL-X
+HIGHEST, FASTEST = 10.0, 15.0  # [m], [m/s] median height and mean speed above which positions are not in metres
 JOINT = {  # of SMPL, by ball joint of the figure
-    "spine": smpl.NAMES.index("spine3"),
+    "spine": NAMES.index("spine3"),
     **{
-        f"{side}_{part}": smpl.NAMES.index(f"{side}_{part}")
+        f"{side}_{part}": NAMES.index(f"{side}_{part}")
         for side in SIDES
         for part in ("shoulder", "elbow", "hip", "knee", "ankle")
     },
@@ -69,79 +80,67 @@ SPREAD = {  # rotation of hanging arms to the sides, as at rest in SMPL
 }
 
 
+def _mirrored(table: dict[str, tuple[float, float, float]]) -> dict[str, Array]:
+    """Return a table with the right side added, whose x is opposite."""
+    return {
+        name: np.array(table[name] if name in table else table[f"left{name[5:]}"]) * [1 - 2 * (name not in table), 1, 1]
+        for name in NAMES
+        if name in table or f"left{name[5:]}" in table
+    }
+
+
+OFFSET = np.array([_mirrored(OFFSET_OF)[name] for name in NAMES])
+ENDS = {NAMES.index(name): end for name, end in _mirrored(END_OF).items()}
+
+
 def recognises(path: Path) -> bool:
-    """Return whether an .npz or a pickle is of this format."""
-    if path.suffix.lower() == ".npz":
-        return _is_smpl(names_in(path))
-    text = plain_pickle.content(path)
-    return _is_smpl([name for name in (*POSES, *ROOTS, *BODIES, *PLACES, ROBOT) if name.encode() in text])
+    """Return whether an .npz is of this format."""
+    names = names_in(path)
+    return "trans" in names and ("poses" in names or {"root_orient", "pose_body"} <= names)
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Read the motion of SMPL's body on a figure, or as a new figure."""
-    is_npz = path.suffix.lower() == ".npz"
-    arrays = read_npz(path) if is_npz else plain_pickle.one_motion(plain_pickle.load(path))
-    position, poses = _motion(arrays)
-    name = _first(arrays, RATES)
-    if name is None and fps is None:
-        raise UserError(f"{path}: it has no '{RATES[0]}'; {missing_input.RATE}")
-    rate = fps if name is None and fps is not None else arrays.rate(name or RATES[0])
-    local = quat.from_rotation_vector(poses)
-    position, local, turned = smpl.z_up(position, local)
-    position, scaled = (position, ()) if SCALE in arrays else smpl.in_metres(position, local)
-    notes = turned + scaled
+    arrays = read_npz(path)
+    name = next((name for name in RATES if name in arrays), RATES[0])
+    if name not in arrays and fps is None:
+        raise UserError(f"{path}: it has no '{name}'; {missing_input.RATE}")
+    rate = arrays.rate(name, fps)
+    position = arrays.numbers("trans", SAMPLES, 3)
+    if not len(position):
+        raise UserError(f"{path}: it has no samples")
+    local = _rotations(arrays)
+    _check_unit(position, rate, path)
     columns = None if model is None else _columns(model)
-    if model is None or columns is None:
-        notes += _on_shape(arrays)
-        return bvh.of_captured(smpl.captured(position, local), rate, path, model, notes)
-    qpos = _on_person(model, columns, position, local)
-    return Recording(times(len(qpos), rate), qpos, fps=rate, notes=notes)
+    if model is not None and columns is not None:
+        qpos = _on_person(model, columns, position, local)
+        return Recording(times(len(qpos), rate), qpos, fps=rate, assumed_layout="z up")
+    out = bvh.of_captured(captured(position, local), rate, path, model, _on_shape(arrays))
+    return replace(out, assumed_layout="z up")
 
 
-def _is_smpl(names: Iterable[str]) -> bool:
-    """Return whether these are the names of arrays of a motion on SMPL's body."""
-    there = set(names)
-    turned = there.intersection(POSES) or (there.intersection(ROOTS) and there.intersection(BODIES))
-    return bool(turned and there.intersection(PLACES)) and ROBOT not in there
-
-
-def _first(reader: ArrayReader, names: tuple[str, ...]) -> str | None:
-    return next((name for name in names if name in reader), None)
-
-
-def _motion(reader: ArrayReader) -> tuple[Array, Array]:
-    """Return positions (T, 3) and rotation vectors (T, 22, 3); raises UserError for other shapes."""
-    place, poses = _first(reader, PLACES) or PLACES[0], _first(reader, POSES)
-    root, body = _first(reader, ROOTS), _first(reader, BODIES)
-    if poses is None and root is not None and body is not None:
-        arrays = {root: _rows(reader, root, (1,)), body: _rows(reader, body, [count - 1 for count in COUNTS])}
-    else:
-        poses = poses or POSES[0]
-        arrays = {poses: _rows(reader, poses, COUNTS)}
-    arrays[place] = reader.numbers(place, SAMPLES, 3)
-    count = len(arrays[place])
-    if not count:
-        raise UserError(f"{reader.where}: it has no samples")
-    position = arrays.pop(place)
-    if SCALE in reader:
-        position = position / reader.number(SCALE, 1e-9, FARTHEST, "a positive number")
-    turns = np.concatenate(list(arrays.values()), axis=1)
-    return position, turns[:, :BODY].reshape(count, -1, 3)
-
-
-def _rows(reader: ArrayReader, name: str, counts: Sequence[int]) -> Array:
-    """Return rotation vectors (T, 3 joints) of an array (T, 3 joints) or (T, joints, 3); counts: of joints."""
-    nested = isinstance(reader.of(name), np.ndarray) and reader.of(name).ndim == 3
-    shape = (SAMPLES, f"joints of {name}", 3) if nested else (SAMPLES, f"numbers of {name}")
-    array = reader.numbers(name, *shape)
-    array = array.reshape(len(array), int(np.prod(array.shape[1:])))
-    widths = [3 * count for count in counts]
-    if array.shape[1] not in widths:
+def _rotations(reader: ArrayReader) -> Array:
+    """Return quaternions (T, 22, 4) relative to the parent; raises UserError for other arrays."""
+    parts = ["poses"] if "poses" in reader or "root_orient" not in reader else ["root_orient", "pose_body"]
+    poses = np.concatenate([reader.numbers(part, SAMPLES, f"numbers of {part}") for part in parts], axis=1)
+    widths = [3 * count for count in COUNTS]
+    if poses.shape[1] not in widths:
         raise UserError(
-            f"{reader.where}: '{name}' has {array.shape[1]} numbers a sample; rotation vectors of SMPL's joints are "
-            f"{', '.join(map(str, widths))} numbers"
+            f"{reader.where}: {' and '.join(map(repr, parts))} have {poses.shape[1]} numbers a sample; rotation "
+            f"vectors of SMPL's joints are {', '.join(map(str, widths))} numbers"
         )
-    return array
+    return quat.from_rotation_vector(poses[:, : widths[0]].reshape(len(poses), -1, 3))
+
+
+def _check_unit(position: Array, rate: float, path: Path) -> None:
+    """Raise UserError if the pelvis is too high or too fast for positions (T, 3) in metres."""
+    height = float(np.median(np.abs(position[:, 2])))
+    speed = rate * float(np.linalg.norm(np.diff(position, axis=0), axis=1).mean()) if len(position) > 1 else 0.0
+    if height > HIGHEST or speed > FASTEST:
+        raise UserError(
+            f"{path}: 'trans' is not in metres, as the pelvis is {height:.0f} m high and moves at {speed:.0f} m/s; "
+            "divide it by 100 if it is in centimetres, by 1000 if it is in millimetres"
+        )
 
 
 def _on_shape(reader: ArrayReader) -> tuple[str, ...]:
@@ -168,7 +167,7 @@ def _columns(model: mujoco.MjModel) -> dict[str, int] | None:
 
 def _on_person(model: mujoco.MjModel, columns: dict[str, int], position: Array, local: Array) -> Array:
     """Return qpos (T, nq) with the joints' angles, on the floor."""
-    _, rotation = smpl.in_world(local)
+    _, rotation = in_world(local)
     bodies = {"root": quat.product(rotation[:, 0], hierarchy.Y_UP)}
     for name, joint in JOINT.items():
         world = quat.product(rotation[:, joint], hierarchy.Y_UP)
@@ -179,7 +178,7 @@ def _on_person(model: mujoco.MjModel, columns: dict[str, int], position: Array, 
     qpos[:, root + 3 : root + 7] = quat.aligned(bodies["root"])
     names = {joint: name for name, joint in JOINT.items()}
     for name, joint in JOINT.items():
-        above = next((names[i] for i in lineage(joint, smpl.PARENT)[1:] if i in names), "root")
+        above = next((names[i] for i in lineage(joint, PARENT)[1:] if i in names), "root")
         turn = quat.product(quat.inverse(bodies[above]), bodies[name])
         qpos[:, columns[name] : columns[name] + 4] = quat.aligned(turn)
     qpos[:, root + 2] -= _lowest(model, qpos)
@@ -191,3 +190,18 @@ def _lowest(model: mujoco.MjModel, qpos: Array) -> float:
     if model.nsite == 0:
         return 0.0
     return min(float(data.site_xpos[:, 2].min()) for data in posed(model, qpos))
+
+
+def in_world(local: Array) -> tuple[Array, Array]:
+    """Return positions (T, 22, 3) [m] of the joints relative to the pelvis, and rotations (T, 22, 4) in the world, from
+    rotations relative to the parent."""
+    return placed(PARENT, np.tile(OFFSET, (len(local), 1, 1)), local)
+
+
+def captured(position: Array, local: Array) -> CapturedSkeleton:
+    """Return the mean shape in motion: positions (T, 3) [m] of the pelvis, rotations (T, 22, 4), in a z-up world."""
+    ours, (away, turn) = quat.inverse(hierarchy.Y_UP), in_world(local)
+    place = position[:, None] + away
+    ends = {joint: quat.rotated(ours, end) for joint, end in ENDS.items()}
+    rotation = quat.aligned(quat.product(turn, hierarchy.Y_UP))
+    return CapturedSkeleton(list(NAMES), list(PARENT), quat.rotated(ours, OFFSET), ends, place, rotation)

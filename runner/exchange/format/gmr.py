@@ -25,7 +25,6 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from ...errors import UserError
 from .. import layouts, plain_pickle
 from ..array_reader import ArrayReader, times
 from ..robot import Robot, configurations, needs_figure
@@ -74,15 +73,11 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
 
 
 def _motion(reader: ArrayReader) -> ArrayReader:
-    """Return the one motion of a file under GMR's keys; raises UserError for several, and for one without joints."""
+    """Return the one motion of a file under GMR's keys; raises UserError for several."""
     entries = dict(plain_pickle.one_motion(reader).entries)
     for theirs, ours in ASAP.items():
         if theirs in entries and ours not in entries:
             entries[ours] = entries.pop(theirs)
-    if "dof_pos" not in entries and "pose_aa" in entries:
-        raise UserError(
-            f"{reader.where}: a motion of SMPL's body, 'pose_aa' without a robot's 'dof'; give --from amass"
-        )
     joints = entries.get("dof_pos")
     if isinstance(joints, np.ndarray) and joints.ndim == 3 and joints.shape[2] == 1:
         entries["dof_pos"] = joints[:, :, 0]

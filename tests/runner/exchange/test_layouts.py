@@ -133,7 +133,7 @@ def on_head(rows):
 def test_a_root_that_lies_or_stands_on_its_head_needs_a_format(write, name, kind, rows, tmp_path):
     path = write(tmp_path / name, rows)
     with pytest.raises(
-        UserError, match=rf"the root is tilted by \d+°.*xyz.* z up.*convert the file, or give --from {kind}"
+        UserError, match=rf"the root is tilted by \d+°.*(xyzw|wxyz) and z up.*convert the file, or give --from {kind}"
     ):
         read(path)
     order = [0, 1, 2, 6, 3, 4, 5, *range(7, 14)] if kind == "gmr" else range(14)

@@ -256,7 +256,7 @@ def test_the_root_is_verified_by_its_rotation_vector(tmp_path):
     ("content", "message"),
     [
         ({"a": entries(), "b": entries()}, "it holds 2 motions: a, b; save one of them alone"),
-        ({"a": {"root_trans_offset": QPOS[:, :3], "pose_aa": np.zeros((6, 72)), "fps": 30}}, "--from amass"),
+        ({"a": {"root_trans_offset": QPOS[:, :3], "root_rot": QPOS[:, 3:7], "fps": 30}}, "no 'dof_pos'"),
         ({"a": entries() | {"dof": QPOS[:, 8:]}}, "6 joints; the figure has 7"),
     ],
 )
