@@ -1,6 +1,9 @@
-"""Exported scenes by themselves: mj_step plays them, and what an export reports of one that leaves its motion."""
+"""Scenes to simulate: mj_step plays them, whatever a model specifies for its own actuators and simulation."""
+
+import re
 
 import motions
+import mujoco
 import numpy as np
 import pytest
 import shipped
@@ -8,7 +11,7 @@ from motions import between, clip_file, played
 from motions import exported_scene as exported
 from processes import quiet
 
-from dynsplines import solving
+from dynsplines import inbetween, load, load_motion, solving
 from dynsplines.clip import load as clip
 from dynsplines.exchange.format.simulate import note, tracked
 from dynsplines.exchange.simulation import Simulation
@@ -170,3 +173,165 @@ def test_actuators_of_the_model_are_replaced_and_what_has_no_name_gets_one(rig):
     model = rig[1]
     assert [model.actuator(i).name for i in range(model.nu)] == ["lift", "joint2"]
     assert model.nsensor == 1
+
+
+BIPED = """
+<mujoco>
+  <compiler angle="radian" {compiler}/>
+  <option {option}>{flags}</option>
+  <default>{default}</default>
+  <worldbody>{world}
+    <body name="pelvis" pos="0 0 .8" {child}><freejoint name="root"/>
+      <geom type="box" size=".08 .12 .08" mass="8" {geom}/>{legs}</body>
+  </worldbody>
+  {rest}
+</mujoco>
+"""
+LEG = """
+  <body name="{0}_hip" pos="0 {1} -.05"><joint name="{0}_hip_pitch" axis="0 1 0" range="-1.5 1" {joint}/>
+    <geom type="capsule" fromto="0 0 0 0 0 -.33" size=".05" mass="3" {geom}/>
+    <body name="{0}_shin" pos="0 0 -.35"><joint name="{0}_knee" axis="0 1 0" range="0 2.2" {joint}/>
+      <geom type="capsule" fromto="0 0 0 0 0 -.32" size=".04" mass="2" {geom}/>
+      <body name="{0}_foot" pos="0 0 -.36"><joint name="{0}_ankle" axis="0 1 0" range="-.8 .8" {joint}/>
+        <geom type="box" size=".1 .04 .02" pos=".04 0 -.02" mass="1" {geom}/></body></body></body>
+"""
+FLOOR = '<geom name="floor" type="plane" size="0 0 1" {}/>'
+REST = 'others = "rest"'
+SQUAT, LEAN = "root.position = [0, 0, 0.72]", "root.position = [0.3, 0, 0.72]"
+DEFAULTS = {
+    "motors": '<motor ctrllimited="true" ctrlrange="-.3 .3" gear="40"/>',
+    "ranges": '<position inheritrange=".5"/><joint actuatorfrcrange="-3 3" actuatorfrclimited="true"/>',
+    "general": """<general dyntype="filterexact" gaintype="affine" biastype="affine" dynprm=".2" gainprm="3 1 1"
+        biasprm="5 5 5" actlimited="true" actrange="-.1 .1" forcelimited="true" forcerange="-.5 .5" group="4"
+        actdim="1"/>""",
+    "nested": """<motor gear="9"/><default class="limb"><position ctrlrange="-.1 .1" gear="5"/>
+        <default class="simulate_position"><general ctrlrange="0 1" gear="2"/></default></default>""",
+}
+OPTIONS = {  # most of which alone let the figure fall
+    "all but constraints": {
+        "flags": '<flag contact="disable" actuation="disable" override="enable" filterparent="disable"/>',
+        "option": 'o_solref=".3 1" o_friction="0 0 0 0 0" actuatorgroupdisable="0 1"',
+    },
+    "constraint": {"flags": '<flag constraint="disable"/>'},
+    "solver": {
+        "flags": """<flag eulerdamp="disable" refsafe="disable" warmstart="disable" clampctrl="disable"
+            autoreset="disable" energy="enable" limit="disable" frictionloss="disable" equality="disable"/>""",
+        "option": """integrator="Euler" timestep=".02" cone="pyramidal" impratio="1" solver="PGS" iterations="1"
+            ls_iterations="1" tolerance=".1" noslip_iterations="3" """,
+        "rest": '<size memory="60K"/>',
+    },
+    "forces": {
+        "option": 'density="50" viscosity=".2" wind="2 0 1"',
+        "joint": 'damping="5" stiffness="30" springref=".4" frictionloss="2"',
+        "geom": 'contype="0" conaffinity="0"',
+    },
+}
+NOTED = {
+    "ice": {"world": FLOOR.format('condim="1" friction="0 0 0"'), "geom": 'friction="0 0 0" condim="1"'},
+    "excluded": {
+        "world": FLOOR.format(""),
+        "rest": """<contact><exclude body1="world" body2="left_foot"/>
+            <exclude body1="right_foot" body2="world"/></contact>""",
+    },
+}
+OWN = """<actuator><motor name="k" joint="left_knee"/><general name="m" joint="left_hip_pitch" dyntype="integrator"/>
+  <position joint="right_knee" kp="5" ctrlrange="0 1"/></actuator>
+  <sensor><actuatorfrc actuator="k"/><user dim="1" objtype="actuator" objname="m"/>
+    <jointpos joint="left_knee"/></sensor>
+  <custom><tuple name="t"><element objtype="actuator" objname="k"/></tuple></custom>
+  <keyframe><key name="home" ctrl="1 2 3" act="1"/></keyframe>"""
+
+
+def biped(folder, **changes):
+    """The path of a biped that stands on its feet."""
+    words = dict.fromkeys(("compiler", "option", "flags", "default", "world", "child", "geom", "joint", "rest"), "")
+    words |= changes
+    legs = "".join(LEG.format(side, y, **words) for side, y in (("left", 0.1), ("right", -0.1)))
+    (folder / "robot.xml").write_text(BIPED.format(legs=legs, **words))
+    return folder / "robot.xml"
+
+
+def solved(path, folder, middle=SQUAT, lasts=1.0):
+    """The motion of a biped from rest to rest in some time [s]."""
+    keyframes = (f"time = 0\n{REST}", f"time = {lasts / 2}\n{middle}", f"time = {lasts}\n{REST}")
+    return inbetween(load(clip_file(folder, path, *keyframes)))
+
+
+@pytest.fixture(scope="module")
+def squat(tmp_path_factory):
+    """Times and poses of a squat of a plain biped."""
+    folder = tmp_path_factory.mktemp("squat")
+    samples = motions.samples(solved(biped(folder), folder).saved, 30.0)
+    return samples.time, samples.qpos
+
+
+def squatting(folder, squat, **changes):
+    """The scene of a squat of a biped, and the notes of its export."""
+    return exported(motions.through(str(biped(folder, **changes)), *squat), folder)
+
+
+def assert_follows(model):
+    worst = played(model).worst
+    assert np.abs(worst[3:]).max() < 0.05 and np.linalg.norm(worst[:3]) < 0.05
+
+
+def assert_plain(model):
+    """All that a model holds of its actuators is as in a model without defaults, of the same gains."""
+    root = "".join(
+        f'<position joint="{model.joint(int(model.actuator_trnid[i, 0])).name}" kp="{model.actuator_gainprm[i, 0]}" '
+        f'kv="{-model.actuator_biasprm[i, 2]}"/>'
+        for i in range(model.nu)
+    )
+    legs = "".join(LEG.format(side, y, geom="", joint="") for side, y in (("left", 0.1), ("right", -0.1)))
+    words = dict.fromkeys(("compiler", "option", "flags", "default", "world", "child", "geom"), "")
+    text = BIPED.format(legs=legs, rest=f"<actuator>{root}</actuator>", **words)
+    plain = mujoco.MjModel.from_xml_string(text)
+    names = [name for name in dir(plain) if name.startswith("actuator_") and not name.endswith(("acc0", "length0"))]
+    assert len(names) > 15
+    for name in names:
+        np.testing.assert_array_equal(getattr(model, name), getattr(plain, name), err_msg=name)
+    assert not model.jnt_actfrclimited.any() and not model.jnt_actgravcomp.any()
+
+
+@pytest.mark.parametrize("name", DEFAULTS)
+def test_no_default_of_the_models_actuators_is_inherited(name, squat, tmp_path):
+    nested = {"child": 'childclass="limb"'} if name == "nested" else {}
+    rest = OWN if name in ("motors", "nested") else ""
+    model, lines = squatting(tmp_path, squat, default=DEFAULTS[name], rest=rest, **nested)
+    assert_plain(model)
+    assert_follows(model)
+    assert (model.nkey, model.na, model.nsensor, model.ntuple) == (51, 0, int(bool(rest)), 0)
+    assert any("stays within" in line for line in lines)
+
+
+@pytest.mark.parametrize("name", [*OPTIONS, *NOTED])
+def test_options_of_the_model_do_not_let_the_figure_fall(name, squat, tmp_path):
+    model, lines = squatting(tmp_path, squat, **(OPTIONS | NOTED)[name])
+    assert_follows(model)
+    assert any("coefficient of friction" in line or "collide" in line for line in lines) == (name in NOTED)
+    assert any("stays within" in line for line in lines)
+
+
+def test_a_tiny_time_step_is_replaced(tmp_path):
+    path = biped(tmp_path, option='timestep="1e-6"')
+    model, _ = exported(solved(path, tmp_path, "root.position = [0, 0, 0.79]", 0.1).saved, tmp_path)
+    assert model.opt.timestep > 1e-5
+
+
+def test_gravity_that_the_model_turns_off_stays_off(squat, tmp_path):
+    model, _ = squatting(tmp_path, squat, flags='<flag gravity="disable"/>')
+    assert model.opt.disableflags == int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
+
+
+def test_a_deviation_from_the_motion_is_reported(tmp_path):
+    """The keyframes lean until the centre of mass is beyond the toes."""
+    _, lines = exported(solved(biped(tmp_path), tmp_path, LEAN).saved, tmp_path)
+    assert any(re.search(r"leaves the motion: '\w+' by .* after 0\.\d+ s, up to ", x) for x in lines)
+
+
+def test_the_ending_alone_asks_for_a_scene_to_simulate(tmp_path):
+    motion = solved(biped(tmp_path), tmp_path)
+    motion.save(tmp_path / "m.npz")
+    path = load_motion(tmp_path / "m.npz").export(tmp_path / "m.simulate.xml")
+    assert mujoco.MjModel.from_xml_path(str(path)).nu == 6
+    assert mujoco.MjModel.from_xml_path(str(motion.export(tmp_path / "m.xml", to="mjcf"))).nu == 0
