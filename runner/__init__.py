@@ -22,26 +22,26 @@ if TYPE_CHECKING:
 
     from .clip.build import Clip as Clip
     from .errors import UserError as UserError
-    from .python.building import Keyframe as Keyframe
-    from .python.building import build as build
-    from .python.loading import import_motion as import_motion
-    from .python.loading import load as load
-    from .python.loading import load_motion as load_motion
+    from .python.functions import Keyframe as Keyframe
+    from .python.functions import build as build
+    from .python.functions import import_motion as import_motion
+    from .python.functions import inbetween as inbetween
+    from .python.functions import load as load
+    from .python.functions import load_motion as load_motion
     from .python.motion import Motion as Motion
-    from .python.motion import inbetween as inbetween
 else:
     _HOMES = {
         "Clip": "dynsplines.clip.build",
-        "Keyframe": "dynsplines.python.building",
+        "Keyframe": "dynsplines.python.functions",
         "Motion": "dynsplines.python.motion",
         "UserError": "dynsplines.errors",
-        "build": "dynsplines.python.building",
+        "build": "dynsplines.python.functions",
         "clips": "dynsplines.models",
         "figures": "dynsplines.models",
-        "import_motion": "dynsplines.python.loading",
-        "inbetween": "dynsplines.python.motion",
-        "load": "dynsplines.python.loading",
-        "load_motion": "dynsplines.python.loading",
+        "import_motion": "dynsplines.python.functions",
+        "inbetween": "dynsplines.python.functions",
+        "load": "dynsplines.python.functions",
+        "load_motion": "dynsplines.python.functions",
     }
 
     def __getattr__(name):

@@ -251,7 +251,7 @@ def list_penalties(as_json: option.AsJson = False) -> None:
 @app.command(rich_help_panel="Edit")
 def mirror(
     source: option.Source,
-    output: option.Mirrored = None,
+    output: option.Edited = None,
     overwrite: option.Overwrite = False,
     allow_outside: option.Outside = False,
 ) -> None:
@@ -259,13 +259,13 @@ def mirror(
     If the input is a clip (.toml), the output is a clip too, unless -o names a
     motion (.npz). In a clip, step and obstacles are mirrored; in a motion, the
     scene is unchanged. A mirrored motion has no clip."""
-    _edit(files.mirrored(), output, overwrite, source)
+    _edit(files.mirror, source, output=output, overwrite=overwrite)
 
 
 @app.command(rich_help_panel="Edit")
 def retime(
     source: option.Source,
-    output: option.Retimed = None,
+    output: option.Edited = None,
     speed: Annotated[float | None, number("FACTOR", "Speed factor, e.g. 1.5", default="none")] = None,
     duration: Annotated[float | None, seconds("New duration", "none")] = None,
     overwrite: option.Overwrite = False,
@@ -274,13 +274,13 @@ def retime(
     """Change the speed of a motion or a clip.
     Specify either --speed or --duration. If the input is a clip (.toml), the output is a clip too, unless -o names a
     motion (.npz)."""
-    _edit(files.retimed(speed, duration), output, overwrite, source)
+    _edit(files.retime, source, speed, duration, output=output, overwrite=overwrite)
 
 
 @app.command(rich_help_panel="Edit")
 def trim(
     source: option.Source,
-    output: option.Trimmed = None,
+    output: option.Edited = None,
     first: Annotated[float | None, seconds("Start of the interval", "the start", "--from")] = None,
     last: Annotated[float | None, seconds("End of the interval", "the end", "--to")] = None,
     overwrite: option.Overwrite = False,
@@ -288,21 +288,21 @@ def trim(
 ) -> None:
     """Cut a motion to a time interval.
     Specify --from or --to, or both. A clip is solved first."""
-    _edit(files.trimmed(first, last), output, overwrite, source)
+    _edit(files.trim, source, first, last, output=output, overwrite=overwrite)
 
 
 @app.command(rich_help_panel="Edit")
 def join(
     first: option.Source,
     second: option.Source,
-    output: option.Joined = None,
+    output: option.Edited = None,
     transition: Annotated[float, seconds("Duration of the transition")] = 0.4,
     overwrite: option.Overwrite = False,
     allow_outside: option.Outside = False,
 ) -> None:
     """Append a motion to another one, with a transition.
     Clips are solved first. The second motion is moved and rotated, so that it continues from the end of the first."""
-    _edit(files.joined(transition), output, overwrite, first, second)
+    _edit(files.join, first, second, transition, output=output, overwrite=overwrite)
 
 
 @app.command(rich_help_panel="Edit")
@@ -320,10 +320,19 @@ def thin(
 ) -> None:
     """Reduce a motion to a few keyframes within an error bound.
     The extension of -o selects a clip (.toml) or a motion (.npz)."""
-    recording = thinning.Recording(source, figure, kind, fps)
     bound = thinning.bound_of(max_error, max_angle)
     with terminal.Progress() as progress:
-        thinning.run(recording, bound, output, solve=solve, overwrite=overwrite, progress=progress)
+        thinning.run(
+            source,
+            bound,
+            output,
+            figure=figure,
+            kind=kind,
+            fps=fps,
+            solve=solve,
+            overwrite=overwrite,
+            progress=progress,
+        )
 
 
 @app.command(rich_help_panel="Analyse")
@@ -531,10 +540,10 @@ def _measured(source: str, model: str | None, keys: str | None) -> "motion.Saved
         return inputs.measured(inputs.load(source, model=model, keys=keys), progress)
 
 
-def _edit(edit: "files.Edit", output: Path | None, overwrite: bool, *edited: str) -> None:
-    """Apply an edit to files, and print the name of the written file."""
+def _edit(edit: Any, *arguments: object, output: Path | None, overwrite: bool) -> None:
+    """Apply an edit of files, and print the name of the written file."""
     with terminal.Progress() as progress:
-        target, violations = files.run(list(edited), edit, output, overwrite=overwrite, progress=progress)
+        target, violations = edit(*arguments, output, overwrite=overwrite, progress=progress)
         _conclude(progress, target, violations, target)
 
 

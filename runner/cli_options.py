@@ -233,10 +233,9 @@ Model = Annotated[
 Keys = Annotated[
     str | None, value("FILE", "Keyframes instead of a clip: .npz with time (K,) [s] and qpos (K, nq)", "none")
 ]
-Mirrored = Annotated[Path | None, output("name of the input with the suffix _mirrored")]
-Retimed = Annotated[Path | None, output("name of the input with the suffix _retimed")]
-Trimmed = Annotated[Path | None, output("name of the input with the suffix _trimmed")]
-Joined = Annotated[Path | None, output("name of the first input with the suffix _joined")]
+Edited = Annotated[
+    Path | None, output("name of the first input with the suffix _mirrored, _retimed, _trimmed or _joined")
+]
 Map = Annotated[
     Path | None,
     value(

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
-from typing import Any
 
 from dynsplines import models
 
@@ -18,67 +17,110 @@ from ..clip.parse import table_of
 from ..clip.table import ClipTable, PenaltyTable
 from ..clip.text import written
 from ..errors import UserError
-from ..measure import violation
-from ..measure.violation import Violation
+from ..measure.violation import Violation, is_recording
 from ..motion import Saved
 from ..solving import Solved
 from ..system.output import Replacement, check_target
 from ..system.progress import Progress
 from . import edits
 
-Violations = tuple[Violation, ...]
+Written = tuple[Path, tuple[Violation, ...]]  # a written motion or clip, and the violations of a motion
 
 
-@dataclass(frozen=True)
-class Edit:
-    """An edit of files.
+def mirror(source: str, target: Path | None, *, overwrite: bool, progress: Progress) -> Written:
+    """Exchange left and right in a motion or a clip. The scene of a motion is unchanged."""
+    target, (one,) = _prepared([source], target, "mirrored", overwrite, writes_clips=True)
+    symmetry = edits.mirror_of(one)
+    if target.suffix == ".toml":
+        return _write_clip(mirrored_tables(table_of(one.text, source), one.figure, symmetry), source, target)
+    saved = solving.saved(one, progress)
+    if saved.text:
+        scene = table_of(saved.text, saved.name).scene
+        if mirrored_tables(ClipTable(figure="", scene=scene), saved.figure, symmetry).scene != scene:
+            progress.report("note: step and obstacles are not mirrored; to mirror them, mirror the clip: -o NAME.toml")
+    return _write_motion(edits.mirrored(saved), "mirrored", target, [one])
 
-    Attributes:
-        word: The verb for file names and reports.
-        motions: Edits motions.
-        clip: Edits a clip's tables; None if that is impossible.
-        check: Raises UserError for impossible edits, before anything is solved.
+
+def retime(
+    source: str,
+    speed: float | None,
+    duration: float | None,
+    target: Path | None,
+    *,
+    overwrite: bool,
+    progress: Progress,
+) -> Written:
+    """Change the speed of a motion or a clip by a factor, or to a duration [s]."""
+    if (speed is None) == (duration is None):
+        raise UserError("give --speed, such as 1.5, or --duration, in seconds: one of them")
+    for name, value in (("speed", speed), ("duration", duration)):
+        if value is not None and not 1e-6 <= value <= 1e6:
+            raise UserError(f"--{name} {value:g}: give a number above 0")
+    target, (one,) = _prepared([source], target, "retimed", overwrite, writes_clips=True)
+    rate = speed if speed is not None else (one.keys[-1].time - one.keys[0].time) / (duration or 1.0)
+    if target.suffix == ".toml":
+        return _write_clip(retimed_tables(table_of(one.text, source), rate), source, target)
+    return _write_motion(edits.retimed(solving.saved(one, progress), rate), "retimed", target, [one])
+
+
+def trim(
+    source: str, first: float | None, last: float | None, target: Path | None, *, overwrite: bool, progress: Progress
+) -> Written:
+    """Cut a motion to the interval from `first` to `last` [s]; None: the motion's start or end."""
+    if first is None and last is None:
+        raise UserError("give --from, --to, or both, in seconds")
+    target, (one,) = _prepared([source], target, "trimmed", overwrite)
+    interval = one.keys[0].time if first is None else first, one.keys[-1].time if last is None else last
+    edits.check_interval(one, *interval)
+    return _write_motion(edits.trimmed(solving.saved(one, progress), *interval), "trimmed", target, [one])
+
+
+def join(
+    first: str, second: str, transition: float, target: Path | None, *, overwrite: bool, progress: Progress
+) -> Written:
+    """Append a motion to another one, with a transition [s]."""
+    edits.check_transition(transition)
+    target, inputs = _prepared([first, second], target, "joined", overwrite)
+    edits.check_alike(*inputs)
+    before, after = (solving.saved(each, progress) for each in inputs)
+    if before.scene != after.scene:
+        progress.report(f"note: the scene is that of '{before.name}'")
+    return _write_motion(edits.joined(before, after, transition, progress), "joined", target, inputs)
+
+
+def _prepared(
+    sources: Sequence[str], target: Path | None, word: str, overwrite: bool, *, writes_clips: bool = False
+) -> tuple[Path, list[Clip | Saved]]:
+    """Return the output, by default the first input's name with a word, and the loaded inputs.
+
+    writes_clips  whether the edit of a clip can be a clip
     """
-
-    word: str
-    motions: Callable[[Sequence[Saved], Progress], Saved]
-    clip: Callable[[ClipTable, Clip], ClipTable] | None = None
-    check: Callable[[Sequence[Clip | Saved]], object] = lambda sources: None
-
-
-def run(
-    sources: list[str], edit: Edit, target: Path | None, *, overwrite: bool, progress: Progress
-) -> tuple[Path, Violations]:
-    """Apply an edit; return the written motion or clip (.toml), and the violations of a motion."""
-    is_editable = edit.clip is not None and Path(sources[0]).suffix.lower() == ".toml"
-    target = target or Path(f"{Path(sources[0]).stem}_{edit.word}{'.toml' if is_editable else '.npz'}")
+    if target is None:
+        is_clip = writes_clips and Path(sources[0]).suffix.lower() == ".toml"
+        target = Path(f"{Path(sources[0]).stem}_{word}{'.toml' if is_clip else '.npz'}")
     if target.suffix not in (".npz", ".toml"):
         raise UserError(f"{target}: an edit is written as a motion, .npz, or as a clip, .toml")
     check_target(target, overwrite=overwrite)
     inputs = [load_motion(Path(item)) if motion.is_motion(item) else recordings.load(item) for item in sources]
-    edit.check(inputs)
-    if target.suffix == ".toml":
-        one = inputs[0]
-        if edit.clip is None or not isinstance(one, Clip) or not one.text:
-            raise UserError(
-                f"{target}: only `mirror` and `retime` of a clip write a clip; write a motion, .npz, which a clip can "
-                "follow as its recording"
-            )
-        _write_clip(edit.clip(table_of(one.text, sources[0]), one), sources[0], target)
-        return target, ()
-    saved = edit.motions([solving.saved(item, progress) for item in inputs], progress)
-    saved = replace(saved, name=target.stem, search={"stopped because": f"not searched: {edit.word}"})
+    if target.suffix == ".toml" and not (writes_clips and isinstance(inputs[0], Clip) and inputs[0].text):
+        raise UserError(
+            f"{target}: only `mirror` and `retime` of a clip write a clip; write a motion, .npz, which a clip can "
+            "follow as its recording"
+        )
+    return target, inputs
+
+
+def _write_motion(edited: Saved, word: str, target: Path, inputs: Sequence[Clip | Saved]) -> Written:
+    """Write a motion. Messages do not refer to keyframes that are samples of a recording."""
+    saved = replace(edited, name=target.stem, search={"stopped because": f"not searched: {word}"})
     motion.save(saved, target)
     violations = Solved.of(saved).violations
-    return target, tuple(f for f in violations if f.keyframe is None) if any(map(_is_sampled, inputs)) else violations
+    if any(edits.follows_recording(one) or (isinstance(one, Saved) and is_recording(one)) for one in inputs):
+        violations = tuple(each for each in violations if each.keyframe is None)
+    return target, violations
 
 
-def _is_sampled(source: Clip | Saved) -> bool:
-    """Return whether keyframes are samples of a recording, to which messages should not refer."""
-    return edits.follows_recording(source) or (isinstance(source, Saved) and violation.is_recording(source))
-
-
-def _write_clip(table: ClipTable, source: str, target: Path) -> None:
+def _write_clip(table: ClipTable, source: str, target: Path) -> Written:
     """Write a clip from another one's tables, with the figure's path relative to it; raises UserError if invalid."""
     if table.figure not in models.figures():
         figure = Path(source).parent / table.figure
@@ -87,45 +129,7 @@ def _write_clip(table: ClipTable, source: str, target: Path) -> None:
     recordings.from_text(text, name=target.stem, where=str(target), folder=target.parent)
     with Replacement(target) as temporary:
         temporary.write_text(text, encoding="utf-8")
-
-
-def mirrored() -> Edit:
-    """Return the edit that exchanges left and right."""
-
-    def motion_alone(sources: Sequence[Saved], progress: Progress) -> Saved:
-        (saved,) = sources
-        if saved.text:
-            scene, mirror = table_of(saved.text, saved.name).scene, edits.mirror_of(saved)
-            if mirrored_tables(ClipTable(figure="", scene=scene), saved.figure, mirror).scene != scene:
-                progress.report(
-                    "note: step and obstacles are not mirrored; to mirror them, mirror the clip: -o NAME.toml"
-                )
-        return edits.mirrored(saved)
-
-    return Edit(
-        "mirrored",
-        motion_alone,
-        lambda table, source: mirrored_tables(table, source.figure, edits.mirror_of(source)),
-        lambda source: edits.mirror_of(source[0]),
-    )
-
-
-def retimed(speed: float | None, duration: float | None) -> Edit:
-    """Return the edit that changes the speed or the duration."""
-    if (speed is None) == (duration is None):
-        raise UserError("give --speed, such as 1.5, or --duration, in seconds: one of them")
-    for name, value in (("speed", speed), ("duration", duration)):
-        if value is not None and not 1e-6 <= value <= 1e6:
-            raise UserError(f"--{name} {value:g}: give a number above 0")
-
-    def rate(keys: Any) -> float:
-        return speed if speed is not None else (keys[-1].time - keys[0].time) / (duration or 1.0)
-
-    return Edit(
-        "retimed",
-        lambda saved, _: edits.retimed(saved[0], rate(saved[0].keys)),
-        lambda table, clip: retimed_tables(table, rate(clip.keys)),
-    )
+    return target, ()
 
 
 def retimed_tables(clip: ClipTable, speed: float) -> ClipTable:
@@ -152,32 +156,3 @@ def _paced(penalty: PenaltyTable, later: Callable[[float], float], speed: float)
     if options.get("period"):
         options["period"] = options["period"] / speed
     return PenaltyTable.of(penalty.kind, **options)
-
-
-def trimmed(first: float | None, last: float | None) -> Edit:
-    """Return the edit that trims from one time to another; default: the motion's start or end."""
-    if first is None and last is None:
-        raise UserError("give --from, --to, or both, in seconds")
-
-    def interval(sources: Sequence[Clip | Saved]) -> tuple[float, float]:
-        begin, end = sources[0].keys[0].time, sources[0].keys[-1].time
-        return begin if first is None else first, end if last is None else last
-
-    return Edit(
-        "trimmed",
-        lambda saved, _: edits.trimmed(saved[0], *interval(saved)),
-        check=lambda sources: edits.check_interval(sources[0], *interval(sources)),
-    )
-
-
-def joined(transition: float) -> Edit:
-    """Return the edit that joins two motions."""
-    edits.check_transition(transition)
-
-    def both(saved: Sequence[Saved], progress: Progress) -> Saved:
-        before, after = saved
-        if before.scene != after.scene:
-            progress.report(f"note: the scene is that of '{before.name}'")
-        return edits.joined(before, after, transition, progress)
-
-    return Edit("joined", both, check=lambda sources: edits.check_alike(*sources))

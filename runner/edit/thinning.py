@@ -17,7 +17,7 @@ from dynsplines import models
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.edit.thin import Bound, Recorded, Worst, refined, thin
+from dynsplines.solver.edit.thin import Bound, Recorded, refined, thin
 
 from .. import motion, recordings, solving
 from ..clip import file as clip_file
@@ -35,45 +35,45 @@ from .edits import without_clip
 
 RATE = 100.0  # [1/s] minimum sampling rate of a motion between keyframes
 LOOSE = 4.0  # [1] factor on the bound for the first selection of keyframes with `solve`, which the search refines
-ROUNDING = 1e-6  # [1] tolerance of the bound for the rounding of numbers in a file
 
 
 @dataclass(frozen=True)
-class ThinnedMotion:
-    """The result of thinning: the motion through the remaining keyframes, and its errors at the samples.
+class MotionDifference:
+    """The largest differences between two motions at equal times.
 
     Attributes:
-        instants: The number of samples.
-        distance: The largest error of a body's origin, a site or a tip [m].
-        angle: The largest error of a link [rad].
-        times: The times of both [s].
-        excess: The largest error as a multiple of its bound; above 1 the bound is exceeded.
+        distance: Largest distance [m] between the positions of a body's origin, or of a site, in the two motions.
+        where: Name of this body or site.
+        time: Time of the largest distance [s].
+        angle: Largest angle [degrees] between the orientations of a body in the two motions.
+        turned: Name of the body with the largest angle.
+        turned_time: Time of the largest angle [s].
     """
 
-    motion: Saved
-    instants: int
-    distance: Worst
-    angle: Worst
-    times: tuple[float, float]
-    excess: float
+    distance: float
+    where: str
+    time: float
+    angle: float
+    turned: str
+    turned_time: float
 
-    @property
-    def line(self) -> str:
-        """ "14 keyframes of 331; at most 1.8 cm at 0.83 s (left_hand), 3.1° at 0.40 s (neck)" """
-        return f"{len(self.motion.keys)} keyframes of {self.instants}; {self.misses}"
+    @classmethod
+    def of(cls, recorded: Recorded, timeline: Timeline) -> MotionDifference:
+        """Compare a timeline with recorded samples."""
+        far, turned = recorded.worst(timeline)
+        times = recorded.times[[far.instant, turned.instant]].tolist()
+        return cls(far.value, far.name, times[0], float(np.degrees(turned.value)), turned.name, times[1])
 
-    @property
-    def misses(self) -> str:
-        """The second half of the line: the errors."""
+    def __str__(self) -> str:
         return (
-            f"at most {100 * self.distance.value:.3g} cm at {self.times[0]:.2f} s ({self.distance.name}), "
-            f"{np.degrees(self.angle.value):.3g}° at {self.times[1]:.2f} s ({self.angle.name})"
+            f"at most {100 * self.distance:.3g} cm at {self.time:.2f} s ({self.where}), "
+            f"{self.angle:.3g}° at {self.turned_time:.2f} s ({self.turned})"
         )
 
 
 def thinned(
     saved: Saved, distance: float, angle: float, *, solve: bool = False, progress: Progress | None = None
-) -> ThinnedMotion:
+) -> Saved:
     """Return a motion with few keyframes that stays within `distance` [m] and `angle` [rad] of the original.
 
     With `solve` the bounds apply to the solved motion, not only to the raw spline.
@@ -90,14 +90,7 @@ def thinned(
     loosely = replace(recorded, bound=Bound(LOOSE * distance, LOOSE * angle))
     reduced = refined(recorded, thin(loosely, report).instants, solved, report) if solve else thin(recorded, report)
     keys = tuple(recorded.frames(reduced.instants))
-    return measured(recorded, replace(saved, keys=keys, timeline=reduced.timeline, raw=recorded.spline(keys)))
-
-
-def measured(recorded: Recorded, motion: Saved) -> ThinnedMotion:
-    """Return the deviation of a motion from a recording."""
-    worst = recorded.worst(motion.timeline)
-    times = float(recorded.times[worst[0].instant]), float(recorded.times[worst[1].instant])
-    return ThinnedMotion(motion, recorded.times.size, *worst, times, float(recorded.excess(motion.timeline).max()))
+    return replace(saved, keys=keys, timeline=reduced.timeline, raw=recorded.spline(keys))
 
 
 def recorded_of(saved: Saved, distance: float, angle: float) -> Recorded:
@@ -134,36 +127,14 @@ def bound_of(error: str, angle: float) -> tuple[float, float]:
     return length(error, "--max-error"), float(np.radians(angle))
 
 
-@dataclass(frozen=True)
-class Recording:
-    """A motion's file, and options that a file of another program may need.
-
-    Attributes:
-        source: The file, or a shipped clip.
-        fps: Samples per second [1/s].
-    """
-
-    source: str
-    figure: str | None = None
-    kind: str | None = None
-    fps: float | None = None
-
-    def read(self, progress: Progress) -> Saved:
-        """Return a saved motion, the solution of a clip, or an imported file."""
-        is_foreign_file = self.figure is not None or self.kind is not None
-        path = Path(self.source)
-        if not is_foreign_file and motion.is_motion(self.source) and not is_foreign(path):
-            return load_motion(path)
-        if not is_foreign_file and (self.source in models.clips() or path.suffix.lower() == ".toml"):
-            return solving.saved(recordings.load(self.source), progress)
-        return import_recording(path, self.kind, figure=self.figure, fps=self.fps, progress=progress)
-
-
 def run(
-    recording: Recording,
+    source: str,
     bound: tuple[float, float],
     target: Path | None,
     *,
+    figure: str | None = None,
+    kind: str | None = None,
+    fps: float | None = None,
     solve: bool = False,
     overwrite: bool,
     progress: Progress,
@@ -171,34 +142,39 @@ def run(
     """Thin a motion and write the result. A clip's file is read and solved again, to report its deviations.
 
     Args:
+        source: The file, or a shipped clip.
         bound: The error bounds [m], [rad].
         target: The output; None: SOURCE_thin.toml.
+        figure: Figure of a recording that contains none; also `kind`, its format, and `fps`, its rate [1/s].
         solve: Whether the bound applies to the solved motion, not only to the spline.
     """
-    target = target or Path(f"{stem(Path(recording.source))}_thin.toml")
+    target = target or Path(f"{stem(Path(source))}_thin.toml")
     if target.suffix not in (".npz", ".toml"):
         raise UserError(f"{target}: a thinned motion is written as a clip, .toml, or as a motion, .npz")
     check_target(target, overwrite=overwrite)
-    saved = recording.read(progress)
-    result = thinned(saved, *bound, solve=solve, progress=progress)
-    compact = replace(result.motion, name=target.stem)
-    lines, written = [result.line], [target]
+    is_imported = figure is not None or kind is not None
+    if not is_imported and motion.is_motion(source) and not is_foreign(Path(source)):
+        saved = load_motion(Path(source))
+    elif not is_imported and (source in models.clips() or Path(source).suffix.lower() == ".toml"):
+        saved = solving.saved(recordings.load(source), progress)
+    else:
+        saved = import_recording(Path(source), kind, figure=figure, fps=fps, progress=progress)
+    recorded = recorded_of(without_clip(saved), *bound)
+    compact = replace(thinned(saved, *bound, solve=solve, progress=progress), name=target.stem)
+    head = f"{len(compact.keys)} keyframes of {recorded.times.size}"
+    lines, written = [f"{head}; {MotionDifference.of(recorded, compact.timeline)}"], [target]
     if target.suffix == ".npz":
         motion.save(compact, target)
     else:
         clip_file.write(compact, target, overwrite=overwrite)
-        clip = recordings.load(str(target))
-        timeline = solving.solve(clip, progress).motion.timeline
-        after = measured(recorded_of(saved, *bound), replace(result.motion, timeline=timeline))
-        lines = [after.line] if solve else [f"{result.line}: the spline", _as_solved(after)]
+        timeline = solving.solve(recordings.load(str(target)), progress).motion.timeline
+        after = MotionDifference.of(recorded, timeline)
+        is_exceeded = recorded.excess(timeline).max() > 1 + 1e-6  # numbers in a file are rounded
+        beyond = "; more than requested: use --solve to stay within it" if is_exceeded else ""
+        as_solved = f"solved with the clip's settings: {after}{beyond}"
+        lines = [f"{head}; {after}"] if solve else [f"{lines[0]}: the spline", as_solved]
         written = clip_file.write(compact, target, note="; ".join(lines), overwrite=True)
     for line in lines:
         progress.report(line)
     progress.report(f"wrote {' and '.join(map(str, written))}")
     return target
-
-
-def _as_solved(result: ThinnedMotion) -> str:
-    """Return a line on the deviation of the motion that the clip's settings produce."""
-    beyond = "; more than requested: use --solve to stay within it"
-    return f"solved with the clip's settings: {result.misses}{beyond if result.excess > 1 + ROUNDING else ''}"

@@ -1,4 +1,4 @@
-"""Motion, the result of in-betweening. It is immutable: every edit returns a new motion, which has no clip."""
+"""Motion, the result of `inbetween`. It is immutable: every edit returns a new motion, which has no clip."""
 
 from __future__ import annotations
 
@@ -25,6 +25,7 @@ from .. import solving
 from ..clip import file as clip_file
 from ..clip.build import Clip
 from ..edit import edits, thinning
+from ..edit.thinning import MotionDifference
 from ..errors import UserError
 from ..measure.report import tables
 from ..measure.violation import Violation
@@ -34,32 +35,6 @@ from ..system.mujoco_warnings import as_python_warnings
 from ..system.output import check_target
 from ..system.progress import Progress, silent
 from ..system.quantity import length, positive
-
-PLAYER_HEIGHT = 480  # [pixels] height of the player in a notebook
-
-
-@as_python_warnings()
-def inbetween(clip: Clip | str | os.PathLike[str], *, progress: bool = False) -> Motion:
-    """Compute smooth motion through a clip's keyframes that minimises the violation of its soft constraints.
-
-    Ctrl-C, or a notebook's interrupt, stops the search and returns the best motion so far; every iterate meets the
-    keyframes.
-
-    Args:
-        clip: A clip, or an argument of `load`: a shipped name, a path, or TOML text.
-        progress: Print progress on stderr.
-
-    Returns:
-        The motion.
-
-    Raises:
-        UserError: For an invalid clip.
-    """
-    from .loading import load  # imported here: it imports this module
-
-    heard = Progress() if progress else silent()
-    solved = solving.solve(clip if isinstance(clip, Clip) else load(clip), heard)
-    return Motion(solved.saved(heard, with_report=False), solved)
 
 
 class Report(dict[str, Any]):
@@ -74,33 +49,6 @@ class Report(dict[str, Any]):
 
     def _repr_html_(self) -> str:
         return f"<pre>{html.escape(str(self))}</pre>"
-
-
-@dataclass(frozen=True)
-class MotionDifference:
-    """The largest differences between two motions at equal times.
-
-    Attributes:
-        distance: Largest distance [m] between the positions of a body's origin, or of a site, in the two motions.
-        where: Name of this body or site.
-        time: Time of the largest distance [s].
-        angle: Largest angle [degrees] between the orientations of a body in the two motions.
-        turned: Name of the body with the largest angle.
-        turned_time: Time of the largest angle [s].
-    """
-
-    distance: float
-    where: str
-    time: float
-    angle: float
-    turned: str
-    turned_time: float
-
-    def __str__(self) -> str:
-        return (
-            f"at most {100 * self.distance:.3g} cm at {self.time:.2f} s ({self.where}), "
-            f"{self.angle:.3g}° at {self.turned_time:.2f} s ({self.turned})"
-        )
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -272,9 +220,7 @@ class Motion:
             raise UserError(
                 f"'{other.name}' runs from {other.start:g} to {other.end:g} s, not all of {first:g} to {last:g}"
             )
-        far, turned = recorded.worst(other.saved.timeline)
-        times = recorded.times[[far.instant, turned.instant]].tolist()
-        return MotionDifference(far.value, far.name, times[0], float(np.degrees(turned.value)), turned.name, times[1])
+        return MotionDifference.of(recorded, other.saved.timeline)
 
     @as_python_warnings()
     def render(
@@ -514,7 +460,7 @@ class Motion:
         if not 0 < max_angle <= 180:
             raise UserError(f"max_angle = {max_angle:g}: give degrees, above 0 and up to 180")
         bound = length(max_error, "max_error ="), float(np.radians(max_angle))
-        return Motion(thinning.thinned(self.saved, *bound, solve=solve, progress=silent()).motion)
+        return Motion(thinning.thinned(self.saved, *bound, solve=solve, progress=silent()))
 
     @as_python_warnings()
     def _repr_html_(self) -> str:
@@ -523,5 +469,5 @@ class Motion:
         from ..exchange.trajectory import SampledTrajectory
 
         inside = html.escape(page(SampledTrajectory.of(self.saved)))
-        style = f"width: 100%; height: {PLAYER_HEIGHT}px; border: 0"
+        style = "width: 100%; height: 480px; border: 0"
         return f'<iframe title="{html.escape(self.name)}" style="{style}" srcdoc="{inside}"></iframe>'

@@ -318,7 +318,7 @@ def test_keyframes_places_contacts_and_obstacles_change_sides_with_a_clip(tmp_pa
     target = tmp_path / "deeper" / "two.toml"
     target.parent.mkdir()
     (tmp_path / "one.toml").write_text(ROUND, encoding="utf-8")
-    edit_files.run([str(tmp_path / "one.toml")], edit_files.mirrored(), target, overwrite=False, progress=quiet())
+    edit_files.mirror(str(tmp_path / "one.toml"), target, overwrite=False, progress=quiet())
     one, two = clip.load(str(tmp_path / "one.toml")), clip.load(str(target))
     mirror = Mirror.of(one.figure)
     for a, b in zip(two.keys, map(mirror.key, one.keys), strict=True):
@@ -343,7 +343,7 @@ def test_a_mirrored_motion_keeps_its_scene_and_a_note_states_it(tmp_path, y, is_
     progress = Progress(Console(file=output))
     for ending in ("toml", "npz"):
         target = tmp_path / f"other.{ending}"
-        edit_files.run([str(path)], edit_files.mirrored(), target, overwrite=False, progress=progress)
+        edit_files.mirror(str(path), target, overwrite=False, progress=progress)
         assert ("note: step and obstacles are not mirrored" in output.getvalue()) is (is_noted and ending == "npz")
     there = clip.load(str(tmp_path / "other.toml")).figure.model.geom("ball").pos[1]
     assert (there, motion.load(tmp_path / "other.npz").figure.model.geom("ball").pos[1]) == (-y, y)
@@ -354,13 +354,13 @@ def test_a_retimed_clip_has_other_times_also_of_contacts_flights_and_cycles_and_
     path = problems.written(tmp_path)
     (tmp_path / "sub").mkdir()
     target = tmp_path / "sub" / "fast.toml"
-    edit_files.run([str(path)], edit_files.retimed(2.0, None), target, overwrite=False, progress=quiet())
+    edit_files.retime(str(path), 2.0, None, target, overwrite=False, progress=quiet())
     before, after = clip.load(str(path)), clip.load(str(target))
     assert [key.time for key in after.keys] == pytest.approx([key.time / 2 for key in before.keys])
     for a, b in zip(after.keys, before.keys, strict=True):
         np.testing.assert_array_equal(a.state, b.state)
     assert after.settings == before.settings
-    edit_files.run([str(path)], edit_files.retimed(None, 3.0), target, overwrite=True, progress=quiet())
+    edit_files.retime(str(path), None, 3.0, target, overwrite=True, progress=quiet())
     assert clip.load(str(target)).keys[-1].time == pytest.approx(3)
     table = edit_files.retimed_tables(table_of(ROUND, "one"), 2.0)
     assert (table.contact[0].start, table.contact[0].end) == (0.3, 0.5)
@@ -372,16 +372,19 @@ def test_nothing_is_written_over_what_is_edited_unasked(tmp_path, saved):
     source = tmp_path / "tiny.npz"
     motion.save(saved, source)
     was = source.read_bytes()
-    edit = edit_files.trimmed(0.1, None)
+
+    def trim(first: float, target: Path, *, overwrite: bool = False) -> None:
+        edit_files.trim(str(source), first, None, target, overwrite=overwrite, progress=quiet())
+
     with pytest.raises(UserError, match="already exists; give another -o, or --overwrite"):
-        edit_files.run([str(source)], edit, source, overwrite=False, progress=quiet())
+        trim(0.1, source)
     with pytest.raises(UserError, match=r"as a motion, \.npz, or as a clip, \.toml"):
-        edit_files.run([str(source)], edit, tmp_path / "out.mp4", overwrite=False, progress=quiet())
+        trim(0.1, tmp_path / "out.mp4")
     with pytest.raises(UserError, match="not inside"):
-        edit_files.run([str(source)], edit_files.trimmed(-7, None), source, overwrite=True, progress=quiet())
+        trim(-7, source, overwrite=True)
     assert source.read_bytes() == was
     assert problems.names(tmp_path) == ["tiny.npz"]
-    edit_files.run([str(source)], edit, source, overwrite=True, progress=quiet())
+    trim(0.1, source, overwrite=True)
     assert motion.load(source).keys[0].time == 0.1
 
 
@@ -390,12 +393,12 @@ def test_only_tables_of_clips_are_edited_to_a_clip(motions, tmp_path, name):
     problems.written(tmp_path)
     motion.save(motions["plain"], tmp_path / "own.npz")
     (tmp_path / "following.toml").write_text(FOLLOWING, encoding="utf-8")
-    source, target = [str(tmp_path / name)], tmp_path / "out.toml"
-    ways = [(source, edit_files.trimmed(0.1, 0.3)), (source * 2, edit_files.joined(0.2))]
-    ways += [] if name == "tiny.toml" else [(source, edit_files.mirrored()), (source, edit_files.retimed(2.0, None))]
-    for sources, edit in ways:
+    source, target = str(tmp_path / name), tmp_path / "out.toml"
+    ways = [(edit_files.trim, source, 0.1, 0.3), (edit_files.join, source, source, 0.2)]
+    ways += [] if name == "tiny.toml" else [(edit_files.mirror, source), (edit_files.retime, source, 2.0, None)]
+    for edit, *arguments in ways:
         with pytest.raises(UserError, match=r"out\.toml: only `mirror` and `retime` of a clip|-o NAME\.npz"):
-            edit_files.run(sources, edit, target, overwrite=False, progress=quiet())
+            edit(*arguments, target, overwrite=False, progress=quiet())
         assert not target.exists()
 
 
@@ -403,8 +406,8 @@ def test_keyframes_of_a_recording_are_not_named_in_messages(motions, tmp_path):
     problems.written(tmp_path)
     motion.save(motions["plain"], tmp_path / "own.npz")
     (tmp_path / "following.toml").write_text(FOLLOWING, encoding="utf-8")
-    edit, source = edit_files.retimed(2.0, None), [str(tmp_path / "following.toml")]
-    target, told = edit_files.run(source, edit, tmp_path / "out.npz", overwrite=False, progress=quiet())
+    source, out = str(tmp_path / "following.toml"), tmp_path / "out.npz"
+    target, told = edit_files.retime(source, 2.0, None, out, overwrite=False, progress=quiet())
     assert [violation.text for violation in told if violation.keyframe is not None] == []
     assert motion.load(target).text == ""
 

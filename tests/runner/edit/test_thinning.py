@@ -45,8 +45,7 @@ def run(
     overwrite: bool = False,
     **told,
 ) -> Path:
-    recording = thinning.Recording(str(source), **told)
-    return thinning.run(recording, bound, target, solve=solve, overwrite=overwrite, progress=Progress())
+    return thinning.run(str(source), bound, target, solve=solve, overwrite=overwrite, progress=Progress(), **told)
 
 
 def apart(one: Saved, other: Saved) -> float:

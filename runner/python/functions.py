@@ -1,10 +1,11 @@
-"""Clips without a file: keyframes as Python objects, with the field names of the clip file, and `build`."""
+"""The functions of the API: `build`, `load`, `inbetween`, `load_motion`, `import_motion`, and `Keyframe`."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any, Literal
 
 import mujoco
@@ -15,14 +16,19 @@ from scipy.spatial.transform import Rotation
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, FigureError
 
-from .. import recordings
+from .. import motion as files
+from .. import recordings, solving
+from ..clip import load as clips
 from ..clip.build import Clip, CustomPenalties, with_custom_penalties
 from ..clip.text import TomlTable, keyframe_tables, tables, written
 from ..errors import UserError, words_of
 from ..scene import file_access
 from ..scene.configuration import first_wrong
-from ..scene.model_inputs import spec_of
+from ..scene.model_inputs import is_text, spec_of, spec_of_text
 from ..system.mujoco_warnings import as_python_warnings, quietly
+from ..system.progress import Progress, silent
+from ..system.quantity import positive
+from .motion import Motion
 
 Turn = Mapping[str, Any] | Rotation
 Table = Mapping[str, Any]
@@ -125,6 +131,122 @@ def build(
         return with_custom_penalties(
             recordings.from_text(written(raw), name=name, where=name, spec=spec), custom_penalties
         )
+
+
+@as_python_warnings()
+def load(
+    source: str | os.PathLike[str],
+    *,
+    fps: float | None = None,
+    custom_penalties: CustomPenalties = (),
+    allow_outside: bool = False,
+) -> Clip:
+    """Load a clip.
+
+    Args:
+        source: Name of a shipped clip (see `clips()`), path of a .toml file or of an MJCF file with <keyframe>
+            elements, or TOML or MJCF text. A string with a line break is taken as text, not as a path.
+        fps: Samples per second [1/s] of outputs, instead of the clip's.
+        custom_penalties: Custom soft constraints with their weights, [(Calm(), 0.1)]; files do not store them.
+        allow_outside: Let the model read files outside its folder.
+
+    Returns:
+        The clip, for `inbetween`.
+
+    Raises:
+        UserError: For an invalid clip. The message is one line that names the file, the keyframe and the key.
+    """
+    if not isinstance(source, str | os.PathLike):
+        raise UserError(
+            f"a clip is a name, a path or text, not of type {type(source).__name__}; build makes one of a model"
+        )
+    source = str(os.fspath(source))
+    fps = None if fps is None else positive(fps, "fps =")
+    if files.is_motion(source) and "\n" not in source:
+        raise UserError(f"'{source}' is a motion, solved already; load_motion opens it")
+    with file_access.allowed(allow_outside):
+        if is_text(source):
+            clip = clips.from_spec("clip", spec_of_text(source), fps, "clip")
+        elif "\n" in source:
+            clip = recordings.from_text(source, name="clip", where="clip", fps=fps)
+        else:
+            clip = recordings.load(source, fps=fps)
+        return with_custom_penalties(clip, custom_penalties)
+
+
+@as_python_warnings()
+def inbetween(clip: Clip | str | os.PathLike[str], *, progress: bool = False) -> Motion:
+    """Compute smooth motion through a clip's keyframes that minimises the violation of its soft constraints.
+
+    Ctrl-C, or a notebook's interrupt, stops the search and returns the best motion so far; every iterate meets the
+    keyframes.
+
+    Args:
+        clip: A clip, or an argument of `load`: a shipped name, a path, or TOML text.
+        progress: Print progress on stderr.
+
+    Returns:
+        The motion.
+
+    Raises:
+        UserError: For an invalid clip.
+    """
+    heard = Progress() if progress else silent()
+    solved = solving.solve(clip if isinstance(clip, Clip) else load(clip), heard)
+    return Motion(solved.saved(heard, with_report=False), solved)
+
+
+@as_python_warnings()
+def load_motion(source: str | os.PathLike[str]) -> Motion:
+    """Load a motion.
+
+    Args:
+        source: A motion file (.npz) of `Motion.save` or `dynsplines solve`.
+
+    Returns:
+        The motion.
+
+    Raises:
+        UserError: For any other file.
+    """
+    if not files.is_motion(os.fspath(source)):
+        raise UserError(f"'{source}': a motion is an .npz file; load opens a clip, import_motion a recording")
+    return Motion(clips.load_motion(Path(source)))
+
+
+@as_python_warnings()
+def import_motion(
+    source: str | os.PathLike[str],
+    figure: str | os.PathLike[str] | None = None,
+    *,
+    format: str | None = None,
+    fps: float | None = None,
+    scale: float | None = None,
+    allow_outside: bool = False,
+) -> Motion:
+    """Import a recording of another program. Every sample becomes a keyframe; there is no search.
+
+    Args:
+        source: The recording.
+        figure: Name of a shipped figure, or path of an MJCF file, if the recording contains no figure.
+        format: Name of the format (see `dynsplines formats`), if the file's extension is ambiguous.
+        fps: Samples per second [1/s], if the file has no rate.
+        scale: Unit of length of the file [m], instead of the inferred one.
+        allow_outside: Let the figure's model read files outside its folder.
+
+    Returns:
+        The motion.
+
+    Raises:
+        UserError: For an invalid file, or one that does not fit the figure. The message is one line.
+    """
+    from ..exchange.motion_import import import_recording
+
+    if figure is not None and not isinstance(figure, str | os.PathLike):
+        raise UserError(f"figure is a name or a path to MJCF, not of type {type(figure).__name__}")
+    figure = None if figure is None else str(os.fspath(figure))
+    with file_access.allowed(allow_outside):
+        return Motion(import_recording(Path(source), format, figure=figure, fps=fps, scale=scale))
 
 
 def _figure(spec: mujoco.MjSpec, name: str) -> Figure:
