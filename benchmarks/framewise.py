@@ -30,9 +30,8 @@ from rich.console import Console
 
 from dynsplines import solving
 from dynsplines.clean import command
-from dynsplines.clean.cleaning import Cleaned
+from dynsplines.clean.cleaning import RATE, Cleaned, depth
 from dynsplines.clean.displacement import slip
-from dynsplines.clean.penetration import RATE, depth
 from dynsplines.clip import load as clips
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import bvh_file, hierarchy

@@ -25,8 +25,7 @@ from bench import Effort, Section, Target, people
 from rich.console import Console
 
 from dynsplines import solving
-from dynsplines.clean.cleaning import Cleaned, cleaned
-from dynsplines.clean.penetration import depth
+from dynsplines.clean.cleaning import Cleaned, cleaned, depth
 from dynsplines.clean.repairs import repaired
 from dynsplines.clip import load as clips
 from dynsplines.clip.posing.places import sole_points

@@ -375,9 +375,10 @@ def plot(
     target = output or Path(f"{_name(source, model, keys)}.png")
     outputs.check_target(target, endings=chart.ENDINGS)
     with terminal.Progress() as progress:
-        saved, _ = inputs.solved(inputs.load(source, model=model, keys=keys), progress)
-        solved = solving.Solved.of(saved)
-        chart.draw(saved.name, *measurement.Measurement.sides(solved.clip, solved.motion), target)
+        clip = inputs.load(source, model=model, keys=keys)
+        is_saved = isinstance(clip, motion.Saved)
+        solved = solving.Solved.of(clip) if is_saved else solving.solve(clip, progress)
+        chart.draw(clip.name, *measurement.Measurement.sides(solved.clip, solved.motion), target)
     print(f"wrote {target}", file=sys.stderr)
 
 

@@ -2,7 +2,6 @@
 
 repairs    gaps, jumps, duplicate and invalid samples: detected, reported and interpolated
 cleaning   a repaired recording, its stances, and the motion near it that satisfies them
-penetration  depths in surfaces, and penetrations between the samples of a search
 displacement  the displacement of hands, feet and pelvis from the recording, and its limit
 command    the command `clean`: from a recording's file to a clean one
 """

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.array import Array, Mask, runs
 from dynsplines.solver.contacts import Rest
 from dynsplines.solver.contacts.ground_alignment import align_to_ground, move_to_ground
 from dynsplines.solver.contacts.recorded_stances import (
@@ -26,9 +26,10 @@ from dynsplines.solver.penalty import TrackingPenalty, UnitMagnitude
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.solution import Improvement, Solution
 
-from ..clip.tracking.penalties import Ground, loose, problem
-from ..motion import even_times
-from .penetration import RATE, depth, missed_edge_times
+from ..clip.tracking.penalties import LONGEST_PANEL, NEXT_TO, POINTS, Ground, loose, problem
+from ..measure.depths import bunches, depths
+from ..measure.measurement import RATE
+from ..motion import even_times, sample_runs
 from .repairs import Repaired
 
 SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # factors of all weights but the recording's, in first and later searches
@@ -39,7 +40,8 @@ SHARE = 0.25  # largest share of a stance at either end that is not sure
 OUTSIDE = 0.04  # [s] time from the end of a stance to another frame, outside of the stance
 ABOUT, AT_ONCE = 0.15, 2.0  # [s] interval around a new frame that is searched again, and longest such interval
 LONG = 60.0  # [s] shortest recording that is searched again in parts only
-LOOKS = 3  # most rounds of additional frames
+DEEP = 0.001  # [m] least depth that a search should prevent
+SHALLOW = LONGEST_PANEL / POINTS  # [s] between samples of a search, which so evaluates longer penetrations
 
 
 @dataclass(frozen=True, eq=False)
@@ -118,7 +120,7 @@ def _out_of_edges(
 ) -> tuple[Problem, Solution]:
     """Continue the search with more frames where a point passed through an edge between two samples. A long recording
     is searched only around these frames: another search of all of it would double the time."""
-    for _ in range(LOOKS):
+    for _ in range(3):
         path, times = path_of(solution.timeline), solution.timeline.times
         more = missed_edge_times(ground, path, times)
         if not more.size:
@@ -235,3 +237,31 @@ def _by_state(figure: Figure, known: Mask) -> Array:
         if columns is not None and above is not None and figure.tables.in_world[link.joint + 1]:
             out[:, columns] *= out[:, above].min(axis=1, keepdims=True)
     return out
+
+
+def depth(ground: Ground, path: Path, times: Array) -> Array:
+    """Return the largest depth (T,) [m] of body and soles at times (T,)."""
+    body, found = bunches((*ground.clear, *ground.points)), list[Array]()
+    for samples in sample_runs(ground.figure, path, times):
+        found.append(np.zeros(samples.count))
+        for surface in ground.surfaces:
+            for _, at, deep in depths(body, surface, samples):
+                found[-1][at] = np.maximum(found[-1][at], deep.max(axis=0))
+    return np.concatenate(found)
+
+
+def missed_edge_times(ground: Ground, path: Path, frames: Array) -> Array:
+    """Return times (k,) [s] for more frames beyond those at `frames` (M,) [s], where a foot passes through an edge
+    unseen."""
+    times = even_times(path.span, RATE)
+    deep = depth(ground, path, times)
+    missed_times = list[float]()
+    for first, end in runs(deep > DEEP):
+        if (end - first) / RATE > SHALLOW:
+            continue
+        worst = float(times[first + deep[first:end].argmax()])
+        after = int(np.clip(np.searchsorted(frames, worst), 1, frames.size - 1))
+        about = frames[max(0, after - 2) : after + 2]
+        wanted = [worst] if np.abs(frames - worst).min() > NEXT_TO else (0.5 * (about[1:] + about[:-1])).tolist()
+        missed_times += [t for t in wanted if np.abs(frames - t).min() > NEXT_TO]
+    return np.unique(missed_times)

@@ -36,7 +36,6 @@ from .cleaning import Cleaned, cleaned
 from .displacement import closer, displacements
 from .repairs import repaired
 
-NAMED = 6  # most stances of a point that are listed
 FAR = 0.05  # [m] displacement in 95 % of the time above which stances are in doubt: most for captured motion is 2.7 cm
 
 
@@ -227,7 +226,7 @@ def _notes(result: Cleaned, max_displacement: float | None) -> Iterator[str]:
     for name in dict.fromkeys(names):
         spans = [f"{rest.first:.2f}-{rest.last:.2f}" for rest in result.rests if rest.point.name == name]
         if spans:
-            yield f"{name} stands {listed(spans, NAMED)} s"
+            yield f"{name} stands {listed(spans, 6)} s"
     longest = {rest.point.name: rest for rest in sorted(result.raised, key=lambda rest: rest.last - rest.first)}
     for name, rest in longest.items():
         yield (

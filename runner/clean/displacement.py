@@ -18,11 +18,9 @@ from dynsplines.solver.solution import Improvement
 from dynsplines.solver.surface.points import places_of
 
 from ..motion import even_times, sample_runs, samples_at
-from .cleaning import Cleaned, started_at
-from .penetration import RATE, depth
+from .cleaning import RATE, Cleaned, depth, started_at
 
 SLIP, DEPTH = 0.005, 0.002  # [m] largest slip in a stance and depth in a surface, of a motion near its recording
-STRICTER, TRIES = 2.0, 7  # factor of the recording's weight in each try to reduce displacements, and most tries
 
 
 @dataclass(frozen=True)
@@ -68,14 +66,14 @@ def _centres(samples: Samples, links: list[int]) -> Array:
 def closer(cleaned: Cleaned, max_displacement: float, improved: Callable[[Improvement], None] | None = None) -> Cleaned:
     """Return a motion that is displaced by at most `max_displacement` [m] from its recording, as far as possible.
 
-    The recording's weight is increased while nothing slips or penetrates.
+    The recording's weight is doubled up to seven times while nothing slips or penetrates.
     """
     problem, best = cleaned.problem, cleaned
-    for _ in range(TRIES):
+    for _ in range(7):
         largest = displacements(best)[0].maximum
         if largest <= max_displacement:
             break
-        weights = [(p, STRICTER * w if isinstance(p, TrackingPenalty) else w) for p, w in problem.penalties]
+        weights = [(p, 2 * w if isinstance(p, TrackingPenalty) else w) for p, w in problem.penalties]
         problem = replace(problem, penalties=tuple(weights))
         tried = replace(cleaned, solution=inbetween(started_at(problem, best.solution), improved=improved))
         if not is_sound(tried):

@@ -18,8 +18,6 @@ from ..errors import UserError, listed
 from ..exchange import gaps
 
 FEWEST = 5  # least number of samples of a motion
-TWICE = 0.1  # time between duplicate samples, relative to the median step
-GAP = 1.5  # [median steps] shortest gap with missing samples
 LONGEST_GAP = 2.0  # [s] longest gap that is interpolated
 FAR_OFF = 8.0  # deviation of a jump from the mean of its neighbours, relative to the median deviation
 TURN, WAY = np.radians(10), 0.04  # [rad], [m] least deviation of a jump
@@ -72,7 +70,7 @@ def _name(figure: Figure, columns: Index) -> str:
 
 
 def _without_duplicates(time: Array, qpos: Array, notes: list[str]) -> tuple[Array, Array]:
-    twice = np.append(False, np.diff(time) <= TWICE * gaps.median_step(time))
+    twice = np.append(False, np.diff(time) <= 0.1 * gaps.median_step(time))  # one instant
     if twice.any():
         first, count = float(time[twice][0]), int(twice.sum())
         notes.append(f"{count} sample{'s come' if count > 1 else ' comes'} twice, first at {first:.3f} s: left out")
@@ -98,7 +96,7 @@ def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Mask
 def _interpolated(time: Array, qpos: Array, known: Mask, notes: list[str], where: str) -> tuple[Array, Array, Mask]:
     step = float(np.median(np.diff(time)))
     missing = np.maximum(np.round(np.diff(time) / step).astype(int) - 1, 0)
-    missing[np.diff(time) < GAP * step] = 0
+    missing[np.diff(time) < 1.5 * step] = 0
     for i in np.flatnonzero(missing):
         long = float(time[i + 1] - time[i])
         if long > LONGEST_GAP:

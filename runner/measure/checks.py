@@ -36,8 +36,7 @@ from dynsplines.solver.surface.heights import FAR, heights
 from dynsplines.solver.surface.points import Point, placed, places_of
 
 from .bounds import BOUNDS, SPEED_SHARE, WHIP_SHARE
-from .depths import bunches, depths
-from .overlaps import Overlaps
+from .depths import bunches, colliding, depths, overlaps
 
 SAME_DEPTH = 0.002  # [m] a sole point is named although another point of the foot is deeper, if by at most this
 
@@ -311,7 +310,7 @@ class ContactTarget:
 
 
 def displaced(targets: Sequence[ContactTarget], groups: Index, fixed: Fixed) -> Check:
-    """Return the check of points that leave their places."""
+    """Return the check of points of one kind that leave their places."""
 
     def hits(samples: Samples) -> Hits:
         parts = []
@@ -321,13 +320,13 @@ def displaced(targets: Sequence[ContactTarget], groups: Index, fixed: Fixed) -> 
                 parts.append(Hits(np.full(at.size, i), at, target.distance(samples, at)))
         return Hits.joined(parts)
 
-    texts = {
-        "contact": "contact {0} is {{}} from the place where it should rest",
-        "stance": "{0} moves {{}} between keyframes with the same position",
-    }
-    names = [stay.stance.point.name for stay in targets]
-    rows = [row_of(stay.kind, name, texts[stay.kind].format(name)) for stay, name in zip(targets, names, strict=True)]
-    return Check.each("moved", rows, hits, fixed.places[[stay.stance.point.link for stay in targets]], groups)
+    kind = targets[0].kind
+    text = {
+        "contact": "contact {} is {{}} from the place where it should rest",
+        "stance": "{} moves {{}} between keyframes with the same position",
+    }[kind]
+    rows = [row_of(kind, stay.stance.point.name, text.format(stay.stance.point.name)) for stay in targets]
+    return Check.each(kind, rows, hits, fixed.places[[stay.stance.point.link for stay in targets]], groups)
 
 
 def slips(grasps: Sequence[Grasp], starts: Sequence[Array], fixed: Fixed) -> Check:
@@ -399,14 +398,16 @@ def self_overlaps(carried: Sequence[int], fixed: Fixed) -> Check:
     """Return the check of overlapping bodies: a row per pair of links, a group per pair of limbs; grasped ones are
     solid."""
     figure, count = fixed.figure, len(fixed.figure.links)
-    overlaps, limbs, is_carried = Overlaps.of(figure), _limbs(figure), np.isin(np.arange(count), carried)
+    model, at_rest = colliding(figure)
+    limbs, is_carried = _limbs(figure), np.isin(np.arange(count), carried)
     is_solid = is_carried[:, None] != is_carried
     bounds = np.where(is_solid, BOUNDS["penetration"].most, BOUNDS["self"].most).ravel()
     groups = (np.minimum(limbs[:, None], limbs) * count + np.maximum(limbs[:, None], limbs)).ravel()
 
     def hits(samples: Samples) -> Hits:
-        at, (one, two), depth = overlaps.met(samples)
-        return Hits(one * count + two, at, depth).select(depth > 0)
+        at, links, depth = overlaps(figure, model, figure.to_qpos(samples.y))
+        deeper = depth - at_rest[links]
+        return Hits(links[0] * count + links[1], at, deeper).select(deeper > 0)
 
     def row(index: int) -> Row:
         links = divmod(index, count)
@@ -414,7 +415,7 @@ def self_overlaps(carried: Sequence[int], fixed: Fixed) -> Check:
         if is_solid[links]:
             one, two = (two, one) if is_carried[links[0]] else (one, two)
             return row_of("penetration", one, f"{one} is {{}} in {_quoted(two)}", other=two)
-        deeper = "deeper " if overlaps.at_rest[links] else ""
+        deeper = "deeper " if at_rest[links] else ""
         return row_of("self", one, f"{one} and {two} are {{}} {deeper}in each other", other=two)
 
     def is_fixed(row: Index, key: Index) -> Mask:

@@ -22,7 +22,6 @@ from .bounds import BOUNDS, Bound
 from .checks import Row, row_of
 from .measurement import Measurement, feet_of
 
-RATE = 60.0  # [1/s] of the samples
 # [1] smallest force of an unknown support relative to the weight, up or down; in free fall this force is zero
 CARRIED = 0.5
 
@@ -34,8 +33,7 @@ def floating_and_sliding(motion: Measurement) -> Iterator[Excess]:
     context, figure = motion.clip.context, motion.clip.figure
     if not context.surfaces or not np.any(figure.gravity):
         return
-    even = np.arange(0, motion.time.size, max(1, round(motion.time.size / (np.ptp(motion.time) * RATE + 1))))
-    at = np.union1d(even, motion.key_at)
+    at = np.union1d(np.arange(0, motion.time.size, 4), motion.key_at)  # every fourth: 60 Hz
     samples = samples_at(figure, path_of(motion.timeline), motion.time[at])
     for root in figure.tables.free_links.tolist():
         points = hanging(figure, root, body_points(figure))

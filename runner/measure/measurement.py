@@ -80,27 +80,17 @@ class Measurement:
         amounts = tuple((check, Hits.joined(hits)) for check, hits in zip(every, parts, strict=True))
         return cls(clip, timeline, time, key_at, amounts, stays)
 
-    def largest(self, name: str) -> dict[int, tuple[float, float]]:
-        """Return, by the index of a row of the checks of a name, its largest amount and the time [s] of it."""
-        out = {}
+    def largest(self, name: str) -> list[tuple[Row, float, float]]:
+        """Return the rows of the check of a name with their largest amounts, 0 without any, and their times [s]."""
+        out = list[tuple[Row, float, float]]()
         for check, hits in self.checks:
             if check.name == name:
+                amounts, times = np.zeros(check.bounds.size), np.full(check.bounds.size, self.time[0])
                 worst = hits.select(hits.largest(hits.row))
-                amounts, times = worst.amount.tolist(), self.time[worst.at].tolist()
-                out |= dict(zip(worst.row.tolist(), zip(amounts, times, strict=True), strict=True))
+                amounts[worst.row], times[worst.row] = worst.amount, self.time[worst.at]
+                rows = zip(amounts.tolist(), times.tolist(), strict=True)
+                out += [(check.row(i), *entry) for i, entry in enumerate(rows)]
         return out
-
-    def worst(self, name: str) -> list[tuple[Row, float, float]]:
-        """Return the rows of the check of a name with their largest amounts and times [s], worst first.
-
-        If no row has an amount, the first one is returned with zero; without such a check, the result is empty.
-        """
-        check = next((check for check, _ in self.checks if check.name == name and check.bounds.size), None)
-        if check is None:
-            return []
-        largest = self.largest(name) or {0: (0.0, float(self.time[0]))}
-        order = sorted(largest, key=lambda row: -largest[row][0])
-        return [(check.row(row), *largest[row]) for row in order]
 
     @classmethod
     def sides(cls, clip: Clip, motion: Solution) -> tuple[Measurement, Measurement]:

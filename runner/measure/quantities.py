@@ -7,8 +7,6 @@ at the same times.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -25,75 +23,55 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.naming import geom_name
 from dynsplines.solver.figure.root_wrench import RootWrench
 from dynsplines.solver.objective import Objective
-from dynsplines.solver.penalty import Rolling
-from dynsplines.solver.surface import Box
 from dynsplines.solver.surface.heights import FAR, height_above, heights
-from dynsplines.solver.surface.points import body_points, displacements, places_of
+from dynsplines.solver.surface.points import displacements, places_of
 from dynsplines.solver.surface.touch import counts_all, movers
 
 from ..clip.build import Clip
-from ..motion import samples_at
 from .checks import Row
-from .measurement import RATE, Measurement, bend_limits, inferred
-
-HIGHEST = 1.0  # [m] upper limit of the lift of a foot in a stance, in the report
-
-
-@dataclass(frozen=True, eq=False)
-class Side:
-    """One column of a report: the raw spline or the solved motion of a clip, with its measurement and E."""
-
-    clip: Clip
-    objective: Objective
-    timeline: Timeline
-    measurement: Measurement
-
-    @classmethod
-    def of(cls, clip: Clip, objective: Objective, timeline: Timeline, raw: Timeline) -> Side:
-        return cls(clip, objective, timeline, Measurement.of(clip, timeline, raw))
-
-    @cached_property
-    def samples(self) -> Samples:
-        return samples_at(self.clip.figure, path_of(self.timeline), self.measurement.time)
-
-    @cached_property
-    def terms(self) -> dict[str, float]:
-        """The contribution of every term to E."""
-        values = self.objective.integrals(path_of(self.timeline))
-        return {t.penalty.name: float(t.factor * v) for t, v in zip(self.objective.terms, values, strict=True)}
-
-    def quantities(self) -> dict[str, object]:
-        """Return all quantities by name; those that do not apply to the clip are omitted or empty."""
-        clip, samples, timeline, worst = self.clip, self.samples, self.timeline, self.measurement.worst
-        in_grasped = [entry for entry in worst("self") if entry[0].kind == "penetration"]
-        every = {
-            "objective": sum(self.terms.values()),
-            "terms": self.terms,
-            "penetration, m": _penetration(clip, worst("penetration")),
-            "self-penetration, m": _deepest([entry for entry in worst("self") if entry[0].kind == "self"]),
-            "bends, degrees": _bends(clip, worst("bend")),
-            "beyond joint range": _most(worst("range"), "joint"),
-            "equality constraints": _equalities(worst("coupled"), worst("torn")),
-            "skate": _skate(clip, samples),
-            "stances": _stances(clip, timeline),
-            "swings": swings(clip, samples),
-            "contacts": _contacts(clip, timeline),
-            "grasps": _grasps(clip, self.measurement),
-            "penetration of held objects, m": _deepest(in_grasped) if clip.context.schedule.grasps else {},
-            "target distance, m": {f"{row.name} at {time:g} s": away for row, away, time in worst("placement")},
-            "edge clearance, m": _edge_clearance(clip, samples),
-            "unit deviation": _unit_deviation(samples),
-            "keyframe error": keyframe_error(clip, timeline),
-            "seam": _seam(clip, timeline),
-            "angular acceleration, rad/s²": _peak(worst("whip")),
-            "torque, N m": _torque(samples),
-            "support": _support(clip, samples),
-        }
-        return {name: value for name, value in every.items() if value is not None}
-
+from .measurement import Measurement, bend_limits
 
 Entry = dict[str, float | str]  # values of a quantity by name and unit
 Worst = Sequence[tuple[Row, float, float]]  # rows with their largest amounts and the times [s], worst first
+
+
+def quantities(clip: Clip, objective: Objective, measurement: Measurement, samples: Samples) -> dict[str, object]:
+    """Return all quantities of the raw spline or of the solved motion by name. Those that do not apply to the clip are
+    omitted or empty.
+
+    samples  the motion at the times of the measurement
+    """
+    timeline = measurement.timeline
+
+    def worst(name: str) -> Worst:
+        return sorted(measurement.largest(name), key=lambda entry: -entry[1])
+
+    values = objective.integrals(path_of(timeline))
+    terms = {t.penalty.name: float(t.factor * v) for t, v in zip(objective.terms, values, strict=True)}
+    overlaps = worst("self")
+    in_grasped = [entry for entry in overlaps if entry[0].kind == "penetration"]
+    every = {
+        "objective": sum(terms.values()),
+        "terms": terms,
+        "penetration, m": _penetration(clip, worst("penetration")),
+        "self-penetration, m": _deepest([entry for entry in overlaps if entry[0].kind == "self"]),
+        "bends, degrees": _bends(clip, worst("bend")),
+        "beyond joint range": _most(worst("range"), "joint"),
+        "equality constraints": _equalities(worst("coupled"), worst("torn")),
+        "skate": _skate(clip, samples),
+        "stances": _rests(measurement, "stance"),
+        "swings": swings(clip, samples),
+        "contacts": _rests(measurement, "contact"),
+        "grasps": _grasps(clip, measurement),
+        "penetration of held objects, m": _deepest(in_grasped) if clip.context.schedule.grasps else {},
+        "target distance, m": {f"{row.name} at {time:g} s": away for row, away, time in worst("placement")},
+        "keyframe error": keyframe_error(clip, timeline),
+        "seam": _seam(clip, timeline),
+        "angular acceleration, rad/s²": _peak(worst("whip")),
+        "torque, N m": _torque(samples),
+        "support": _support(clip, samples),
+    }
+    return {name: value for name, value in every.items() if value is not None}
 
 
 def _deepest(worst: Worst) -> Entry:
@@ -109,7 +87,8 @@ def _penetration(clip: Clip, worst: Worst) -> dict[str, Any]:
     model = clip.figure.model
     names, depths = {geom_name(model, geom) for geom in movers(model)}, dict[str, float]()
     for row, depth, _ in worst:
-        depths.setdefault(row.name, depth)
+        if depth > 0:
+            depths.setdefault(row.name, depth)
     return {
         **_deepest([entry for entry in worst if entry[0].name in names]),
         "geoms": {name: depth for name, depth in depths.items() if name in names},
@@ -142,12 +121,20 @@ def _equalities(joints: Worst, loops: Worst) -> dict[str, Entry]:
 
 def _grasps(clip: Clip, measurement: Measurement) -> list[Entry]:
     """Return the displacement of every grasp's site on the body since the start of the grasp."""
-    largest, out = measurement.largest("grasp"), list[Entry]()
-    for i, grasp in enumerate(clip.context.schedule.grasps):
-        moved, time = largest.get(i, (0.0, grasp.first))
+    out = list[Entry]()
+    for grasp, (_, moved, time) in zip(clip.context.schedule.grasps, measurement.largest("grasp"), strict=True):
         row: Entry = {"hand": grasp.point.name, "body": grasp.body, "from, s": grasp.first, "to, s": grasp.last}
         out.append(row | {"moved, m": moved, "at, s": time})
     return out
+
+
+def _rests(measurement: Measurement, kind: str) -> list[Entry]:
+    """Return the points of contacts, or of stances inferred from keyframes, with the distances from their places."""
+    rests = [target.stance for target, _ in measurement.contact_targets if target.kind == kind]
+    return [
+        {"point": rest.point.name, "from, s": rest.first, "to, s": rest.last, "moved, m": moved}
+        for rest, (_, moved, _) in zip(rests, measurement.largest(kind), strict=True)
+    ]
 
 
 def _peak(worst: Worst) -> Entry:
@@ -193,74 +180,6 @@ def swings(clip: Clip, samples: Samples) -> dict[str, list[dict[str, float]]]:
             if samples.t[b - 1] - samples.t[a] >= limits.brief_swing and lowest[a:b].max() < FAR
         ]
     return by_foot
-
-
-def _stances(clip: Clip, timeline: Timeline) -> list[Entry]:
-    """Return every stance of a foot inferred from keyframes, with the rise of its lowest geom and its slide."""
-    shortest = Thresholds.of(clip.figure).brief_stance
-    long_stances = [stance for stance in inferred(clip, timeline) if stance.last - stance.first > shortest]
-    groups: dict[tuple[float, float, int], list[Any]] = {}
-    for stance in long_stances:
-        groups.setdefault((stance.first, stance.last, stance.point.link), []).append(stance)
-    out: list[Entry] = []
-    for (first, last, link), group in groups.items():
-        time = np.linspace(first, last, max(2, round((last - first) * RATE)))
-        samples = samples_at(clip.figure, path_of(timeline), time)
-        foot = tuple(point for point in body_points(clip.figure) if point.link == link)
-        height, _ = heights(clip.context.surfaces, *places_of(foot, samples))
-        centres, _ = places_of(tuple(stance.point for stance in group), samples)
-        slide = max(
-            float(np.linalg.norm((centres[:, i] - stance.place(time))[:2], axis=0).max())
-            for i, stance in enumerate(group)
-        )
-        names = " and ".join(stance.point.name for stance in group)
-        lift = min(float(height.min(axis=0).max()), HIGHEST)
-        out.append({"points": names, "from, s": first, "to, s": last, "lift, m": lift, "slide, m": slide})
-    return out
-
-
-def _contacts(clip: Clip, timeline: Timeline) -> list[Entry]:
-    """Return every contact of the clip, with its largest distance from mid-contact and the length of its path."""
-    out: list[Entry] = []
-    for rest in clip.context.schedule.contacts.requested:
-        time = np.linspace(rest.first, rest.last, max(3, round((rest.last - rest.first) * RATE)))
-        samples = samples_at(clip.figure, path_of(timeline), time)
-        centres, _ = places_of((rest.point,), samples)
-        turned = samples.links.Q[:, rest.point.link]
-        track = centres[:, 0] - Rolling.of(rest, turned[:, time.size // 2]).displacement(turned)
-        moved = float(np.linalg.norm(track - track[:, [time.size // 2]], axis=0).max())
-        path = float(np.linalg.norm(np.diff(track, axis=1), axis=0).sum())
-        speed = path / (rest.last - rest.first)
-        interval: Entry = {"point": rest.point.name, "from, s": rest.first, "to, s": rest.last}
-        out.append(interval | {"moved, m": moved, "path, m": path, "speed, m/s": speed})
-    return out
-
-
-def _edge_clearance(clip: Clip, samples: Samples) -> dict[str, float]:
-    """Return the height of a foot's lowest contact point above a box as the foot's centre crosses its front edge."""
-    out: dict[str, float] = {}
-    for box in (surface for surface in clip.context.surfaces if isinstance(surface, Box)):
-        edge = box.centre[0] - np.abs(box.axes[0]) @ box.half
-        top = box.centre[2] + np.abs(box.axes[2]) @ box.half
-        for link in sorted({point.link for point in clip.context.points}):
-            points = tuple(point for point in clip.context.points if point.link == link)
-            centres, _ = places_of(points, samples)
-            middle = centres[0].mean(axis=0)
-            for i in np.flatnonzero((middle[:-1] < edge) & (middle[1:] >= edge)):
-                name = f"{clip.figure.links[link].name} over {box.name} at {samples.t[i]:.2f} s"
-                out[name] = float(centres[2, :, i].min() - top)
-    return out
-
-
-def _unit_deviation(samples: Samples) -> dict[str, float]:
-    length = np.linalg.norm(samples.q, axis=0)
-    if not length.size:
-        return {"shortest": 1.0, "longest": 1.0, "largest": 0.0}
-    return {
-        "shortest": float(length.min()),
-        "longest": float(length.max()),
-        "largest": float(np.abs(length - 1).max()),
-    }
 
 
 def keyframe_error(clip: Clip, timeline: Timeline) -> float:

@@ -1,10 +1,12 @@
 """The report on a motion before and after solving, also *between* the samples of the optimiser.
 
-The data are plain dicts for JSON, the motion file and the terminal.
+The data are plain dicts for JSON, the motion file and the terminal. The unit is part of a name. In the terminal,
+entries whose name ends in ", m", and the entries that they contain, are in millimetres.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -13,6 +15,7 @@ from rich.table import Table
 from rich.text import Text
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import turned
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Cycle
@@ -20,13 +23,16 @@ from dynsplines.solver.refine.subdivision import by_weak_form
 from dynsplines.solver.solution import Solution
 
 from ..clip.build import Clip
+from ..motion import samples_at
 from .bounds import BOUNDS
-from .formatting import rows
 from .measurement import Measurement
-from .quantities import Side
+from .quantities import quantities
 from .violation import Violation, by_name, plain, violations_of, with_unit
 
 DRIFT = "centre of mass displacement, m"  # distance between the centres of mass before and after solving
+Line = tuple[str, str, str]  # label, before, after
+HIDDEN = ("geoms", "unit")  # entries without lines: too many, or shown with their quantity
+SPAN = ("from, s", "to, s")
 
 
 def report(clip: Clip, motion: Solution, seconds: float | None) -> dict[str, Any]:
@@ -37,18 +43,17 @@ def report(clip: Clip, motion: Solution, seconds: float | None) -> dict[str, Any
     An imported recording is measured once for both columns. It has no remaining decrease, because nothing is optimised.
     A cleaned recording has none either, because this is not the objective that was minimised.
     """
-    is_compared = not motion.is_raw
-    searched = is_compared and (motion.evaluations > 0 or motion.timeline.variable_count > 0)
-    before = Side.of(clip, motion.objective, motion.raw, motion.raw)
-    after = Side.of(clip, motion.objective, motion.timeline, motion.raw) if is_compared else before
-    first = before.quantities()
-    sides = {"before": first, "after": after.quantities() if is_compared else dict(first)}
-    drift = np.linalg.norm(_centre_of_mass(after.samples) - _centre_of_mass(before.samples), axis=0)
-    sides["after"][DRIFT] = {"largest": float(drift.max())}
+    searched = not motion.is_raw and (motion.evaluations > 0 or motion.timeline.variable_count > 0)
+    measurements = Measurement.sides(clip, motion)
+    samples = [samples_at(clip.figure, path_of(side.timeline), side.time) for side in measurements]
+    before = quantities(clip, motion.objective, measurements[0], samples[0])
+    after = dict(before) if motion.is_raw else quantities(clip, motion.objective, measurements[1], samples[1])
+    first, last = (_centre_of_mass(side) for side in samples)
+    after |= {DRIFT: {"largest": float(np.linalg.norm(last - first, axis=0).max())}}
     return {
-        "violations": plain(violations_of(after.measurement, motion.stop)),
+        "violations": plain(violations_of(measurements[1], motion.stop)),
         "clip": clip.name,
-        "duration, s": float(np.ptp(before.samples.t)),
+        "duration, s": float(np.ptp(measurements[0].time)),
         "left to gain": _remaining_decrease(motion) if searched else {},
         "keyframes": len(clip.authored_keys),
         "partial keyframes": sum(not key.is_key for key in clip.authored_keys),
@@ -57,7 +62,8 @@ def report(clip: Clip, motion: Solution, seconds: float | None) -> dict[str, Any
         **({} if seconds is None else {"seconds": seconds}),
         "stopped because": motion.stop.value,
         "cycle": _cycle_report(clip),
-        **sides,
+        "before": before,
+        "after": after,
     }
 
 
@@ -135,3 +141,71 @@ def _cycle_words(data: dict[str, Any]) -> str:
         return ""
     feet = f", low feet slide at {cycle['slip']:.0%} of the travel" if "slip" in cycle else ""
     return f"; a cycle of {cycle['period, s']:.2f} s, {cycle['trust']:.1f} times as sure as the raw spline{feet}"
+
+
+def rows(before: dict[str, Any], after: dict[str, Any]) -> Iterator[Line]:
+    """Yield the lines for the quantities of two columns. In a report of an older version, `before` may lack entries."""
+    for name, value in after.items():
+        yield from _rows(name, before.get(name), value)
+
+
+def _rows(name: str, before: Any, after: Any, unit: str = "") -> Iterator[Line]:
+    label, unit = _label_and_unit(name, unit)
+    if isinstance(after, list) and label.startswith("swings"):
+        yield label, swing_text(before or []), swing_text(after)
+    elif any(isinstance(entry, dict) for side in (before, after) if isinstance(side, list) for entry in side):
+        for one, two in zip(before or [], after, strict=False):
+            texts = " on ".join(value for value in two.values() if isinstance(value, str))
+            place = f"{label}: {texts} {two['from, s']:.2f} - {two['to, s']:.2f} s"
+            numbers = {key: value for key, value in two.items() if not isinstance(value, str) and key not in SPAN}
+            yield from _rows(place, one, numbers, unit)
+    elif isinstance(after, dict):
+        unit, before = after.get("unit", unit), before or {}
+        single = [key for key, value in after.items() if not isinstance(value, dict | list) and key not in HIDDEN]
+        if len(single) > 4:
+            for key in single:
+                yield from _rows(f"{label}: {key}", before.get(key), after[key], unit)
+        elif single:
+            one, two = (" / ".join(_value(key, side.get(key), unit) for key in single) for side in (before, after))
+            yield f"{label}: {' / '.join(_label_and_unit(key, unit)[0] for key in single)}", one, two
+        for key in (key for key in after if key not in single and key not in HIDDEN):
+            yield from _rows(f"{label}, {key}", before.get(key), after[key], unit)
+    else:
+        yield label, _value(name, before, unit), _value(name, after, unit)
+
+
+def swing_text(foot_swings: list[dict[str, float]]) -> str:
+    """Return a foot's swings for a table, by their heights."""
+    high = [1000 * swing["height, m"] for swing in foot_swings]
+    if not high:
+        return "never"
+    if len(high) > 6:
+        return f"{len(high)} times, {min(high):.0f} to {max(high):.0f} mm"
+    return ", ".join(f"{height:.0f}" for height in high) + " mm"
+
+
+def _label_and_unit(name: str, unit: str) -> tuple[str, str]:
+    """Return a name without its unit, and the unit, by default that of the containing entry."""
+    label, comma, own_unit = name.rpartition(", ")
+    return (label, own_unit) if comma and own_unit in UNITS else (name, unit)
+
+
+UNITS = {
+    "m": lambda value: f"{1000 * value:.1f} mm",
+    "degrees": lambda value: f"{value:.1f}°",
+    "s": lambda value: f"{value:.2f} s",
+    "m/s": lambda value: f"{value:.3f} m/s",
+    "rad/s²": lambda value: f"{value:.0f} rad/s²",
+    "N m": lambda value: f"{value:.0f} N m",
+    "N": lambda value: f"{value:.0f} N",
+}
+
+
+def _value(name: str, value: Any, unit: str) -> str:
+    if value is None:
+        return ""
+    if isinstance(value, str | bool):
+        return str(value)
+    if isinstance(value, list):
+        return ", ".join(_value(name, item, unit) for item in value)
+    return UNITS.get(_label_and_unit(name, unit)[1], lambda number: f"{number:.4g}")(value)

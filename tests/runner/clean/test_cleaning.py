@@ -10,7 +10,6 @@ from processes import quiet
 
 from dynsplines import recordings, solving
 from dynsplines.clean import cleaning
-from dynsplines.clean import penetration as sinking
 from dynsplines.clean.cleaning import Cleaned, cleaned
 from dynsplines.clean.displacement import closer, displacements, is_sound, slip
 from dynsplines.clean.repairs import repaired
@@ -117,12 +116,12 @@ def test_a_foot_that_goes_through_an_edge_between_two_frames_is_seen():
     way = 2 * (frames - 0.55)
     places = np.stack([way - 0.006 / np.sqrt(2), 0 * way, 1 + way + 0.006 / np.sqrt(2)], axis=1)
     path = natural_spline(frames, np.hstack([places, np.tile([1.0, 0, 0, 0], (11, 1))]))
-    deep = sinking.depth(ground, path, np.linspace(0, 1, 2000))
-    more = sinking.missed_edge_times(ground, path, frames)
-    assert deep.max() > sinking.DEEP
+    deep = cleaning.depth(ground, path, np.linspace(0, 1, 2000))
+    more = cleaning.missed_edge_times(ground, path, frames)
+    assert deep.max() > cleaning.DEEP
     assert more.size
     assert np.abs(more - np.linspace(0, 1, 2000)[deep.argmax()]).min() < 0.06
-    assert not sinking.missed_edge_times(Ground(figure, ground.points, ()), path, frames).size
+    assert not cleaning.missed_edge_times(Ground(figure, ground.points, ()), path, frames).size
 
 
 def test_hands_and_feet_are_nearer_to_the_true_motion(part):

@@ -23,7 +23,6 @@ from dynsplines.clip.text import written
 from dynsplines.edit.edits import trimmed
 from dynsplines.edit.files import retimed_tables
 from dynsplines.errors import UserError
-from dynsplines.measure.quantities import Side
 from dynsplines.measure.report import report
 from dynsplines.measure.violation import violations
 from dynsplines.solver.contacts import Grasp, Rest, Stance
@@ -144,8 +143,6 @@ def test_a_foot_rests_where_a_contact_says_without_it_does_not_and_the_report_te
     assert (after["point"], after["from, s"], after["to, s"]) == ("left_toe", 0.55, 0.75)
     assert before["moved, m"] > 0.03
     assert after["moved, m"] < 0.005
-    assert after["path, m"] >= after["moved, m"]
-    assert after["speed, m/s"] == pytest.approx(after["path, m"] / 0.2)
 
 
 @pytest.mark.parametrize(
@@ -408,8 +405,8 @@ def test_hands_stay_within_millimetres_where_the_raw_spline_loses_the_crate_and_
     clip = lifted
     motion = inbetween(replace(clip.problem, settings=replace(clip.settings, variable=1, frames=8)))
     timelines = motion.timeline, motion.raw
-    sides: list[dict[str, Any]]
-    sides = [Side.of(clip, motion.objective, timeline, motion.raw).quantities() for timeline in timelines]
+    measured = report(clip, motion, 0.0)
+    sides: list[dict[str, Any]] = [measured["after"], measured["before"]]
     for timeline, side, is_raw in zip(timelines, sides, (False, True), strict=True):
         assert [(row["hand"], row["body"]) for row in side["grasps"]] == [
             ("left_hand", "crate"),
