@@ -35,7 +35,7 @@ COMMANDS: dict[str, Any] = get_command(cli.app).commands  # type: ignore[attr-de
 @pytest.fixture
 def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
     """Runs the command in an empty folder with the tiny clip in it."""
-    monkeypatch.setattr(graphics, "_imported_backend", lambda: "off")  # software, whatever mujoco was imported with
+    monkeypatch.setattr(graphics, "_draws", lambda _: False)  # software
     monkeypatch.setenv("MUJOCO_GL", "disable")  # so that it is put back
     monkeypatch.chdir(tmp_path)
     written(tmp_path)
