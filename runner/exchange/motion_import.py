@@ -9,7 +9,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import TimelineError
 from dynsplines.solver.figure.figure import JointKind
 
@@ -25,7 +25,6 @@ from . import gaps
 from .formats import recording, stem
 
 TURN = 2 * np.pi  # [rad]
-NEAR = 1.0  # [rad] largest deviation of a jump from a whole turn that counts as a wrap in every recording
 EDGE = 1e-3  # [rad] tolerance at the bounds of a turn, as files contain rounded angles
 
 
@@ -139,11 +138,7 @@ def _unwrapped(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, 
 
 
 def _whole_turns(angle: Array) -> Array:
-    """Return the number of whole turns (T - 1,) between samples that are artefacts of wrapping. If all angles lie
-    within one turn, from -180° or from 0°, they are taken as wrapped, and every jump counts. Otherwise only jumps of
-    nearly a whole turn count: a rotor recorded over many turns may pass half a turn between samples."""
-    step = np.diff(angle)
-    turns = np.round(step / TURN)
+    """Return the number of whole turns (T - 1,) between samples, if all angles lie within one turn, from -180° or from
+    0°, and so may be wrapped."""
     is_within = any(angle.min() >= low - EDGE and angle.max() <= low + TURN + EDGE for low in (-np.pi, 0.0))
-    counts: Mask = np.abs(step - TURN * turns) <= NEAR
-    return turns if is_within else np.where(counts, turns, 0.0)
+    return np.round(np.diff(angle) / TURN) * is_within
