@@ -10,6 +10,13 @@ from pathlib import Path
 LONGEST_WORD = 300  # maximum number of letters in a word of an error; paths are rarely longer
 LONGEST = 4000  # maximum number of letters of an error; the names of a humanoid's joints have 700
 CUT = "…"
+# What to supply when a file lacks it
+GIVE_FIGURE = "name the figure: --figure, or figure= in Python"
+GIVE_RATE = "give the rate: --fps, or fps= in Python"
+GIVE_UNIT = "give the unit: --scale, or scale= in Python"
+GIVE_MAP = "name it in a map, `retarget --map FILE`; --write-map writes one to fill in"
+GIVE_FORMAT = "give --from, or format= in Python"
+EXPORT_SKELETON = "to transfer it to another figure, export a skeleton with its own figure (.bvh), and retarget that"
 
 
 class UserError(Exception):

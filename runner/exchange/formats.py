@@ -10,11 +10,11 @@ from typing import Any
 
 import mujoco
 
-from ..errors import UserError, unknown
+from ..errors import GIVE_FORMAT, UserError, unknown
 from ..motion import Saved
 from ..system import size_limit
 from ..system.output import Replacement, check_target
-from . import layouts, missing_input
+from . import layouts
 from .array_reader import names_in
 from .trajectory import Recording, SampledTrajectory
 
@@ -250,7 +250,7 @@ def _recognised(source: Path) -> Format:
         problem = f"it is of no known format, with the arrays {', '.join(sorted(names_in(source))) or 'none'}"
     else:
         problem = "its ending is of no known format; a table has one header line and the ending .csv"
-    raise UserError(f"'{source}': {problem}; {missing_input.FORMAT}, one of: {names}")
+    raise UserError(f"'{source}': {problem}; {GIVE_FORMAT}, one of: {names}")
 
 
 def _recognises(form: Format, source: Path) -> bool:

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 from contextvars import ContextVar
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import mujoco
 import numpy as np
@@ -24,29 +24,23 @@ SUDDEN = 4.0  # [1] least ratio of the speed of this jump to that of the next sa
 POSE = "the recording starts with a pose and jumps to the motion at"  # start of a note
 
 
-@dataclass
-class Gaps:
-    """Mask (T,) of the samples of the file being read that are not finite in any array; None for a file without."""
-
-    missing: Mask | None = None
-
-
-_now: ContextVar[Gaps | None] = ContextVar("gaps", default=None)
+# masks (T,) of the samples of the file being read that are not finite, None if these are errors
+_missing: ContextVar[list[Mask] | None] = ContextVar("missing", default=None)
 
 
 @contextmanager
 def allowed() -> Iterator[None]:
     """Tolerate gaps in files within this block."""
-    before = _now.set(Gaps())
+    before = _missing.set([])
     try:
         yield
     finally:
-        _now.reset(before)
+        _missing.reset(before)
 
 
 def are_allowed() -> bool:
     """Return whether samples may be missing."""
-    return _now.get() is not None
+    return _missing.get() is not None
 
 
 def bridged(array: Array) -> Array | None:
@@ -55,13 +49,13 @@ def bridged(array: Array) -> Array | None:
 
     None if gaps are not allowed, if no sample is finite, or if the number of samples differs from earlier arrays.
     """
-    gaps = _now.get()
-    if gaps is None or array.ndim == 0 or not len(array):
+    missing = _missing.get()
+    if missing is None or array.ndim == 0 or not len(array):
         return None
     bad = np.asarray(~np.isfinite(array.reshape(len(array), -1)).all(axis=1))
-    if bad.all() or (gaps.missing is not None and gaps.missing.size != bad.size):
+    if bad.all() or any(each.size != bad.size for each in missing):
         return None
-    gaps.missing = bad if gaps.missing is None else np.asarray(gaps.missing | bad)
+    missing.append(bad)
     return held(array, ~bad)
 
 
@@ -73,13 +67,13 @@ def held(array: Array, is_good: Mask) -> Array:
 
 def without_missing(recording: Recording, where: object) -> Recording:
     """Return a recording without the samples noted by `bridged`."""
-    gaps = _now.get()
-    if gaps is None or gaps.missing is None or not gaps.missing.any():
+    missing = _missing.get()
+    if not missing:
         return recording
-    is_present = ~gaps.missing
+    is_present = ~np.any(missing, axis=0)
     if is_present.size != recording.time.size:
         raise UserError(f"{where}: some of its numbers are not finite, and no single samples can be removed")
-    count, first = int(gaps.missing.sum()), float(recording.time[gaps.missing][0])
+    count, first = int(np.sum(~is_present)), float(recording.time[~is_present][0])
     many = "samples lack" if count > 1 else "sample lacks"
     notes = (*recording.notes, f"{count} {many} some or all numbers, first at {first:.3f} s: left out as a whole")
     return replace(recording, time=recording.time[is_present], qpos=recording.qpos[is_present], notes=notes)

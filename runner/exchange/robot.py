@@ -12,8 +12,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.root import root_of, subtree
 
-from ..errors import UserError
-from . import missing_input
+from ..errors import EXPORT_SKELETON, GIVE_FIGURE, UserError
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,7 +122,7 @@ def _order(names: list[str], joints: list[str], where: object) -> list[int]:
     if missing:
         raise UserError(
             f"{where}: no joint '{missing[0]}'; it has: {', '.join(names)}; the figure: {', '.join(joints)}; "
-            f"{missing_input.SKELETON}"
+            f"{EXPORT_SKELETON}"
         )
     foreign = [name for name in names if name not in joints]
     if foreign:
@@ -134,5 +133,5 @@ def _order(names: list[str], joints: list[str], where: object) -> list[int]:
 def needs_figure(model: mujoco.MjModel | None, where: object) -> mujoco.MjModel:
     """Return the figure for a file; raises UserError if there is none."""
     if model is None:
-        raise UserError(f"{where}: it is for a figure, which it does not hold; {missing_input.FIGURE}")
+        raise UserError(f"{where}: it is for a figure, which it does not hold; {GIVE_FIGURE}")
     return model

@@ -38,9 +38,8 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.forward import kinematics
 
-from ...errors import UserError
+from ...errors import GIVE_RATE, UserError
 from ...scene.configuration import posed
-from .. import missing_input
 from ..array_reader import SAMPLES, ArrayReader, names_in, read_npz, times
 from ..skeleton import hierarchy
 from ..skeleton.bvh_file import placed
@@ -104,7 +103,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     arrays = read_npz(path)
     name = next((name for name in RATES if name in arrays), RATES[0])
     if name not in arrays and fps is None:
-        raise UserError(f"{path}: it has no '{name}'; {missing_input.RATE}")
+        raise UserError(f"{path}: it has no '{name}'; {GIVE_RATE}")
     rate = arrays.rate(name, fps)
     position = arrays.numbers("trans", SAMPLES, 3)
     if not len(position):

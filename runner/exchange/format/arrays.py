@@ -16,12 +16,12 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-from ...errors import UserError
+from ...errors import EXPORT_SKELETON, GIVE_FIGURE, GIVE_FORMAT, GIVE_RATE, UserError
 from ...motion import asset_arrays, assets_in, write_arrays
 from ...scene.assets import Scene
 from ...scene.compose import compiled
 from ...scene.configuration import unlike_joints
-from .. import layouts, missing_input
+from .. import layouts
 from ..array_reader import names_in, read_npz, times
 from ..robot import needs_figure
 from ..trajectory import Recording, SampledTrajectory
@@ -47,7 +47,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 def recognises(path: Path) -> bool:
     """Return whether an .npz is of this format; raises UserError for an .npy file, which has no names."""
     if path.suffix.lower() == ".npy":
-        raise UserError(f"{path}: an array without a name; {missing_input.FORMAT}: npz reads it as qpos (wxyz)")
+        raise UserError(f"{path}: an array without a name; {GIVE_FORMAT}: npz reads it as qpos (wxyz)")
     return "qpos" in names_in(path) and "split_points" not in names_in(path)
 
 
@@ -57,7 +57,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     mjcf = None
     if model is None:
         if "mjcf" not in arrays:
-            raise UserError(f"{path}: it has no 'mjcf', the figure; {missing_input.FIGURE}")
+            raise UserError(f"{path}: it has no 'mjcf', the figure; {GIVE_FIGURE}")
         mjcf = str(arrays.of("mjcf"))
     try:
         assets = assets_in(arrays.entries)
@@ -66,11 +66,11 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         raise UserError(f"{path}: the files of its figure: {error}") from None
     figure = compiled(scene, path) if scene is not None else needs_figure(model, path)
     if "joint_names" in arrays and (differ := unlike_joints(figure, arrays.texts("joint_names"))):
-        raise UserError(f"{path}: {differ}; {missing_input.SKELETON}")
+        raise UserError(f"{path}: {differ}; {EXPORT_SKELETON}")
     qpos = arrays.numbers("qpos", "samples", figure.nq)
     rate = arrays.rate("fps") if "fps" in arrays else fps
     if rate is None and "time" not in arrays:
-        raise UserError(f"{path}: it has neither 'time' nor 'fps'; {missing_input.RATE}")
+        raise UserError(f"{path}: it has neither 'time' nor 'fps'; {GIVE_RATE}")
     time = arrays.numbers("time", "samples") if rate is None or "time" in arrays else times(len(qpos), rate)
     if "mjcf" in arrays:  # written by this program
         return Recording(time, qpos, mjcf, rate, assets={} if mjcf is None else assets)

@@ -21,8 +21,8 @@ import numpy as np
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 
-from ...errors import UserError, listed
-from .. import missing_input, quantities
+from ...errors import GIVE_FIGURE, GIVE_RATE, UserError, listed
+from .. import quantities
 from ..array_reader import times
 from ..trajectory import Recording, SampledTrajectory
 
@@ -72,7 +72,7 @@ def recognises(path: Path) -> bool:
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Read a table: with a heading, columns in any order; without one, nq columns, or the time and nq columns."""
     if model is None:
-        raise UserError(f"{path}: a table of qpos is for a figure; {missing_input.FIGURE}")
+        raise UserError(f"{path}: a table of qpos is for a figure; {GIVE_FIGURE}")
     (headings, numbers), names = table(path), columns(model)
     if headings is None:
         return Recording(*without_heading(path, numbers, model.nq, fps))
@@ -127,7 +127,7 @@ def without_heading(path: Path, numbers: Array, width: int, fps: float | None) -
 def rate_of(path: Path, fps: float | None) -> float:
     """Return the rate [1/s]; raises UserError if it is None."""
     if fps is None:
-        raise UserError(f"{path}: it has no column of times; {missing_input.RATE}")
+        raise UserError(f"{path}: it has no column of times; {GIVE_RATE}")
     return fps
 
 

@@ -13,8 +13,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-from ...errors import UserError
-from .. import missing_input
+from ...errors import GIVE_RATE, UserError
 from ..array_reader import ArrayReader
 from ..robot import Robot, configurations, needs_figure, refuse_balls, robot_joints
 from ..trajectory import Recording, SampledTrajectory
@@ -43,7 +42,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     refuse_balls(model, figure_joints, NAME)
     width = 7 + len(figure_joints)
     if numbers.shape[1] != width + 1 and fps is None:
-        raise UserError(f"{path}: the format contains no rate; {missing_input.RATE}")
+        raise UserError(f"{path}: the format contains no rate; {GIVE_RATE}")
     if numbers.shape[1] not in (width, width + 1):
         shape = numbers.shape
         raise UserError(

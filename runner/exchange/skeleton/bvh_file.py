@@ -84,12 +84,6 @@ class Skeleton:
         """Positions (T, J, 3) and rotations (T, J, 4) in the file's world."""
         return placed(self.parents, *self.local)
 
-    @cached_property
-    def at_zero(self) -> Array:
-        """(J, 3) positions of the joints in the pose without rotations."""
-        offsets = np.array([joint.offset for joint in self.joints])[None]
-        return placed(self.parents, offsets, np.tile([1.0, 0, 0, 0], (1, len(self.joints), 1)))[0][0]
-
 
 def placed(parents: Sequence[int], position: Array, rotation: Array) -> tuple[Array, Array]:
     """Transform positions and rotations from the parents' axes (T, J, ...) to the world's."""

@@ -1,4 +1,9 @@
-"""A captured skeleton in metres, z up, facing x where it stands straight; with its feet and the ground."""
+"""A captured skeleton in metres, z up, facing x where it stands straight; with its feet and the ground.
+
+The rest pose of a model built with y up lies down in MuJoCo's world. A recording has the conventional vertical axis if
+the person is upright along it in enough samples. Otherwise it is an axis along which the person is upright in most
+samples, and the feet are not as level along the conventional axis as on a floor.
+"""
 
 from __future__ import annotations
 
@@ -7,24 +12,33 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from ...errors import listed
-from .. import missing_input
+from ...errors import GIVE_UNIT, listed
 from . import bvh_file
 from .bvh_file import Skeleton, placed
 from .roles import apply_bone_map, first_hinge, lineage, mapped_roles, roles, unique
-from .up_axis import NONE, TO_Z, standing_turn, vertical
 
 REACH = 1.25  # [m] typical distance from an adult's hips along the bones to the fingertips or toes
 UNITS = {"metres": 1.0, "centimetres": 0.01, "millimetres": 0.001}
 ODD_UNITS = {"inches": 0.0254, "the CMU database's units": 0.0254 / 0.45}
-UPRIGHT = 0.8  # least cosine between the vertical and legs and trunk in a pose that counts as standing
+STANDING = 0.8  # least cosine between the vertical and legs and trunk in a pose that counts as standing
 LIKELY = (0.55, 3.0)  # [m] plausible reach of a person
 STILL = 1e-6  # [1 for quaternions, or the file's unit of length] largest change that counts as no motion
 DRIFT = 0.01  # least change of a bone's length that is reported, as a fraction of REACH
+CLEARLY = 0.3  # least gain in the sum of the cosines of up and left for which a rest pose is rotated
+AXES, USUAL = "xyz", "y"  # and the vertical axis of BVH files
+NONE = np.array([1.0, 0, 0, 0])
+TO_Z = {  # rotation of an axis to z; that of y is for figures facing z, as in animation
+    "z": NONE, "y": np.array([0.5, 0.5, 0.5, 0.5]), "x": np.array([0.5, -0.5, -0.5, -0.5]),
+    "-z": np.array([0.0, 1, 0, 0]), "-y": np.array([0.5, -0.5, 0.5, -0.5]), "-x": np.array([0.5, -0.5, 0.5, 0.5]),
+}  # fmt: skip
+UPRIGHT = 0.7  # least cosine between the vertical and the line from feet to head of an upright person
+SOME, MOST = 0.2, 0.5  # fractions of the samples that count as enough and as most
+LEVEL = 0.25  # ratio of standard deviations of the lowest joint's height below which an axis indicates a floor
 
 
 @dataclass(frozen=True)
@@ -115,7 +129,7 @@ class CapturedSkeleton:
         arms = [by_role[f"{side}_upper_arm"] for side in ("left", "right") if f"{side}_upper_arm" in by_role]
         if top is not None or len(arms) == 2:
             legs.append((place[top] if top is not None else place[arms].mean(axis=0)) - hips)
-        return min(float(part[2]) / max(float(np.linalg.norm(part)), 1e-12) for part in legs) > UPRIGHT
+        return min(float(part[2]) / max(float(np.linalg.norm(part)), 1e-12) for part in legs) > STANDING
 
     def children(self, joint: int) -> list[int]:
         return [i for i, parent in enumerate(self.parents) if parent == joint]
@@ -163,15 +177,15 @@ def _unit(
     if scale is not None:
         return scale, ()
     if longest <= 0:
-        return 0.01, (f"a skeleton without size: taken for centimetres; {missing_input.UNIT}",)
+        return 0.01, (f"a skeleton without size: taken for centimetres; {GIVE_UNIT}",)
     for units in (UNITS, ODD_UNITS):
         likely = {name: unit for name, unit in units.items() if LIKELY[0] <= longest * unit <= LIKELY[1]}
         if likely:
             name = min(likely, key=lambda each: abs(np.log(longest * likely[each] / REACH)))
             length = f"the longest limb reaches {longest * likely[name]:.2f} m"
-            return likely[name], (f"taken for {name}: {length}; if not, {missing_input.UNIT}",)
+            return likely[name], (f"taken for {name}: {length}; if not, {GIVE_UNIT}",)
     unit = REACH / longest
-    return unit, (f"of no unit that fits a person: made {REACH:g} m from hips to toes; {missing_input.UNIT}",)
+    return unit, (f"of no unit that fits a person: made {REACH:g} m from hips to toes; {GIVE_UNIT}",)
 
 
 def _placed_upright(captured: CapturedSkeleton) -> CapturedSkeleton:
@@ -202,59 +216,94 @@ def _from_body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> tuple[Sk
     beside = [i for i in beside if any(np.ptp(part[:, i], axis=0).max() > STILL for part in skeleton.world)]
     if beside and np.ptp(skeleton.local[0][:, root], axis=0).max() <= STILL:
         return skeleton, ()
-    place, turn = (part.copy() for part in skeleton.local)
-    world_place, world_turn = skeleton.world
-    zero = _at_zero(skeleton, world_turn[:, above[0]], root)
-    place[:, root], turn[:, root] = world_place[:, root], quat.product(world_turn[:, root], quat.inverse(zero))
-    joints = []
-    for i in subtree:
-        joint = skeleton.joints[i]
-        parent = subtree.index(joint.parent) if i != root else -1
-        end = None if joint.end is None else quat.rotated(zero, joint.end)
-        joints.append(replace(joint, parent=parent, offset=quat.rotated(zero, joint.offset), end=end))
-        if i != root:
-            place[:, i] = quat.rotated(zero, place[:, i])
-            turn[:, i] = quat.product(quat.product(zero, turn[:, i]), quat.inverse(zero))
+    place, turn = (
+        np.concatenate([world[:, [root]], local[:, subtree[1:]]], axis=1)
+        for world, local in zip(skeleton.world, skeleton.local, strict=True)
+    )
+    joints = [
+        replace(skeleton.joints[i], parent=subtree.index(skeleton.parents[i]) if i != root else -1) for i in subtree
+    ]
     names = ", ".join(skeleton.names[i] for i in reversed(above))
     note = f"'{skeleton.names[root]}' is the root; its parents are folded into it: {names}"
     if beside:
         note += f"; other branches are left out: {listed((skeleton.names[i] for i in beside), bvh_file.LISTED)}"
-    return bvh_file.skeleton(joints, place[:, subtree], turn[:, subtree], skeleton.fps), (note,)
+    return bvh_file.skeleton(joints, place, turn, skeleton.fps), (note,)
 
 
 def _body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> int:
-    """Return the joint that carries all parts of the body known by name. Without such names it is the first joint from
-    the top that carries several joints, one without position channels, or that moves while the one below does not
-    translate in it, as in the chain of an arm."""
+    """Return the joint that carries all parts of the body known by name. Without such names it is the last joint that
+    translates in its parent, of those from the top down to the first that carries several joints."""
     parents, names = skeleton.parents, unique(skeleton.names)
     parts = set(apply_bone_map(roles(names, parents), bone_map, names, "recording").values())
     if len(parts) > 1:
-        shared = set.intersection(*(set(lineage(i, parents)) for i in parts))
-        return max(shared, default=0)
-    root = 0
-    while True:
-        below = [i for i, parent in enumerate(parents) if parent == root]
-        if len(below) != 1 or not any(channel.endswith("position") for channel in skeleton.joints[below[0]].channels):
-            return root
-        if _spread(skeleton.local[0][:, below[0]]) <= STILL < max(_spread(part[:, root]) for part in skeleton.world):
-            return root
-        root = below[0]
+        return max(set.intersection(*(set(lineage(i, parents)) for i in parts)), default=0)
+    root, joint = 0, 0
+    while parents.count(joint) == 1:
+        joint = parents.index(joint)
+        if np.ptp(skeleton.local[0][:, joint], axis=0).max() > STILL:
+            root = joint
+    return root
 
 
-def _spread(values: Array) -> float:
-    """Return the largest change of an entry of values (T, n) in time."""
-    return float(np.ptp(values, axis=0).max())
+def vertical(position: Array, roles: Mapping[str, int]) -> tuple[str, tuple[str, ...]]:
+    """Return the vertical axis of a recording, of "x", "-x", ..., and a note if it is not the usual one.
+
+    position (T, J, 3) of joints; roles: joints by part of the body
+    """
+    tops = [roles[role] for role in ("head", "neck", "left_upper_arm", "right_upper_arm", "chest") if role in roles][:1]
+    tops = tops or [roles[role] for role in ("pelvis",) if role in roles]
+    feet = [roles[role] for role in ("left_foot", "right_foot") if role in roles]
+    feet = feet or [roles[role] for role in ("left_shin", "right_shin") if role in roles]
+    if not tops or not feet:
+        return USUAL, ()
+    along = position[:, tops].mean(axis=1) - position[:, feet].mean(axis=1)
+    cosine = along / np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-12)
+    share, drift = {}, {}
+    for i, name in enumerate(AXES):
+        for sign, axis in ((1.0, name), (-1.0, f"-{name}")):
+            share[axis] = float(np.mean(sign * cosine[:, i] > UPRIGHT))
+            drift[axis] = float(np.std(np.min(sign * position[:, :, i], axis=1)))
+    upright = max(share, key=lambda axis: share[axis])
+    if share[USUAL] >= SOME or upright == USUAL:
+        return USUAL, ()
+    if share[upright] > MOST and drift[USUAL] > LEVEL * drift[upright]:
+        return upright, (
+            f"{upright} is up in the file: along it the person is upright at {share[upright]:.0%} of the samples",
+        )
+    return USUAL, (f"the person is upright along no axis of the file; {USUAL} is taken as up, the usual axis",)
 
 
-def _at_zero(skeleton: Skeleton, carried: Array, root: int) -> Array:
-    """Return the rotation (4,) of the zero pose by static parents that make it upright, as in files made z up."""
-    if np.abs(carried - carried[0]).max() > STILL:
-        return NONE
-    by_role = roles(skeleton.names, skeleton.parents)
-    feet = [by_role[role] for role in ("left_foot", "right_foot", "left_shin", "right_shin") if role in by_role]
-    if not feet:
-        return NONE
-    place, zero = skeleton.world[0], skeleton.at_zero
-    stands = np.median(place[:, root] - place[:, feet].mean(axis=1), axis=0)
-    rest = zero[root] - zero[feet].mean(axis=0)
-    return carried[0] if stands @ quat.rotated(carried[0], rest) > stands @ rest + STILL else NONE
+def standing_turn(place: Array, roles: Mapping[str, int]) -> tuple[Array, tuple[str, ...]]:
+    """Return the rotation (4,) by multiples of 90° with which a rest pose stands upright and faces x, and a note.
+
+    place (nbody, 3) [m] of bodies at rest; roles: bodies by part. Upright, the head is above the hips, these are above
+    the feet, and the left hip is to the left. A figure without identified legs is taken to stand.
+    """
+    thighs, ends = ([roles.get(f"{side}_{part}") for side in ("left", "right")] for part in ("thigh", "foot"))
+    ends = [
+        end if end is not None else roles.get(f"{side}_shin") for end, side in zip(ends, ("left", "right"), strict=True)
+    ]
+    tops = [roles[role] for role in ("head", "neck", "left_upper_arm", "right_upper_arm", "chest") if role in roles]
+    if None in thighs or None in ends:
+        return NONE, ()
+    hips, feet = (place[np.array(bodies, int)].mean(axis=0) for bodies in (thighs, ends))
+    up = unit(hips - feet) + (unit(place[tops].mean(axis=0) - hips) if tops else 0.0)
+    leftward = unit(place[thighs[0]] - place[thighs[1]])
+    turns = Rotation.create_group("O")
+    score = turns.apply(unit(up))[:, 2] + turns.apply(leftward)[:, 1]
+    best = int(np.argmax(score))
+    if score[best] - (unit(up)[2] + leftward[1]) < CLEARLY:
+        return NONE, ()
+    turn = turns[best]
+    was_up = turn.inv().apply([0, 0, 1])
+    axis = int(np.argmax(np.abs(was_up)))
+    name = ("-" if was_up[axis] < 0 else "") + AXES[axis]
+    notes = (
+        () if name == "z" else (f"the figure's rest pose has {name} up, and lies down in the model's world: stood up",)
+    )
+    return turn.as_quat(scalar_first=True), notes
+
+
+def unit(vector: Array) -> Array:
+    """Return a vector (3,) scaled to length 1; zero stays zero."""
+    return vector / max(float(np.linalg.norm(vector)), 1e-12)

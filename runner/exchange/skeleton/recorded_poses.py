@@ -27,49 +27,42 @@ STARTS = 12  # starting poses of the first sample
 FAR = 4.0  # [1] increase of the cost between two samples after which the rest pose is another start
 
 
-@dataclass(frozen=True)
-class Limb:
-    """bodies  from the first one of the limb to hand or foot; about (T, 3) [m] target of its end relative to the first
-    body"""
-
-    bodies: Sequence[int]
-    about: Array
-
-
 @dataclass
 class RecordedPoses:
     """Targets in every sample, as one goal of inverse kinematics for the current sample.
 
-    turns  target orientations in the world {body: (T, 4)}; limbs  those with a target of hand or foot
+    turns  target orientations in the world {body: (T, 4)}
+    limbs  bodies from the first one of a limb to hand or foot, and the target (T, 3) [m] of the last one relative to
+           the first
     """
 
     turns: Mapping[int, Array]
-    limbs: Sequence[Limb]
+    limbs: Sequence[tuple[Sequence[int], Array]]
     sample: int = 0
     name: str = "recording"
     inverse: Array = field(init=False)  # (T, b, 4) inverse rotations of the targets
     spread: Array = field(init=False)  # (b, 1) [rad]
 
     def __post_init__(self) -> None:
-        of_limb = {body: TURN for limb in self.limbs for body in limb.bodies}
-        of_limb |= {limb.bodies[-1]: TURN_OF_END for limb in self.limbs}
+        of_limb = {body: TURN for bodies, _ in self.limbs for body in bodies}
+        of_limb |= {bodies[-1]: TURN_OF_END for bodies, _ in self.limbs}
         self.inverse = quat.inverse(np.stack(list(self.turns.values()), axis=1))
         self.spread = np.array([[of_limb.get(body, TURN_OF_TRUNK)] for body in self.turns])
 
     def bodies(self, model: mujoco.MjModel) -> Sequence[int]:
-        return [*self.turns, *(body for limb in self.limbs for body in limb.bodies)]
+        return [*self.turns, *(body for bodies, _ in self.limbs for body in bodies)]
 
     def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
         away = quat.rotation_vector(quat.product(data.xquat[list(self.turns)], self.inverse[self.sample]))
-        off = [data.xpos[limb.bodies[-1]] - data.xpos[limb.bodies[0]] - limb.about[self.sample] for limb in self.limbs]
+        off = [data.xpos[b[-1]] - data.xpos[b[0]] - about[self.sample] for b, about in self.limbs]
         return np.concatenate([(away / self.spread).ravel(), *(part / PLACE for part in off)])
 
     def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
         turned, moved = np.zeros((len(self.turns), 3, model.nv)), np.zeros((len(self.limbs), 2, 3, model.nv))
         for row, body in zip(turned, self.turns, strict=True):
             mujoco.mj_jacBody(model, data, None, row, body)
-        for pair, limb in zip(moved, self.limbs, strict=True):
-            for row, body in zip(pair, (limb.bodies[-1], limb.bodies[0]), strict=True):
+        for pair, (bodies, _) in zip(moved, self.limbs, strict=True):
+            for row, body in zip(pair, (bodies[-1], bodies[0]), strict=True):
                 mujoco.mj_jacBody(model, data, row, None, body)
         by_end = (moved[:, 0] - moved[:, 1]) / PLACE
         return np.concatenate([turned / self.spread[:, :, None], by_end]).reshape(-1, model.nv)

@@ -24,14 +24,12 @@ from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.forward import boxes
 from dynsplines.solver.figure.root import Root, roots_of, subtree
 
-from ...errors import UserError, listed
+from ...errors import GIVE_MAP, UserError, listed
 from ...scene.configuration import posed
-from .. import missing_input
 from . import hierarchy, maps
-from .captured_skeleton import CapturedSkeleton
-from .recorded_poses import Limb, RecordedPoses, followed
+from .captured_skeleton import CapturedSkeleton, standing_turn, unit
+from .recorded_poses import RecordedPoses, followed
 from .roles import NEEDED, ONWARD, SIDES, lineage, mapped_roles
-from .up_axis import standing_turn, unit
 
 NEXT = {**ONWARD, "foot": "toe", "clavicle": "upper_arm"}
 BENT = 0.15  # least mean sine of an elbow's or knee's bend that determines its axis
@@ -127,9 +125,11 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
         missing = [role for role in NEEDED if role not in by_role]
         if missing:
             every = captured.names if by_role is captured.roles else names[1:]
+            repeated = [name for name in every if f"{name}_2" in every]
+            twice = f"; twice there is {listed(repeated, LISTED)}: add left and right to the names" if repeated else ""
             raise UserError(
                 f"{where}: among {what} none is a {' or '.join(missing).replace('_', ' ')} by its name: "
-                f"{listed(every, LISTED)}; {missing_input.MAP}"
+                f"{listed(every, LISTED)}{twice}; {GIVE_MAP}"
             )
     chain = hierarchy.above(model, standing.roles.get("pelvis", standing.roles["left_thigh"]), itself=True)
     root = next((root for root in roots_of(model) if root.body in chain), None)
@@ -176,8 +176,10 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
     return qpos, tuple(notes)
 
 
-def _limbs(captured: CapturedSkeleton, standing: _Standing, turns: Mapping[int, Array], scale: float) -> Iterator[Limb]:
-    """Yield arms and legs with the target positions of hands and feet; scale: of legs."""
+def _limbs(
+    captured: CapturedSkeleton, standing: _Standing, turns: Mapping[int, Array], scale: float
+) -> Iterator[tuple[list[int], Array]]:
+    """Yield bodies of arms and legs with the target positions (T, 3) of hands and feet; scale: of legs."""
     for side, parts in product(SIDES, (LEG, ARM)):
         chain = [f"{side}_{part}" for part in parts]
         if not all(role in standing.roles and role in captured.roles for role in chain):
@@ -192,7 +194,7 @@ def _limbs(captured: CapturedSkeleton, standing: _Standing, turns: Mapping[int, 
             about = about - quat.rotated(captured.rotation[:, captured.roles["pelvis"]], _bracket(captured, side))
             in_pelvis = quat.rotated(quat.conjugate(standing.turn[pelvis]), _bracket(standing, side))
             about = about + quat.rotated(turns[pelvis], in_pelvis) / size
-        yield Limb(bodies, size * about)
+        yield bodies, size * about
 
 
 def _line_of(pose: Pose, role: str, bracketed: Sequence[str]) -> Array:

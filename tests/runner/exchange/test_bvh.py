@@ -437,9 +437,9 @@ def test_a_file_cut_anywhere_is_told_and_never_a_traceback(cut, tmp_path):
 def test_a_figure_or_file_without_legs_is_told(cartwheel, tmp_path):
     path = tmp_path / "good.bvh"
     path.write_text(GOOD)
-    with pytest.raises(UserError, match="file's joints none is a left thigh by its name: Hips, Chest"):
+    with pytest.raises(UserError, match=r"file's joints none is a left thigh or .* by its name: Hips, Chest"):
         import_recording(path, figure="human")
-    with pytest.raises(UserError, match="figure's bodies none is a left thigh by its name: body"):
+    with pytest.raises(UserError, match=r"figure's bodies none is a left thigh or .* by its name: body"):
         import_recording(written(cartwheel, tmp_path), figure="spinner")
 
 

@@ -15,8 +15,7 @@ from dynsplines import models
 from dynsplines.exchange.format import bvh
 from dynsplines.exchange.skeleton import bvh_file, retarget
 from dynsplines.exchange.skeleton.bvh_file import Skeleton
-from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
-from dynsplines.exchange.skeleton.up_axis import vertical
+from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton, vertical
 from dynsplines.exchange.trajectory import SampledTrajectory
 from dynsplines.solver import quaternion as quat
 
