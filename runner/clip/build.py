@@ -23,7 +23,7 @@ from ..motion import Saved
 from ..scene.assets import Scene
 from ..scene.model_notes import model_notes
 from .context import Context
-from .kinds import KINDS, CollisionOptions, CycleOptions, FlightOptions, Kind, LimitOptions, Options
+from .kinds import KINDS, Kind, Options
 from .parse import Parsed, table_of
 from .table import ClipTable, SolveTable
 from .tracking.penalties import footings_of, ground_of, rests_of, stances_in, stances_of
@@ -181,7 +181,7 @@ def constraints(context: Context, listed: Mapping[str, Options]) -> Constraints:
     Raises:
         UserError: For options that do not fit the figure.
     """
-    options = {kind.name: kind.options() for kind in KINDS.values() if kind.is_default} | dict(listed)
+    options = {kind.name: Options() for kind in KINDS.values() if kind.is_default} | dict(listed)
     notes = [*context.lacking, *context.released]
     context = _with_options(context, options, listed.keys())
     if "cycle" in listed and _weight("cycle", options["cycle"]) > 0 and context.schedule.gait_cycle is None:
@@ -229,8 +229,6 @@ def _weight(kind: str, options: Options, part: str = "") -> float:
 def _with_options(context: Context, options: Mapping[str, Options], listed: Container[str]) -> Context:
     """Return the context with the options that affect several kinds: points of soles, limbs, flights, the cycle."""
     collision, limits, flight, cycle = (options[kind] for kind in ("collision", "limits", "flight", "cycle"))
-    assert isinstance(collision, CollisionOptions) and isinstance(limits, LimitOptions)
-    assert isinstance(flight, FlightOptions) and isinstance(cycle, CycleOptions)
     if collision.points is not None:
         context = context.scheduled(points=context.sites(collision.points))
     if limits.bend_joints is not None:

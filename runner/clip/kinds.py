@@ -69,7 +69,7 @@ Weight = Annotated[Real, Field(ge=0, le=1e9)]
 
 
 class Options(Table):
-    """The options of a [[penalty]] table besides its kind; None means the default.
+    """The options of [[penalty]] tables besides their kind, each for the kinds that list it; None means the default.
 
     Attributes:
         weight: The weight of the first part, which scales the other parts in proportion; or a table of the parts'
@@ -83,27 +83,12 @@ class Options(Table):
         ]
         | None
     ) = None
-
-
-class CollisionOptions(Options):
-    """The distance from surfaces, the points of the soles, and whether limbs collide with each other."""
-
     margin: Annotated[Real, Field(ge=0, le=0.1)] | None = Field(
         default=None, description="distance to keep, m; for the parts body and self"
     )
     points: Names | None = Field(default=None, description="sites instead of heels and toes")
     self: Flag | None = Field(default=None, description="true or false")
-
-
-class Reach(Options):
-    """The height above a surface up to which a point counts."""
-
     reach: Annotated[Real, Field(gt=0, le=1)] | None = Field(default=None, description="m")
-
-
-class LimitOptions(Options):
-    """The limits of knees and elbows, and the limit of joint speed."""
-
     bend_joints: Names | None = Field(default=None, description="ball joints that are knees or elbows")
     least_bend: Annotated[Real, Field(ge=-360, le=360)] | None = Field(
         default=None, description="smallest angle, degrees; default 0"
@@ -111,37 +96,17 @@ class LimitOptions(Options):
     sideways: Angle | None = Field(default=None, description="largest angle, degrees; default 8")
     twist: Angle | None = Field(default=None, description="largest angle, degrees; default 8")
     speed: Annotated[Real, Field(gt=0, le=100_000)] | None = Field(default=None, description="degrees/s")
-
-
-class UprightOptions(Options):
-    """Bodies to keep upright, besides the trunk, and the axis in them that is vertical."""
-
     bodies: Names | None = Field(default=None, description="bodies to keep upright")
     axis: Annotated[tuple[Number, Number, Number] | None, Expected("[x, y, z] in the body's own axes")] = Field(
         default=None, description="their upward axis; default: upward at rest"
     )
-
-
-class FlightOptions(Options):
-    """The intervals of flight, and the weight of the moment."""
-
     intervals: Annotated[list[tuple[Number, Number]] | None, Expected("a list of [from, to] in seconds")] = Field(
         default=None, description="flights, [from, to] in s"
     )
     angular: Annotated[Real, Field(ge=0, le=1e6)] | None = Field(
         default=None, description="weight of the moment relative to the force; default 0"
     )
-
-
-class SupportOptions(Options):
-    """The friction of the ground."""
-
     friction: Annotated[Real, Field(gt=0, le=10)] | None = Field(default=None, description="coefficient")
-
-
-class CycleOptions(Options):
-    """The duration of a cycle."""
-
     period: Annotated[Real, Field(gt=0, le=60)] | None = Field(default=None, description="duration of a cycle, s")
 
 
@@ -169,18 +134,18 @@ class Kind:
 
     Attributes:
         parts: The terms of E.
+        options: The options that it takes besides the weight.
         is_default: Whether it is on in clips that do not list it.
     """
 
     name: str
     parts: tuple[Part, ...]
-    options: type[Options] = Options
+    options: tuple[str, ...] = ()
     is_default: bool = True
 
     def choices(self) -> dict[str, str]:
         """Return the options besides the weight, with their units or values."""
-        fields = self.options.model_fields.items()
-        return {name: info.description or "" for name, info in fields if name != "weight"}
+        return {name: Options.model_fields[name].description or "" for name in self.options}
 
     def described(self) -> dict[str, Any]:
         parts = [
@@ -207,25 +172,25 @@ class Kind:
         return {part.name: part.weight if weight is None else weight * (part.weight / first) for part in on}
 
 
-def _soles(context: Context, options: CollisionOptions) -> Penalty | None:
+def _soles(context: Context, options: Options) -> Penalty | None:
     contact = Contact(context.points, context.surfaces)
     return contact.allowing(context.figure, context.keys) if context.points else None
 
 
-def _bend(context: Context, options: LimitOptions) -> Penalty | None:
+def _bend(context: Context, options: Options) -> Penalty | None:
     if not context.bends:
         return None
     return bend_limits(context.bends, options).allowing(context.figure, context.keys)
 
 
-def bend_limits(bends: tuple[Bend, ...], options: LimitOptions) -> BendLimits:
+def bend_limits(bends: tuple[Bend, ...], options: Options) -> BendLimits:
     """Return the limits of knees and elbows."""
     sideways, twist = options.sideways or BEND_BOUND, options.twist or BEND_BOUND
     least, sideways, twist = np.radians([options.least_bend or 0.0, sideways, twist])
     return BendLimits(bends, float(least), float(sideways), float(twist))
 
 
-def _body(context: Context, options: CollisionOptions) -> Penalty:
+def _body(context: Context, options: Options) -> Penalty:
     margin = options.margin or 0.0
     parts = *body_contacts(context, margin), *_grasped_object_contacts(context, margin)
     return parts[0] if len(parts) == 1 else Sum(parts, term_name=BODY)
@@ -309,14 +274,14 @@ def _placement(context: Context, options: Options) -> Penalty | None:
     return Attachment.at_instants(context.placed) if context.placed else None
 
 
-def _no_slip(context: Context, options: Reach) -> Penalty | None:
+def _no_slip(context: Context, options: Options) -> Penalty | None:
     if not context.points:
         return None
     swings = None if context.schedule.flights else SwingSegments.of(context.figure, context.keys, context.points)
     return Skate(context.points, context.surfaces, options.reach or Thresholds.of(context.figure).slip_reach, swings)
 
 
-def _grounded(context: Context, options: Reach) -> Penalty | None:
+def _grounded(context: Context, options: Options) -> Penalty | None:
     """Return the penalty on the height of the lowest point between keyframes on the ground, except in flights."""
     if not context.points and not context.figure.tables.free_links.size:
         return None
@@ -339,14 +304,14 @@ def _equality(context: Context, options: Options) -> Penalty | None:
     return Sum(tuple(parts), term_name="equality") if parts else None
 
 
-def _flight(context: Context, options: FlightOptions) -> Penalty | None:
+def _flight(context: Context, options: Options) -> Penalty | None:
     support = _supported(context, "flight")
     if not support.flights:
         return None
     return Flight.of(context.figure, support.root, support.flights, options.angular or 0.0)
 
 
-def _support(context: Context, options: SupportOptions) -> Penalty:
+def _support(context: Context, options: Options) -> Penalty:
     support = _supported(context, "support")
     return replace(support, friction=options.friction or support.friction)
 
@@ -357,7 +322,7 @@ def _supported(context: Context, kind: str) -> Support:
     return context.support
 
 
-def _range(context: Context, options: LimitOptions) -> Penalty | None:
+def _range(context: Context, options: Options) -> Penalty | None:
     figure, joints = context.figure, joint_ranges(context.figure)
     return JointRange(joints).allowing(figure, context.keys) if joints else None
 
@@ -370,22 +335,22 @@ def _overshoot(context: Context, options: Options) -> Penalty | None:
     return OvershootPenalty.of(context.figure, context.holds, context.keys.times)
 
 
-def _speed(context: Context, options: LimitOptions) -> Penalty | None:
+def _speed(context: Context, options: Options) -> Penalty | None:
     speed = Speed.of(context.figure, float(np.radians(options.speed or 0.0)))
     return speed if speed.links.size else None
 
 
-def _trunk(context: Context, options: UprightOptions) -> Penalty | None:
+def _trunk(context: Context, options: Options) -> Penalty | None:
     if not options.bodies and (options.bodies is not None or options.axis is not None):
         raise UserError(f"{context.where}: penalty 'upright' needs bodies = [...], the bodies to keep upright")
     return Upright(context.leans) if context.leans else None
 
 
-def _root(context: Context, options: UprightOptions) -> Penalty | None:
+def _root(context: Context, options: Options) -> Penalty | None:
     return root_limits(context.holds, context.keys.times, context.schedule.step_durations)
 
 
-def _bodies(context: Context, options: UprightOptions) -> Penalty | None:
+def _bodies(context: Context, options: Options) -> Penalty | None:
     movable, links = moving_bodies(context.figure), list[int]()
     for name in options.bodies or ():
         if name not in movable:
@@ -451,7 +416,7 @@ KINDS = {
                     lambda context, options: SelfContact.of(context.figure, options.margin or 0.0), "self", "self",
                 ),
             ),
-            CollisionOptions,
+            ("margin", "points", "self"),
         ),
         Kind(
             "attach",
@@ -468,10 +433,10 @@ KINDS = {
                 ),
             ),
         ),
-        Kind("no_slip", (Part(1.4, "speed of heels and toes near a surface", _no_slip),), Reach),
+        Kind("no_slip", (Part(1.4, "speed of heels and toes near a surface", _no_slip),), ("reach",)),
         Kind(
             "grounded",
-            (Part(0.3, "height of the lowest point, between keyframes that touch the ground", _grounded),), Reach,
+            (Part(0.3, "height of the lowest point, between keyframes that touch the ground", _grounded),), ("reach",),
         ),
         Kind(
             "posture",
@@ -488,7 +453,7 @@ KINDS = {
                 ),
                 Part(100.0, "speed of hinges and ball joints beyond a limit", _speed, "speed", "speed"),
             ),
-            LimitOptions,
+            ("bend_joints", "least_bend", "sideways", "twist", "speed"),
         ),
         Kind(
             "equality",
@@ -504,12 +469,15 @@ KINDS = {
                 ),
                 Part(30.0, "tilt of listed bodies, such as a head or a tray", _bodies, "bodies", "bodies"),
             ),
-            UprightOptions,
+            ("bodies", "axis"),
         ),
-        Kind("flight", (Part(3.0, "force on the figure during flights, except gravity", _flight),), FlightOptions),
+        Kind(
+            "flight",
+            (Part(3.0, "force on the figure during flights, except gravity", _flight),), ("intervals", "angular"),
+        ),
         Kind(
             "support",
-            (Part(0.01, "force and moment that feet on the ground cannot supply", _support),), SupportOptions,
+            (Part(0.01, "force and moment that feet on the ground cannot supply", _support),), ("friction",),
         ),
         Kind(
             "peak",
@@ -529,7 +497,7 @@ KINDS = {
                     else Cycle(context.figure, context.schedule.gait_cycle),
                 ),
             ),
-            CycleOptions,
+            ("period",),
         ),
         Kind(
             "torque",
@@ -552,8 +520,7 @@ def posing_limits(figure: Figure, listed: Mapping[str, Options]) -> tuple[BendLi
     They are the limits of knees and elbows, or None if their penalty is off, and the flights (first, last) [s] that the
     clip specifies.
     """
-    limits, flight = listed.get("limits", LimitOptions()), listed.get("flight", FlightOptions())
-    assert isinstance(limits, LimitOptions) and isinstance(flight, FlightOptions)
+    limits, flight = (listed.get(kind, Options()) for kind in ("limits", "flight"))
     names = limits.bend_joints
     bends = tuple(bend for bend in knees_and_elbows(figure) if names is None or bend.name in names)
     is_limited = bends and KINDS["limits"].weights(limits)["bend"] > 0

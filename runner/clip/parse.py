@@ -102,20 +102,20 @@ def chosen(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
         if name in numbers:
             raise UserError(f"{here}: kind '{name}' is given already by penalty {numbers[name]}")
         kind = KINDS[name]
-        for option in sorted(values.keys() - kind.options.model_fields.keys()):
+        for option in sorted(values.keys() - {"weight", *kind.options}):
             raise UserError(f"{here}: {_unknown_option(kind, option)}")
         try:
-            options[name] = kind.options.model_validate(values)
+            options[name] = Options.model_validate(values)
         except ValidationError as error:
-            raise UserError(f"{where}: {describe(error, raw, kind.options, ('penalty', i - 1))}") from None
+            raise UserError(f"{where}: {describe(error, raw, Options, ('penalty', i - 1))}") from None
         _check_weight(kind, options[name], here)
         numbers[name] = i
     return options
 
 
 def _unknown_option(kind: Kind, option: str) -> str:
-    takes = ["weight", *sorted(kind.choices())]
-    if any(option in other.options.model_fields for other in KINDS.values()):
+    takes = ["weight", *sorted(kind.options)]
+    if option in Options.model_fields:
         return f"'{option}' is not for kind '{kind.name}', which takes: {', '.join(takes)}"
     return unknown("key", option, takes)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from ...clip.kinds import KINDS
+from ...clip.kinds import KINDS, Options
 from ...errors import UserError
 from .tables import Blocks, add, number, put, remove
 
@@ -23,7 +23,7 @@ def set_weight(tree: Blocks, *, kind: str, weight: float | None, part: str = "")
     listed = {} if table is None else table.unwrap()
     before = listed.get("weight", {})
     if not isinstance(before, dict):
-        before = record.weights(record.options.model_validate({k: v for k, v in listed.items() if k != "kind"}))
+        before = record.weights(Options.model_validate({k: v for k, v in listed.items() if k != "kind"}))
     weights = {name: value for name, value in before.items() if name != part}
     if weight is not None:
         weights[part] = number(weight, f"weight of {part}")

@@ -15,7 +15,7 @@ from oracles import SiteGoal, kinematics
 from scipy.optimize import minimize
 
 from dynsplines import models
-from dynsplines.clip.kinds import LimitOptions, posing_limits
+from dynsplines.clip.kinds import Options, posing_limits
 from dynsplines.clip.posing.places import sole_points
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
@@ -25,7 +25,7 @@ from dynsplines.solver.posing import MET, STARTS, BodyGoal, Goal, PointGoal, bou
 from dynsplines.solver.surface.points import Point, site_points
 
 HUMAN = {c: Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")), c) for c in ("world", "joint")}
-BENDS, _ = posing_limits(HUMAN["world"], {"limits": LimitOptions(least_bend=2.0)})
+BENDS, _ = posing_limits(HUMAN["world"], {"limits": Options(least_bend=2.0)})
 SITES = [f"{side}_{part}" for side in ("left", "right") for part in ("heel", "toe", "hand", "wrist")]
 ARM = """
 <mujoco><compiler angle="degree"/><worldbody>
@@ -189,7 +189,7 @@ def test_legs_that_home_has_turned_far_round_stand_all_the_same():
                 columns = figure.links[link_named(figure, f"{side}_{name}") or 0].columns
                 home[columns] = quat.normalised(turn + 0.01 * rng.normal(size=4))
                 free[columns] = True
-        found = posed(figure, home, free, goals, posing_limits(figure, {"limits": LimitOptions(least_bend=4.0)})[0])
+        found = posed(figure, home, free, goals, posing_limits(figure, {"limits": Options(least_bend=4.0)})[0])
         met += found.is_met
     assert met >= 2
 
