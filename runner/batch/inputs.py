@@ -15,7 +15,7 @@ from dynsplines import models
 from ..clip.parse import files_read
 from ..errors import UserError, unknown
 from ..exchange import formats
-from ..scene.model_files import paths_read
+from ..scene.file_access import paths_read
 from .task import Options, Task
 
 ENDINGS = (".toml", ".xml")

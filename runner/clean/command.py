@@ -14,8 +14,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.solution import Improvement
 
 from .. import motion
-from ..clip.load import figure_of, load_motion
-from ..clip.obstacles import obstacles
+from ..clip.load import figure_of, load_motion, obstacles
 from ..clip.parse import file_of
 from ..clip.table import MapTable, SceneTable, SurroundingsTable
 from ..clip.tracking.penalties import ground_of, rests_of

@@ -6,13 +6,11 @@ pose          second stage: keyframe tables into keyframes of a figure
 build         last stage: keyframes into a problem with soft constraints
 table         the tables of a clip's file: keys and values
 table_errors  errors of the tables in terms of the file
-text          tables as TOML text, and keyframes as tables
-file          a motion as a clip's file
+text          tables as TOML text, keyframes as tables, and motions as clip files
 mirror        left and right exchanged in a clip's tables
 context       the inputs of soft constraints, inferred from keyframes and tables
 kinds         the kinds of soft constraint
 contacts      the [[contact]] and [[grasp]] tables
-obstacles     the obstacles and objects of [scene]
 starter       a starting clip for any model
 posing/       positions, roots and feet of keyframes
 tracking/     a clip that follows a recording

@@ -23,17 +23,16 @@ from ..errors import UserError
 from ..motion import Saved, read_arrays
 from ..motion import load as read_motion
 from ..scene.assets import Scene, taken_along
-from ..scene.compose import compiled, compose, figure_spec, stage
+from ..scene.compose import KINDS, Obstacle, compiled, compose, figure_spec, stage
 from ..scene.configuration import first_wrong, unlike_joints
 from .build import Clip, build, build_following, edits_of, solve_of
 from .kinds import RENAMED
-from .obstacles import obstacles
 from .parse import Parsed, check_times, keyframe_label, read, table_of
 from .pose import pose, soles_of
-from .posing.keyframe_notes import keyframe_notes
+from .posing import notes
 from .posing.placement import wanted
 from .posing.places import Places
-from .table import ClipTable, SolveTable
+from .table import BarTable, BoxTable, ClipTable, SceneTable, SolveTable, SphereTable, StepTable
 from .tracking.recording import RecordedPath, TrackedRecording, followed
 
 MOST = 3  # most keyframes with unreachable positions that an error lists
@@ -113,8 +112,7 @@ def from_parsed(
     if follows is not None:
         return build_following(source, scene, follows, posed.keys, fps or table.fps)
     clip = build(source, scene, figure, posed.keys, posed.placed, fps or table.fps)
-    notes = keyframe_notes(figure, table.keyframe, clip.problem.raw)
-    return replace(clip, notes=(*clip.notes, *notes))
+    return replace(clip, notes=(*clip.notes, *notes.on_tables(figure, table.keyframe, clip.problem.raw)))
 
 
 def scene_and_figure(
@@ -136,6 +134,33 @@ def scene_and_figure(
         return scene, Figure(model, table.solve.coordinates)
     except (UserError, FigureError, ValueError) as error:
         raise UserError(f"{source.where}: {error}") from None
+
+
+def obstacles(scene: SceneTable) -> tuple[Obstacle, ...]:
+    """Return the obstacles of a scene's tables: the step, and the others in the order of their kinds."""
+    numbered = ((kind, pair) for kind in KINDS for pair in enumerate(getattr(scene, kind), start=1))
+    others = (_obstacle(kind, table.name or f"{kind} {number}", table) for kind, (number, table) in numbered)
+    return (*(() if scene.step is None else (_step(scene.step),)), *others)
+
+
+def _step(table: StepTable) -> Obstacle:
+    """Return a step: its front face is at x, its top at its height, its bottom on the ground."""
+    half = (table.length / 2, table.width / 2, table.height / 2)
+    return Obstacle("step", "box", half, np.array([table.x + half[0], table.y, half[2]]), np.array([1.0, 0, 0, 0]))
+
+
+def _obstacle(kind: str, name: str, table: BoxTable | SphereTable | BarTable) -> Obstacle:
+    ends = None
+    if isinstance(table, BoxTable):
+        size = tuple(0.5 * length for length in table.size)
+    elif isinstance(table, SphereTable):
+        size = (table.radius,)
+    else:
+        ends = None if table.start is None or table.end is None else np.array([*table.start, *table.end])
+        size = (table.radius,) if table.length is None else (table.radius, 0.5 * table.length)
+    place = np.array(table.position or (0.0, 0, 0))
+    turn = np.array([1.0, 0, 0, 0]) if table.rotation is None else table.rotation.quaternion()
+    return Obstacle(name, kind, size, place, turn, ends, table.color, table.body, table.mass)
 
 
 def _unreached(lines: Sequence[str], *, is_file: bool) -> str:

@@ -22,8 +22,7 @@ from dynsplines.solver.search.descent import check_method
 
 from ..errors import UserError, import_first, unknown
 from ..scene import file_access
-from ..scene.file_access import lies_in
-from ..scene.model_files import is_there
+from ..scene.file_access import is_there, lies_in
 from .kinds import KINDS, RENAMED, Kind, Options
 from .table import ClipTable, PenaltyTable, SolveTable, Table
 from .table_errors import describe, describe_toml

@@ -11,18 +11,19 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.contacts import ROUNDING
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, JointKind, Link, quaternion_columns
+from dynsplines.solver.figure.root import Root, sliding_joints
 from dynsplines.solver.penalty import Placed, couplings
 from dynsplines.solver.penalty.joints.coupling import Coupling, in_order
+from dynsplines.solver.posing import rest_rotation
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import Point
 
 from ..errors import UserError, unknown
 from .kinds import posing_limits
 from .parse import Parsed
-from .posing import unmet_goals
+from .posing import notes
 from .posing.placement import Wanted, check_search, wanted, with_pose
-from .posing.places import Places, sole_points
-from .posing.root_entries import set_roots
+from .posing.places import Places, roots_by_name, sole_points
 from .posing.standing_feet import Stander
 from .table import ROTATION, ClipTable, KeyframeTable, RootTable, RotationTable, SceneTable
 
@@ -71,7 +72,7 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
                 unposed = among[index]
                 keys[k], nearest = with_pose(figure, among, index, want.goals, soles_of(figure, among), stander, here)
                 if not nearest.is_met:
-                    note = unmet_goals.describe(figure, unposed, row, want.goals, nearest)
+                    note = notes.on_unmet(figure, unposed, row, want.goals, nearest)
                     missed.append(f"{source.labels[k]}: {note}")
                 keys[k] = _based(keys[k], base)
     for key, want, here in zip(keys, wants, places, strict=True):
@@ -145,9 +146,58 @@ def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequen
             fixed[quaternion_columns(named[name]) or named[name].qpos] = False
         else:
             _set_joint(qpos, fixed, named[name], value, f"{where}: joints.{name}")
-    set_roots(figure, qpos, fixed, row, where)
+    _set_roots(figure, qpos, fixed, row, where)
     follow(figure, qpos, fixed, lambda name: name in row.joints)
     return Frame.key(row.time, qpos, fixed)
+
+
+def _set_roots(figure: Figure, qpos: Array, fixed: Mask, row: KeyframeTable, where: str) -> None:
+    """Set qpos (nq,) and mask (nq,) to a keyframe's `root` and `roots`, in place."""
+    if row.root.model_fields_set:
+        _set_root(figure, _main_root(figure, where), qpos, fixed, row.root)
+    if not row.roots:
+        return
+    named = roots_by_name(figure)
+    for name, table in row.roots.items():
+        if name not in named:
+            free = [link.name for link in figure.links[1:] if link.kind is JointKind.FREE]
+            raise UserError(f"{where}: roots: {unknown('free joint', name, free)}")
+        _set_root(figure, named[name], qpos, fixed, table)
+
+
+def _main_root(figure: Figure, where: str) -> Root:
+    """Return the root that `root` places; raises UserError if the figure has none, or several."""
+    root = figure.root
+    if root is None:
+        joints = [figure.links[joint + 1].name for joint in sliding_joints(figure.model)]
+        listed = ", ".join(f"joints.{name}" for name in joints) or "its joints, by joints.NAME"
+        raise UserError(f"{where}: root: the figure has no free joint, so no root to place; specify {listed}")
+    names = {tree.body: name for name, tree in reversed(roots_by_name(figure).items())}
+    if root.is_ambiguous:
+        several = ", ".join(f"roots.{names[body]}" for body in (root.body, *root.rivals))
+        raise UserError(f"{where}: root: the model has several figures; specify which: {several}")
+    called = next((link for link in figure.links[1:] if link.kind is JointKind.FREE and link.name == "root"), None)
+    if called is not None and called.body != root.body:
+        raise UserError(
+            f"{where}: root: the joint 'root' carries '{figure.model.body(called.body).name}', the figure's root "
+            f"carries '{figure.model.body(root.body).name}'; specify roots.root or roots.{names[root.body]}"
+        )
+    return root
+
+
+def _set_root(figure: Figure, root: Root, qpos: Array, fixed: Mask, table: RootTable) -> None:
+    """Set a free joint's position, axis by axis, and its rotation from a table."""
+    start = figure.links[root.link].qpos
+    if "position" in table.model_fields_set:
+        axes = ("free",) * 3 if table.position == "free" else table.position
+        for i, value in enumerate(axes):
+            fixed[start + i] = value != "free"
+            if value != "free":
+                qpos[start + i] = float(value)
+    if "rotation" in table.model_fields_set:
+        fixed[start + 3 : start + 7] = table.rotation != "free"
+        if table.rotation != "free":
+            qpos[start + 3 : start + 7] = table.rotation.quaternion(rest_rotation(figure.model, root.body))
 
 
 def _set_joint(qpos: Array, fixed: Mask, link: Link, value: RotationTable | float, where: str) -> None:

@@ -25,8 +25,7 @@ from dynsplines.solver.surface.touch import counts_all, grounds
 from ..errors import UserError, words_of
 from ..scene.compose import compose, figure_spec
 from ..scene.configuration import first_wrong
-from ..scene.model_notes import vertical_notes
-from ..scene.urdf import fixed_base
+from ..scene.model_notes import fixed_base, vertical_notes
 from ..system.mujoco_warnings import quietly
 from .load import compiled_keys
 from .pose import follow

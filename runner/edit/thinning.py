@@ -20,7 +20,7 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.edit.thin import Bound, Recorded, refined, thin
 
 from .. import motion, recordings, solving
-from ..clip import file as clip_file
+from ..clip import text as clip_text
 from ..clip.build import around, radians
 from ..clip.load import load_motion, of_motion
 from ..clip.parse import SHORTEST
@@ -166,14 +166,14 @@ def run(
     if target.suffix == ".npz":
         motion.save(compact, target)
     else:
-        clip_file.write(compact, target, overwrite=overwrite)
+        clip_text.write(compact, target, overwrite=overwrite)
         timeline = solving.solve(recordings.load(str(target)), progress).motion.timeline
         after = MotionDifference.of(recorded, timeline)
         is_exceeded = recorded.excess(timeline).max() > 1 + 1e-6  # numbers in a file are rounded
         beyond = "; more than requested: use --solve to stay within it" if is_exceeded else ""
         as_solved = f"solved with the clip's settings: {after}{beyond}"
         lines = [f"{head}; {after}"] if solve else [f"{lines[0]}: the spline", as_solved]
-        written = clip_file.write(compact, target, note="; ".join(lines), overwrite=True)
+        written = clip_text.write(compact, target, note="; ".join(lines), overwrite=True)
     for line in lines:
         progress.report(line)
     progress.report(f"wrote {' and '.join(map(str, written))}")

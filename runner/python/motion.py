@@ -22,7 +22,7 @@ from dynsplines.solver.curve.spline import path_of
 
 from .. import motion as files
 from .. import solving
-from ..clip import file as clip_file
+from ..clip import text as clip_text
 from ..clip.build import Clip
 from ..edit import edits, thinning
 from ..edit.thinning import MotionDifference
@@ -328,7 +328,7 @@ class Motion:
                 stacklevel=2,
             )
         if target.suffix == ".toml":
-            clip_file.write(replace(self.saved, name=target.stem), target, overwrite=overwrite)
+            clip_text.write(replace(self.saved, name=target.stem), target, overwrite=overwrite)
         elif target.suffix == ".npz":
             check_target(target)
             files.save(self._saved_with_report, target)

@@ -18,7 +18,7 @@ import mujoco
 from ..errors import UserError
 from ..system import mujoco_warnings, size_limit
 from . import file_access
-from .model_files import FOLDERS, Model, elements, is_there
+from .file_access import FOLDERS, Model, elements, is_there
 from .mujoco_versions import mesh_folder, texture_folder
 
 mujoco_warnings.install()  # here, because all code that uses MuJoCo imports this module

@@ -24,8 +24,8 @@ from ..errors import UserError, unknown, words_of
 from ..system import size_limit
 from ..system.mujoco_warnings import quietly
 from .assets import Assets, Scene, check_places, taken_along
+from .file_access import is_there, models_in
 from .framing import STANDING, is_of_people_size, rest_box, size_of
-from .model_files import is_there, models_in
 from .mujoco_versions import geoms_by_number, lamp, portable_text, remove
 from .triangles import HIDDEN_GROUP
 

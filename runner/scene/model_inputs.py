@@ -15,7 +15,7 @@ from ..errors import UserError, words_of
 from ..system.mujoco_warnings import quietly
 from . import file_access
 from .compose import figure_spec
-from .model_files import elements
+from .file_access import elements
 from .mujoco_versions import last_text
 
 CLOSE = 1e-6  # [1] relative difference of numbers after a model is written as text

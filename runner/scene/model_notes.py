@@ -1,4 +1,4 @@
-"""Notes on models that the solver does not fully support: their vertical, floor and equality constraints.
+"""Notes on models: their vertical, floor, equality constraints, and the root link of a URDF file.
 
 The solver's vertical is z, and a floor is added where a model has none.
 """
@@ -6,17 +6,19 @@ The solver's vertical is z, and a floor is added where a model has none.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 
 import mujoco
 import numpy as np
 
-from dynsplines.solver.figure.figure import WEIGHTLESS
+from dynsplines.solver.figure.figure import WEIGHTLESS, JointKind
 from dynsplines.solver.figure.forward import boxes, kinematics
 from dynsplines.solver.figure.naming import geom_name
 from dynsplines.solver.surface.touch import TOUCHING, collides, grounds, is_scenery, solids
 
 from ..errors import listed
 from .compose import PREFIX
+from .file_access import elements
 
 TILTED = 0.02  # [1] sine of the angle between gravity and -z from which a note is printed, about 1°
 
@@ -74,3 +76,24 @@ def _is_added(model: mujoco.MjModel, geom: int) -> bool:
     material = int(model.geom_matid[geom])
     is_staged = material >= 0 and model.material(material).name == PREFIX + "floor"
     return is_staged and model.geom(geom).name in ("floor", PREFIX + "floor") and not collides(model)[geom]
+
+
+def fixed_base(figure: str, model: mujoco.MjModel) -> str:
+    """Return a line if the file's root link is fixed in the world, with advice to free it; "" for any other model."""
+    path = Path(figure)
+    if path.suffix.lower() != ".urdf" or (model.jnt_type == JointKind.FREE).any():
+        return ""
+    root = _root_link(path.read_text(encoding="utf-8-sig", errors="replace"))
+    return (
+        f"the root link '{root}' is fixed in the world; to let it move add to the URDF: <link name=\"world\"/> "
+        f'<joint name="root" type="floating"><parent link="world"/><child link="{root}"/></joint>'
+    )
+
+
+def _root_link(text: str) -> str:
+    links = list(elements(text))
+    children = {attributes.get("link") for tag, attributes in links if tag == "child"}
+    return next(
+        (attributes["name"] for tag, attributes in links if tag == "link" and attributes.get("name") not in children),
+        "",
+    )

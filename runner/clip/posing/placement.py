@@ -40,10 +40,9 @@ from dynsplines.solver.surface.points import Point, body_points, hanging, places
 
 from ...errors import UserError, unknown
 from ..table import BodyTable, KeyframeTable, SiteTable
-from .places import Places
-from .root_entries import root_links
+from .notes import can_move, immovable
+from .places import Places, root_links
 from .standing_feet import Stander
-from .unmet_goals import can_move, immovable
 
 HEADING, BALANCE = 2.0, 100.0  # [1/rad], [1/m] weights of preferences relative to 1 rad of a limb joint
 ALIKE = 0.5  # [1] largest deviation of a foot's displacement from the mean, relative to the mean

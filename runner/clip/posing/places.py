@@ -1,4 +1,4 @@
-"""Points and bodies of a figure by name, and the points on which it stands.
+"""Points, bodies and roots of a figure by name, and the points on which it stands.
 
 Names are those of sites, soles, bodies, geoms and joints. The soles are sites named heel or toe, or else the lowest
 points of the feet. Named sites count if at least one of them is as low as the figure; points on the paths of muscles
@@ -36,6 +36,8 @@ from dynsplines.solver.surface.points import (
     site_points,
 )
 from dynsplines.solver.surface.touch import movers
+
+from ..table import KeyframeTable
 
 # Names of points of a muscle's path and of its wrapping sides in models converted from OpenSim.
 MUSCLE = re.compile(r"-P\d+[a-z]?(_|$)|path_?point|side_?site|_site_", re.IGNORECASE)
@@ -144,6 +146,22 @@ class Places:
         rest = Samples.still(figure, figure.to_state(figure.model.qpos0[None]))
         height, *bottoms = bottoms_of([origin, *points], rest)[:, 0]
         return replace(origin, radius=max(float(height - min(bottoms)), 0.0))
+
+
+def root_links(figure: Figure, row: KeyframeTable) -> set[int]:
+    """Return the links of the roots that a keyframe's tables set."""
+    main = {figure.root.link} if row.root.model_fields_set and figure.root is not None else set()
+    named = roots_by_name(figure) if row.roots else {}
+    return main | {named[name].link for name in row.roots if name in named}
+
+
+def roots_by_name(figure: Figure) -> dict[str, Root]:
+    """Return the roots by the names that `roots.NAME` accepts: of free joints, then of their bodies."""
+    roots = roots_of(figure.model)
+    out = {figure.links[root.link].name: root for root in roots}
+    for root in roots:
+        out.setdefault(str(figure.model.body(root.body).name) or figure.links[root.link].name, root)
+    return out
 
 
 def sole_points(figure: Figure, qpos: Array) -> tuple[Point, ...]:

@@ -18,8 +18,8 @@ from processes import quiet
 from rich.console import Console
 
 from dynsplines import Keyframe, Motion, build, inbetween, models, motion, recordings, solving
-from dynsplines.clip import file as clip_file
 from dynsplines.clip import load as clip
+from dynsplines.clip import text as clip_text
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
 from dynsplines.clip.table import RotationTable
@@ -413,16 +413,16 @@ def test_keyframes_of_a_recording_are_not_named_in_messages(motions, tmp_path):
 
 
 def test_a_motion_as_a_clip_has_its_tables_or_else_its_keyframes(motions, tmp_path):
-    clip_file.write(motions["plain"], tmp_path / "plain.toml", overwrite=False)
+    clip_text.write(motions["plain"], tmp_path / "plain.toml", overwrite=False)
     assert recordings.load(str(tmp_path / "plain.toml")).context.schedule.contacts.requested
-    clip_file.write(edits.mirrored(motions["plain"]), tmp_path / "edited.toml", overwrite=True)
+    clip_text.write(edits.mirrored(motions["plain"]), tmp_path / "edited.toml", overwrite=True)
     again = recordings.load(str(tmp_path / "edited.toml"))
     assert [key.time for key in again.keys] == [0, 0.2, 0.41]
     assert not again.context.schedule.contacts.requested
     with pytest.raises(UserError, match=r"follows the recording 'own\.npz'; save it as a motion"):
-        clip_file.write(motions["following"], tmp_path / "other.toml", overwrite=False)
+        clip_text.write(motions["following"], tmp_path / "other.toml", overwrite=False)
     kerb = solving.unsolved(recordings.load("step_on_kerb")).saved(quiet(), with_report=False)
-    clip_file.write(kerb, tmp_path / "kerb.toml", overwrite=False)  # follows what ships
+    clip_text.write(kerb, tmp_path / "kerb.toml", overwrite=False)  # follows what ships
     again = recordings.load(str(tmp_path / "kerb.toml"))
     assert [key.time for key in again.authored_keys] == [2.24, 2.86, 3.24]
 

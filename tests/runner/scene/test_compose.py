@@ -9,7 +9,7 @@ from oracles import kinematics
 from problems import FIGURE, HINGE, names
 
 from dynsplines import models
-from dynsplines.clip.obstacles import obstacles
+from dynsplines.clip.load import obstacles
 from dynsplines.clip.table import SceneTable, StepTable
 from dynsplines.errors import UserError
 from dynsplines.scene.compose import compose, figure_spec

@@ -11,11 +11,10 @@ import pytest
 
 from dynsplines import Keyframe, UserError, build, inbetween, load
 from dynsplines.clip import starter
-from dynsplines.clip.obstacles import obstacles
+from dynsplines.clip.load import obstacles
 from dynsplines.clip.table import SceneTable
 from dynsplines.scene.compose import compose, figure_spec
-from dynsplines.scene.model_notes import vertical_notes
-from dynsplines.scene.urdf import fixed_base
+from dynsplines.scene.model_notes import fixed_base, vertical_notes
 from dynsplines.solver.surface.touch import grounds
 
 ARM = """<mujoco model="arm"><option gravity="0 0 -3.7"/><worldbody>

@@ -8,7 +8,7 @@ import pytest
 from gradients import taylor_slope
 from scipy.spatial.transform import Rotation
 
-from dynsplines.clip.obstacles import obstacles
+from dynsplines.clip.load import obstacles
 from dynsplines.clip.table import SceneTable
 from dynsplines.scene.compose import compose
 from dynsplines.solver.surface import (
