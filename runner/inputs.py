@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from . import motion, recordings
 from .clip.build import Clip
-from .clip.load import load_motion
 from .clip.parse import LONGEST
 from .errors import UserError
 from .motion import Saved
@@ -29,7 +28,7 @@ def load(
 ) -> Clip | Saved:
     """Return a saved motion, or a clip to solve; the arguments are those of `recordings.load`."""
     if motion.is_motion(source) and keys is None and model is None:
-        return load_motion(Path(source))
+        return motion.load(Path(source))
     return recordings.load(source, model=model, keys=keys, fps=fps, unmet=unmet)
 
 

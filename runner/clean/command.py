@@ -14,7 +14,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.solution import Improvement
 
 from .. import motion
-from ..clip.load import figure_of, load_motion, obstacles
+from ..clip.load import figure_of, obstacles
 from ..clip.parse import file_of
 from ..clip.table import MapTable, SceneTable, SurroundingsTable
 from ..clip.tracking.penalties import ground_of, rests_of
@@ -163,7 +163,7 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> Impo
             raise UserError(f"'{source.file}' is a motion and brings its scene along; --scene is for other files")
         if source.map is not None:
             raise UserError(f"'{source.file}' is a motion: a bone map is for recordings of skeletons; leave out --map")
-        return _of_motion(load_motion(source.file))
+        return _of_motion(motion.load(source.file))
     chosen = MapTable() if source.map is None or source.writes_map else file_of(source.map, MapTable)
     with maps.using(chosen) as met, gaps.allowed():
         try:

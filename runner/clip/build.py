@@ -160,23 +160,17 @@ def build(
         ends, note = AT_REST[stationary]
         problem = replace(problem, ends=ends, end_slope=np.zeros((2, figure.width)))
         context, resting = context.scheduled(keys=problem.raw), (note + FREE_NOTE,)
-    soft_constraints = constraints(context, source.options)
-    problem = replace(problem, penalties=soft_constraints.penalties)
-    notes = (*model_notes(figure.model), *soft_constraints.notes, *resting, *_too_many(problem))
-    return Clip(source.name, source.text, scene, fps, problem, soft_constraints.context, notes)
+    context, penalties, notes = constraints(context, source.options)
+    problem = replace(problem, penalties=penalties)
+    all_notes = (*model_notes(figure.model), *notes, *resting, *_too_many(problem))
+    return Clip(source.name, source.text, scene, fps, problem, context, all_notes)
 
 
-@dataclass(frozen=True)
-class Constraints:
-    """The soft constraints of a clip with their weights, their context, and notes for the user."""
-
-    context: Context
-    penalties: tuple[tuple[Penalty, float], ...]
-    notes: tuple[str, ...]
-
-
-def constraints(context: Context, listed: Mapping[str, Options]) -> Constraints:
-    """Return the soft constraints of a clip's keyframes and of the kinds that it lists.
+def constraints(
+    context: Context, listed: Mapping[str, Options]
+) -> tuple[Context, tuple[tuple[Penalty, float], ...], list[str]]:
+    """Return the context with the options of the kinds that a clip lists, its soft constraints with their weights, and
+    notes for the user.
 
     Raises:
         UserError: For options that do not fit the figure.
@@ -198,7 +192,7 @@ def constraints(context: Context, listed: Mapping[str, Options]) -> Constraints:
             measured = "; ".join(part.quantity for part in kind.parts)
             notes.append(f"penalty '{name}' has no effect in this clip; it measures: {measured}")
         penalties += terms
-    return Constraints(context, tuple((p, weight) for p, weight in penalties if weight > 0), tuple(notes))
+    return context, tuple((p, weight) for p, weight in penalties if weight > 0), notes
 
 
 def _carried(kind: Kind) -> Kind:

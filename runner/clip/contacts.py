@@ -8,13 +8,13 @@ keyframe puts the body out of the limb's reach, the grasp is relaxed.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
-from dynsplines.solver.contacts import ROUNDING, Contacts, Grasp, Rest, Stance
+from dynsplines.solver.contacts import ROUNDING, Contacts, ContactSchedule, Grasp, Rest, Stance
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
@@ -33,32 +33,25 @@ from .table import ContactTable, GraspTable
 SLACK = 1.0  # slack of a grasp relative to its excess of reach; without it a stretched limb whips there and back
 
 
-@dataclass(frozen=True, eq=False)
-class KeyframeContacts:
-    """The soles of a figure, and the contacts and grasps that tables and keyframes specify."""
+def schedule_of(
+    figure: Figure,
+    keys: Timeline,
+    surfaces: tuple[Surface, ...],
+    where: str,
+    tables: Sequence[ContactTable] = (),
+    grasp_tables: Sequence[GraspTable] = (),
+) -> ContactSchedule:
+    """Return the schedule of a figure's soles, and of the contacts and grasps that tables and keyframes specify.
 
-    points: tuple[Point, ...]
-    contacts: Contacts
-    grasps: tuple[Grasp, ...]
-
-    @classmethod
-    def of(
-        cls,
-        figure: Figure,
-        keys: Timeline,
-        surfaces: Sequence[Surface],
-        where: str,
-        tables: Sequence[ContactTable] = (),
-        grasp_tables: Sequence[GraspTable] = (),
-    ) -> KeyframeContacts:
-        """Return those of a clip's tables; raises UserError that names the invalid table."""
-        complete = [frame.state for frame in keys.frames if frame.is_key]
-        soles = sole_points(figure, figure.to_qpos(np.reshape(complete, (-1, figure.width))))
-        return cls(
-            soles,
-            contacts(figure, keys, tables, where, soles, surfaces),
-            grasps_of(figure, keys, grasp_tables, where, soles),
-        )
+    Raises:
+        UserError: For an invalid table, by its number.
+    """
+    complete = [frame.state for frame in keys.frames if frame.is_key]
+    soles = sole_points(figure, figure.to_qpos(np.reshape(complete, (-1, figure.width))))
+    contacts_specified = contacts(figure, keys, tables, where, soles, surfaces)
+    return ContactSchedule(
+        figure, keys, soles, surfaces, contacts_specified, grasps_of(figure, keys, grasp_tables, where, soles)
+    )
 
 
 def contacts(
@@ -74,22 +67,14 @@ def contacts(
     surfaces  if a keyframe has a point inside one of these, the point rises as `collision` requires
     """
     places = Places(figure, soles)
-    points = {table.point: places.point(table.point) for table in tables}
-    names = [f"{where}: contact {i} ('{table.point}')" for i, table in enumerate(tables, start=1)]
-    for table, name in zip(tables, names, strict=True):
-        if points[table.point] is None:
-            raise UserError(f"{name}: {unknown('site', table.point, places.points_listed)}")
-        check_interval(table, keys, name)
-    for i, (table, name) in enumerate(zip(tables, names, strict=True)):
-        why = "a point rests in one place at a time"
-        same = [(k, other) for k, other in enumerate(tables[:i], start=1) if other.point == table.point]
-        check_overlap(table, same, name, "contact {} of the same point", why)
     stances: list[Stance] = []
     rests: list[Rest] = []
     requested: list[Rest] = []
-    for table, name in zip(tables, names, strict=True):
-        point = points[table.point]
-        assert point is not None
+    for i, table in enumerate(tables):
+        name = f"{where}: contact {i + 1} ('{table.point}')"
+        point = places.named_point(table.point, name)
+        same = [(f"contact {k} of the same point", t) for k, t in enumerate(tables[:i], 1) if t.point == table.point]
+        _check_times(table, same, keys, name, "a point rests in one place at a time")
         target = None if table.position is None else np.array(table.position, float)
         requested.append(Rest(point, table.start, table.end, position=target))
         spots = _spots(figure, keys, requested[-1], name, surfaces)
@@ -101,8 +86,14 @@ def contacts(
     return Contacts(tuple(stances), tuple(rests), tuple(requested))
 
 
-def check_interval(table: ContactTable | GraspTable, keys: Timeline, name: str) -> None:
-    """Raise UserError unless a table's times rise and are within the clip."""
+def _check_times(
+    table: ContactTable | GraspTable,
+    same: Sequence[tuple[str, ContactTable | GraspTable]],
+    keys: Timeline,
+    name: str,
+    why: str,
+) -> None:
+    """Raise UserError unless a table's times rise, are within the clip, and overlap no earlier table of the `same`."""
     first, last = float(keys.times[0]), float(keys.times[-1])
     if not table.start < table.end:
         raise UserError(f"{name}: from = {table.start:g} s is not before to = {table.end:g} s")
@@ -110,20 +101,10 @@ def check_interval(table: ContactTable | GraspTable, keys: Timeline, name: str) 
         raise UserError(
             f"{name}: {table.start:g} to {table.end:g} s is outside the clip, which runs from {first:g} to {last:g} s"
         )
-
-
-def check_overlap(
-    table: ContactTable | GraspTable,
-    before: Sequence[tuple[int, ContactTable | GraspTable]],
-    name: str,
-    kind: str,
-    why: str,
-) -> None:
-    """Raise UserError if a table overlaps an earlier one of the same point or site; `before` are these by number."""
-    for number, other in before:
+    for label, other in same:
         first, last = max(table.start, other.start), min(table.end, other.end)
         if last - first > ROUNDING:
-            raise UserError(f"{name}: overlaps {kind.format(number)} from {first:g} to {last:g} s; {why}")
+            raise UserError(f"{name}: overlaps {label} from {first:g} to {last:g} s; {why}")
 
 
 def _spots(
@@ -226,20 +207,16 @@ def grasps_of(
     """Return the grasps of a clip's tables; raises UserError that names the invalid table."""
     places, bodies = Places(figure, soles), moving_bodies(figure)
     grasps: list[Grasp] = []
-    for number, table in enumerate(tables, start=1):
-        name = f"{where}: grasp {number} ('{table.hand}' on '{table.body}')"
-        point = places.point(table.hand)
-        if point is None:
-            raise UserError(f"{name}: {unknown('site', table.hand, places.points_listed)}")
+    for i, table in enumerate(tables):
+        name = f"{where}: grasp {i + 1} ('{table.hand}' on '{table.body}')"
+        point = places.named_point(table.hand, name)
         if table.body not in bodies:
             raise UserError(f"{name}: {_no_body(figure, table.body, bodies)}")
         link = int(figure.body_link[bodies[table.body]])
         if point.link == link:
             raise UserError(f"{name}: the site is on that body itself, where it always stays")
-        check_interval(table, keys, name)
-        why = "a site holds one thing at a time"
-        same = [(k, other) for k, other in enumerate(tables[: number - 1], start=1) if other.hand == table.hand]
-        check_overlap(table, same, name, "grasp {} of the same site", why)
+        same = [(f"grasp {k} of the same site", t) for k, t in enumerate(tables[:i], 1) if t.hand == table.hand]
+        _check_times(table, same, keys, name, "a site holds one thing at a time")
         target = None
         if table.position is not None:
             target = figure.point_on_link(bodies[table.body], np.array(table.position, float))[1]

@@ -23,7 +23,7 @@ from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, displacements
 
 from ..errors import UserError, unknown
-from .contacts import KeyframeContacts
+from .contacts import schedule_of
 from .posing.places import Places
 from .table import ContactTable, GraspTable
 
@@ -62,12 +62,9 @@ class Context:
         grasp_tables: Sequence[GraspTable] = (),
     ) -> Context:
         """Return the inputs that keyframes and tables specify, without those that [[penalty]] tables change."""
-        specified = KeyframeContacts.of(figure, keys, surfaces, where, tables, grasp_tables)
         targets = tuple((goal.point, goal.time, goal.target) for goal in placed)
-        schedule = ContactSchedule(
-            figure, keys, specified.points, surfaces, specified.contacts, specified.grasps, targets
-        )
-        return cls(schedule, where, tuple(knees_and_elbows(figure)), placed)
+        schedule = schedule_of(figure, keys, surfaces, where, tables, grasp_tables)
+        return cls(replace(schedule, targets=targets), where, tuple(knees_and_elbows(figure)), placed)
 
     def scheduled(self, **changes: Any) -> Context:
         """Return the same inputs with changed fields of the schedule of contacts."""
@@ -228,13 +225,8 @@ class Context:
 
     def sites(self, names: Sequence[str]) -> tuple[Point, ...]:
         """Return the points with these names. Raises UserError for unknown names."""
-        places, result = Places(self.figure, self.points), list[Point]()
-        for name in names:
-            point = places.point(name)
-            if point is None:
-                raise UserError(f"{self.where}: penalty 'collision': {unknown('site', name, places.points_listed)}")
-            result.append(point)
-        return tuple(result)
+        places = Places(self.figure, self.points)
+        return tuple(places.named_point(name, f"{self.where}: penalty 'collision'") for name in names)
 
     def limbs(self, names: Sequence[str]) -> tuple[Bend, ...]:
         """Return the knees and elbows on joints with these names. Raises UserError for unknown names."""

@@ -58,7 +58,7 @@ from ..errors import UserError, unknown
 from .contacts import moving_bodies
 from .context import Context, knees_and_elbows
 from .posing.stepping import SteppingStances
-from .table import Angle, Expected, Flag, Names, Number, Real, Table
+from .table import Angle, Flag, Names, Number, Real, Table
 
 BEND_BOUND = 8.0  # [degrees] default bound; the soft constraint then rarely exceeds 10°
 RAW_UNIT = 0.1  # [1] `most` of `UnitMagnitude`: limit of the raw spline's mean squared deviation, all joints together
@@ -97,10 +97,10 @@ class Options(Table):
     twist: Angle | None = Field(default=None, description="largest angle, degrees; default 8")
     speed: Annotated[Real, Field(gt=0, le=100_000)] | None = Field(default=None, description="degrees/s")
     bodies: Names | None = Field(default=None, description="bodies to keep upright")
-    axis: Annotated[tuple[Number, Number, Number] | None, Expected("[x, y, z] in the body's own axes")] = Field(
+    axis: Annotated[tuple[Number, Number, Number] | None, "[x, y, z] in the body's own axes"] = Field(
         default=None, description="their upward axis; default: upward at rest"
     )
-    intervals: Annotated[list[tuple[Number, Number]] | None, Expected("a list of [from, to] in seconds")] = Field(
+    intervals: Annotated[list[tuple[Number, Number]] | None, "a list of [from, to] in seconds"] = Field(
         default=None, description="flights, [from, to] in s"
     )
     angular: Annotated[Real, Field(ge=0, le=1e6)] | None = Field(
@@ -359,25 +359,6 @@ def _bodies(context: Context, options: Options) -> Penalty | None:
     return Upright.of(context.figure, links, options.axis)
 
 
-RENAMED = {  # kinds of version 0.2, and the terms that they are now
-    "covariant": "acceleration.angular",
-    "root": "acceleration.linear",
-    "contact": "collision.soles",
-    "clearance": "collision.body",
-    "self": "collision.self",
-    "planted": "attach.stance",
-    "resting": "attach.contact",
-    "hold": "attach.grasp",
-    "placement": "attach.placement",
-    "skate": "no_slip",
-    "bend": "limits.bend",
-    "range": "limits.range",
-    "steady": "limits.overshoot",
-    "speed": "limits.speed",
-    "level": "upright.bodies",
-    "coupled": "equality",
-    "closed": "equality",
-}
 KINDS = {
     kind.name: kind
     for kind in (

@@ -7,7 +7,6 @@ here; `recordings` loads clips that follow others.
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -21,24 +20,19 @@ from dynsplines.solver.figure.figure import Figure, FigureError
 
 from ..errors import UserError
 from ..motion import Saved, read_arrays
-from ..motion import load as read_motion
 from ..scene.assets import Scene, taken_along
 from ..scene.compose import KINDS, Obstacle, compiled, compose, figure_spec, stage
 from ..scene.configuration import first_wrong, unlike_joints
 from .build import Clip, build, build_following, edits_of, solve_of
-from .kinds import RENAMED
 from .parse import Parsed, check_times, keyframe_label, read, table_of
 from .pose import pose, soles_of
 from .posing import notes
-from .posing.placement import wanted
+from .posing.placement import targets_of
 from .posing.places import Places
 from .table import BarTable, BoxTable, ClipTable, SceneTable, SolveTable, SphereTable, StepTable
 from .tracking.recording import RecordedPath, TrackedRecording, followed
 
 MOST = 3  # most keyframes with unreachable positions that an error lists
-OUTDATED = re.compile(
-    rf"""kind\s*=\s*["']({"|".join(RENAMED)})["']|^\[\[hold\]\]|others\s*=\s*["']hold["']""", re.MULTILINE
-)
 
 
 def load(
@@ -104,14 +98,14 @@ def from_parsed(
     else:
         scene, figure = scene_and_figure(source, figure_file, spec)
     follows = None if table.recording is None else followed(table.recording, figure, recording, where)
-    posed = pose(source, figure, None if follows is None else follows.pose)
-    if posed.unreached and unmet is None:
-        raise UserError(f"{where}: {_unreached(posed.unreached, is_file=where.endswith('.toml'))}")
+    keys, placed, unreached = pose(source, figure, None if follows is None else follows.pose)
+    if unreached and unmet is None:
+        raise UserError(f"{where}: {_unreached(unreached, is_file=where.endswith('.toml'))}")
     if unmet is not None:
-        unmet += posed.unreached
+        unmet += unreached
     if follows is not None:
-        return build_following(source, scene, follows, posed.keys, fps or table.fps)
-    clip = build(source, scene, figure, posed.keys, posed.placed, fps or table.fps)
+        return build_following(source, scene, follows, keys, fps or table.fps)
+    clip = build(source, scene, figure, keys, placed, fps or table.fps)
     return replace(clip, notes=(*clip.notes, *notes.on_tables(figure, table.keyframe, clip.problem.raw)))
 
 
@@ -297,18 +291,12 @@ def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | No
     )
 
 
-def load_motion(path: Path) -> Saved:
-    """Return a motion from its file, without its clip's text if that is of version 0.2 and has names of the time."""
-    saved = read_motion(path)
-    return replace(saved, text="") if OUTDATED.search(saved.text) else saved
-
-
 def of_motion(saved: Saved) -> Clip:
     """Return the clip that a saved motion solves, with the keyframes and the ends of the motion itself."""
     source = Parsed.of(saved.text, saved.name, saved.name)
     source = source.with_solve(solve_of(saved, source.table.solve), [key.time for key in saved.keys])
     places = Places(saved.figure, soles_of(saved.figure, saved.keys))
-    placed = [point for row in source.table.keyframe for point in wanted(places, row, saved.name).placed]
+    placed = [point for row in source.table.keyframe for point in targets_of(places, row, saved.name)[1]]
     return build(source, saved.scene, saved.figure, saved.keys, placed, saved.fps)
 
 

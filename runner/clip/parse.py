@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import tomllib
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
@@ -23,7 +23,7 @@ from dynsplines.solver.search.descent import check_method
 from ..errors import UserError, import_first, unknown
 from ..scene import file_access
 from ..scene.file_access import is_there, lies_in
-from .kinds import KINDS, RENAMED, Kind, Options
+from .kinds import KINDS, Kind, Options
 from .table import ClipTable, PenaltyTable, SolveTable, Table
 from .table_errors import describe, describe_toml
 from .tracking.penalties import LONGEST_PANEL, POINTS, WEIGHTS
@@ -48,7 +48,6 @@ class Parsed:
         text: The TOML text; empty for keyframes of an MJCF file or of arrays.
         where: The label of the clip in errors.
         options: The options of the listed kinds of soft constraint.
-        labels: The label of every keyframe in errors, without that of the clip.
     """
 
     name: str
@@ -58,11 +57,11 @@ class Parsed:
     options: Mapping[str, Options]
     settings: Settings
     folder: Path | None = None
-    labels: tuple[str, ...] = field(init=False)
 
-    def __post_init__(self) -> None:
-        labels = (keyframe_label(i, row.time) for i, row in enumerate(self.table.keyframe, start=1))
-        object.__setattr__(self, "labels", tuple(labels))
+    @property
+    def labels(self) -> list[str]:
+        """The label of every keyframe in errors, without that of the clip."""
+        return [keyframe_label(i, row.time) for i, row in enumerate(self.table.keyframe, start=1)]
 
     @classmethod
     def of(cls, text: str, name: str, where: str, folder: Path | None = None) -> Parsed:
@@ -93,9 +92,6 @@ def chosen(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
     raw = {"penalty": [{"kind": name, **values} for name, values in listed]}
     for i, (name, values) in enumerate(listed, 1):
         here = f"{where}: penalty {i}"
-        if name in RENAMED:
-            now = f"kind '{name}' is '{RENAMED[name]}' now, with another weight"
-            raise UserError(f"{here}: {now}; `dynsplines penalties` lists all kinds")
         if name not in KINDS:
             raise UserError(f"{here}: {unknown('penalty', name, KINDS)}")
         if name in numbers:

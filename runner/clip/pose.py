@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -14,7 +13,7 @@ from dynsplines.solver.figure.figure import Figure, JointKind, Link, quaternion_
 from dynsplines.solver.figure.root import Root, sliding_joints
 from dynsplines.solver.penalty import Placed, couplings
 from dynsplines.solver.penalty.joints.coupling import Coupling, in_order
-from dynsplines.solver.posing import rest_rotation
+from dynsplines.solver.posing import Goal, rest_rotation
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import Point
 
@@ -22,7 +21,7 @@ from ..errors import UserError, unknown
 from .kinds import posing_limits
 from .parse import Parsed
 from .posing import notes
-from .posing.placement import Wanted, check_search, wanted, with_pose
+from .posing.placement import check_search, released_links, targets_of, with_pose
 from .posing.places import Places, roots_by_name, sole_points
 from .posing.standing_feet import Stander
 from .table import ROTATION, ClipTable, KeyframeTable, RootTable, RotationTable, SceneTable
@@ -30,22 +29,11 @@ from .table import ROTATION, ClipTable, KeyframeTable, RootTable, RotationTable,
 FREE = RootTable(position="free", rotation="free")
 
 
-@dataclass(frozen=True, eq=False)
-class Posed:
-    """The keyframes of a clip, qpos (nq,) and mask each.
-
-    Attributes:
-        placed: Points whose positions the search determines.
-        unreached: A line for each keyframe with unreachable positions; it is then as near as possible.
-    """
-
-    keys: list[Frame]
-    placed: tuple[Placed, ...]
-    unreached: list[str]
-
-
-def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None = None) -> Posed:
-    """Return the keyframes of a clip.
+def pose(
+    source: Parsed, figure: Figure, base: Callable[[float], Array] | None = None
+) -> tuple[list[Frame], list[Placed], list[str]]:
+    """Return the keyframes of a clip, the points that the search places, and a line for each keyframe with unreachable
+    positions, whose pose is as near as possible.
 
     Args:
         base: Returns qpos (nq,) at a time [s], for unspecified degrees of freedom of keyframes that edit a recording.
@@ -55,47 +43,37 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
     """
     rows = _with_objects(source.table)
     places = [f"{source.where}: {label}" for label in source.labels]
-    wants = _targets(figure, rows, places)
-    loose = [want.loose(figure, row) for want, row in zip(wants, rows, strict=True)]
+    targets = _targets(figure, rows, places)
+    loose = [released_links(figure, row, *both) for both, row in zip(targets, rows, strict=True)]
     keys: list[Frame] = []
     for row, here, free in zip(rows, places, loose, strict=True):
         if row.others == "previous" and not keys:
             raise UserError(f"{here}: others = 'previous' has no keyframe before it")
         keys.append(_based(_key(figure, row, keys[-1] if keys else None, free, here), base))
     stander, missed = stander_of(source, figure), list[str]()
-    if any(want.goals for want in wants):
-        for k, (row, want, here) in enumerate(zip(rows, wants, places, strict=True)):
+    if any(goals for goals, _ in targets):
+        for k, (row, (goals, _), here) in enumerate(zip(rows, targets, places, strict=True)):
             partial = _key(figure, row, keys[k - 1] if k else None, loose[k], here)  # "previous" uses solved keyframes
             keys[k] = _based(partial, base)
-            if want.goals:
+            if goals:
                 among, index = (keys, k) if base is None else ([_later(keys[k], base, by) for by in (-1, 0, 1)], 1)
                 unposed = among[index]
-                keys[k], nearest = with_pose(figure, among, index, want.goals, soles_of(figure, among), stander, here)
+                keys[k], nearest = with_pose(figure, among, index, goals, soles_of(figure, among), stander, here)
                 if not nearest.is_met:
-                    note = notes.on_unmet(figure, unposed, row, want.goals, nearest)
-                    missed.append(f"{source.labels[k]}: {note}")
+                    missed.append(f"{source.labels[k]}: {notes.on_unmet(figure, unposed, row, goals, nearest)}")
                 keys[k] = _based(keys[k], base)
-    for key, want, here in zip(keys, wants, places, strict=True):
-        if want.placed:
-            check_search(figure, key, want.placed, here)
-    placed = tuple(point for want in wants for point in want.placed)
-    return Posed(keys if base is not None else stander.stood(keys, placed), placed, missed)
+    for key, (_, left), here in zip(keys, targets, places, strict=True):
+        check_search(figure, key, left, here)
+    placed = [point for _, left in targets for point in left]
+    return keys if base is not None else stander.stood(keys, placed), placed, missed
 
 
 def stander_of(source: Parsed, figure: Figure) -> Stander:
     """Return the object that poses the feet of a clip's partial keyframes."""
     table = source.table
     bends, flights = posing_limits(figure, source.options)
-    return Stander(
-        figure,
-        static_surfaces(figure.model),
-        bends,
-        table.solve,
-        source.where,
-        table.contact,
-        table.grasp,
-        flights,
-    )
+    surfaces = static_surfaces(figure.model)
+    return Stander(figure, surfaces, bends, table.solve, source.where, table.contact, table.grasp, flights)
 
 
 def _based(key: Frame, base: Callable[[float], Array] | None) -> Frame:
@@ -110,7 +88,9 @@ def _later(key: Frame, base: Callable[[float], Array], by: int) -> Frame:
     return Frame.key(key.time + by, base(key.time)) if by else Frame(key.time, key.state, key.fixed)
 
 
-def _targets(figure: Figure, rows: Sequence[KeyframeTable], where: Sequence[str]) -> list[Wanted]:
+def _targets(
+    figure: Figure, rows: Sequence[KeyframeTable], where: Sequence[str]
+) -> list[tuple[list[Goal], list[Placed]]]:
     """Return the target positions in each keyframe. Feet are inferred from complete keyframes."""
     places = Places(figure)
     if any(row.sites or row.bodies for row in rows):
@@ -118,7 +98,7 @@ def _targets(figure: Figure, rows: Sequence[KeyframeTable], where: Sequence[str]
         for row, here in zip(rows, where, strict=True):
             keys.append(_key(figure, row, keys[-1] if keys else None, (), here))
         places = Places(figure, soles_of(figure, keys))
-    return [wanted(places, row, here) for row, here in zip(rows, where, strict=True)]
+    return [targets_of(places, row, here) for row, here in zip(rows, where, strict=True)]
 
 
 def soles_of(figure: Figure, keys: Sequence[Frame]) -> tuple[Point, ...]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
@@ -17,26 +16,20 @@ if TYPE_CHECKING:
     from dynsplines.solver.array import Array
 
 
-@dataclass(frozen=True)
-class Expected:
-    """The value that a key takes, in the words of errors; without it those of pydantic."""
-
-    words: str
-
-
-Real = Annotated[float, Strict(), Field(allow_inf_nan=False), Expected("a number")]
+# A text in Annotated is the value that a key takes, in the words of errors; without it those of pydantic.
+Real = Annotated[float, Strict(), Field(allow_inf_nan=False), "a number"]
 Number = Annotated[Real, Field(ge=-LARGEST, le=LARGEST)]
-Whole = Annotated[int, Strict(), Expected("a whole number")]
-Flag = Annotated[bool, Strict(), Expected("true or false")]
-Word = Annotated[str, Expected("a word in quotes")]
-Name = Annotated[str, Field(min_length=1), Expected("a name in quotes")]
-Names = Annotated[list[str], Expected("a list of names")]
+Whole = Annotated[int, Strict(), "a whole number"]
+Flag = Annotated[bool, Strict(), "true or false"]
+Word = Annotated[str, "a word in quotes"]
+Name = Annotated[str, Field(min_length=1), "a name in quotes"]
+Names = Annotated[list[str], "a list of names"]
 Length = Annotated[Real, Field(gt=0, le=1000)]
 Angle = Annotated[Real, Field(gt=0, le=360)]
 Axis = Number | Literal["free"]
 Share = Annotated[Real, Field(ge=0, le=1)]
-Place = Annotated[tuple[Number, Number, Number], Expected("[x, y, z] in metres")]
-Axes = Annotated[tuple[Axis, Axis, Axis], Expected('[x, y, z] in metres, each a number or "free"')]
+Place = Annotated[tuple[Number, Number, Number], "[x, y, z] in metres"]
+Axes = Annotated[tuple[Axis, Axis, Axis], '[x, y, z] in metres, each a number or "free"']
 KEY = "key:"  # prefix of the name of a <key> of the model
 ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
 UP, IDENTITY = np.array([0.0, 0.0, 1.0]), np.array([1.0, 0.0, 0.0, 0.0])  # the vertical; no rotation, wxyz
@@ -73,10 +66,10 @@ class Table(BaseModel):
 class RotationTable(Table):
     """A rotation in one of several notations, followed by a heading about the vertical."""
 
-    rotvec: Annotated[tuple[Number, Number, Number] | None, Expected("three angles [x, y, z] in degrees")] = None
-    euler: Annotated[list[Number] | None, Expected("a list of angles in degrees")] = None
+    rotvec: Annotated[tuple[Number, Number, Number] | None, "three angles [x, y, z] in degrees"] = None
+    euler: Annotated[list[Number] | None, "a list of angles in degrees"] = None
     order: Word | None = None
-    quat: Annotated[tuple[Number, Number, Number, Number] | None, Expected("four numbers [w, x, y, z]")] = None
+    quat: Annotated[tuple[Number, Number, Number, Number] | None, "four numbers [w, x, y, z]"] = None
     heading: Number | None = None
 
     @property
@@ -137,7 +130,7 @@ class RootTable(Table):
     """The position and orientation of a free body."""
 
     position: Axes | Literal["free"] = "free"
-    rotation: Annotated[RotationTable | Literal["free"], Expected(f'{ROTATION} or "free"')] = "free"
+    rotation: Annotated[RotationTable | Literal["free"], f'{ROTATION} or "free"'] = "free"
 
 
 class SiteTable(Table):
@@ -150,9 +143,9 @@ class SiteTable(Table):
 class BodyTable(RotationTable):
     """The target orientation of a body, and the target position of its origin, or of the point `at` in its axes."""
 
-    flat: Annotated[Flag | None, Expected("true")] = None
+    flat: Annotated[Flag | None, "true"] = None
     position: Axes | None = None
-    at: Annotated[Place | None, Expected("[x, y, z] in metres, in the body's own axes")] = None
+    at: Annotated[Place | None, "[x, y, z] in metres, in the body's own axes"] = None
 
     @model_validator(mode="after")
     def check(self) -> Self:
@@ -168,16 +161,16 @@ class BodyTable(RotationTable):
         return self
 
 
-Joint = Annotated[RotationTable | Number | Literal["free"], Expected(f'{ROTATION}, a number or "free"')]
+Joint = Annotated[RotationTable | Number | Literal["free"], f'{ROTATION}, a number or "free"']
 Site = Annotated[
     SiteTable | Axes,
-    Expected('[x, y, z] in metres, each a number or "free", or {position = [x, y, z], by = "pose" or "search"}'),
+    '[x, y, z] in metres, each a number or "free", or {position = [x, y, z], by = "pose" or "search"}',
 ]
-Body = Annotated[BodyTable, Expected(f"{{flat = true}} or a rotation, {ROTATION}, or {{position = [x, y, z]}}")]
-Root = Annotated[RootTable, Expected("a table: position and rotation of a free joint")]
+Body = Annotated[BodyTable, f"{{flat = true}} or a rotation, {ROTATION}, or {{position = [x, y, z]}}"]
+Root = Annotated[RootTable, "a table: position and rotation of a free joint"]
 Others = Annotated[
     Literal["free", "rest", "previous"] | ModelKey,
-    Expected("'free', 'rest', 'previous' or 'key:NAME', a <key> of the model"),
+    "'free', 'rest', 'previous' or 'key:NAME', a <key> of the model",
 ]
 
 
@@ -212,11 +205,9 @@ class _ObstacleTable(Table):
     name: Name | None = None
     body: Name | None = None
     mass: Annotated[Real, Field(gt=0, le=LARGEST)] | None = None
-    color: Annotated[
-        tuple[Share, Share, Share, Share] | None, Expected("[red, green, blue, opacity], each from 0 to 1")
-    ] = None
+    color: Annotated[tuple[Share, Share, Share, Share] | None, "[red, green, blue, opacity], each from 0 to 1"] = None
     position: Place | None = None
-    rotation: Annotated[RotationTable | None, Expected(ROTATION)] = None
+    rotation: Annotated[RotationTable | None, ROTATION] = None
 
     def check_place(self) -> None:
         if self.position is None and self.body is None:
@@ -234,7 +225,7 @@ class _ObstacleTable(Table):
 class BoxTable(_ObstacleTable):
     """A box."""
 
-    size: Annotated[tuple[Length, Length, Length], Expected("[length, width, height] in metres")]
+    size: Annotated[tuple[Length, Length, Length], "[length, width, height] in metres"]
 
 
 class SphereTable(_ObstacleTable):
@@ -271,10 +262,10 @@ class SceneTable(Table):
     """The surroundings."""
 
     step: StepTable | None = None
-    box: Annotated[list[BoxTable], Expected("[[scene.box]] tables")] = []
-    sphere: Annotated[list[SphereTable], Expected("[[scene.sphere]] tables")] = []
-    capsule: Annotated[list[BarTable], Expected("[[scene.capsule]] tables")] = []
-    cylinder: Annotated[list[BarTable], Expected("[[scene.cylinder]] tables")] = []
+    box: Annotated[list[BoxTable], "[[scene.box]] tables"] = []
+    sphere: Annotated[list[SphereTable], "[[scene.sphere]] tables"] = []
+    capsule: Annotated[list[BarTable], "[[scene.capsule]] tables"] = []
+    cylinder: Annotated[list[BarTable], "[[scene.cylinder]] tables"] = []
 
 
 class PenaltyTable(Table):
@@ -306,7 +297,7 @@ class GraspTable(Table):
     """A site that is fixed on a body in an interval [s]."""
 
     hand: Word
-    body: Annotated[str, Expected("a name in quotes")]
+    body: Annotated[str, "a name in quotes"]
     start: Number = Field(alias="from")
     end: Number = Field(alias="to")
     position: Place | None = None
@@ -397,19 +388,19 @@ class MapTable(Table):
 class MirrorTable(Table):
     """Partners of the mirror symmetry whose names do not contain left and right."""
 
-    pairs: Annotated[list[tuple[Name, Name]], Expected('a list of pairs of names, such as [["arm_1", "arm_2"]]')] = []
+    pairs: Annotated[list[tuple[Name, Name]], 'a list of pairs of names, such as [["arm_1", "arm_2"]]'] = []
 
 
 class ClipTable(Table):
     """The whole file of a clip."""
 
-    figure: Annotated[str, Expected("the name of a figure or a path in quotes")]
+    figure: Annotated[str, "the name of a figure or a path in quotes"]
     fps: Annotated[Real, Field(ge=0.01, le=1000)] = 30.0
     scene: SceneTable = SceneTable()
     solve: SolveTable = SolveTable()
-    penalty: Annotated[list[PenaltyTable], Expected("[[penalty]] tables")] = []
-    contact: Annotated[list[ContactTable], Expected("[[contact]] tables")] = []
-    grasp: Annotated[list[GraspTable], Expected("[[grasp]] tables")] = []
+    penalty: Annotated[list[PenaltyTable], "[[penalty]] tables"] = []
+    contact: Annotated[list[ContactTable], "[[contact]] tables"] = []
+    grasp: Annotated[list[GraspTable], "[[grasp]] tables"] = []
     recording: RecordingTable | None = None
     mirror: MirrorTable = MirrorTable()
-    keyframe: Annotated[list[KeyframeTable], Expected("[[keyframe]] tables")] = []
+    keyframe: Annotated[list[KeyframeTable], "[[keyframe]] tables"] = []

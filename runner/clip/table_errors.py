@@ -11,9 +11,8 @@ from pydantic import ValidationError
 
 from ..errors import unknown
 from ..system.quantity import LARGEST
-from .table import Expected, Table
+from .table import Table
 
-RENAMED = {"hold": "grasp"}  # tables of a clip
 LONGEST_LINE = 60  # maximum number of letters of a line of TOML in an error
 
 # How to correct invalid TOML: the start of the parser's message, a pattern of the text at its place, and what to do.
@@ -55,12 +54,8 @@ def describe(
     where = "".join(f"{word}: " for word in words)
     key = ".".join(names)
     if kind == "extra_forbidden":
-        if key in RENAMED:
-            return f"[[{key}]] is named [[{RENAMED[key]}]] now"
         above = f"{'.'.join(names[:-1])}: " if names[:-1] else ""
         return where + above + unknown("key", names[-1], _keys(around))
-    if names[-1:] == ["others"] and actual == "hold":
-        return f"{where}others = 'hold' is named others = 'previous' now"
     if kind == "missing" and isinstance(first["loc"][-1], str):
         return f"{where}'{key}' is missing"
     if kind == "value_error":
@@ -175,7 +170,7 @@ def _keys(kind: Any) -> list[str]:
 def _expected(kind: Any) -> str:
     """Return the value that a type expects, in words; "" if they are pydantic's."""
     if get_origin(kind) is Annotated:
-        expected = [entry.words for entry in kind.__metadata__ if isinstance(entry, Expected)]
+        expected = [entry for entry in kind.__metadata__ if isinstance(entry, str)]
         return expected[-1] if expected else _expected(get_args(kind)[0])
     options = get_args(kind) if get_origin(kind) in (Union, UnionType) else ()
     return next(filter(None, map(_expected, options)), "")

@@ -11,7 +11,6 @@ from dynsplines import models
 
 from .. import motion, recordings, solving
 from ..clip.build import Clip
-from ..clip.load import load_motion
 from ..clip.mirror import mirrored_tables
 from ..clip.parse import table_of
 from ..clip.table import ClipTable, PenaltyTable
@@ -101,7 +100,7 @@ def _prepared(
     if target.suffix not in (".npz", ".toml"):
         raise UserError(f"{target}: an edit is written as a motion, .npz, or as a clip, .toml")
     check_target(target, overwrite=overwrite)
-    inputs = [load_motion(Path(item)) if motion.is_motion(item) else recordings.load(item) for item in sources]
+    inputs = [motion.load(Path(item)) if motion.is_motion(item) else recordings.load(item) for item in sources]
     if target.suffix == ".toml" and not (writes_clips and isinstance(inputs[0], Clip) and inputs[0].text):
         raise UserError(
             f"{target}: only `mirror` and `retime` of a clip write a clip; write a motion, .npz, which a clip can "

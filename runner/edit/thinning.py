@@ -22,7 +22,7 @@ from dynsplines.solver.edit.thin import Bound, Recorded, refined, thin
 from .. import motion, recordings, solving
 from ..clip import text as clip_text
 from ..clip.build import around, radians
-from ..clip.load import load_motion, of_motion
+from ..clip.load import of_motion
 from ..clip.parse import SHORTEST
 from ..errors import UserError
 from ..exchange.formats import is_foreign, stem
@@ -154,7 +154,7 @@ def run(
     check_target(target, overwrite=overwrite)
     is_imported = figure is not None or kind is not None
     if not is_imported and motion.is_motion(source) and not is_foreign(Path(source)):
-        saved = load_motion(Path(source))
+        saved = motion.load(Path(source))
     elif not is_imported and (source in models.clips() or Path(source).suffix.lower() == ".toml"):
         saved = solving.saved(recordings.load(source), progress)
     else:

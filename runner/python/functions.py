@@ -23,8 +23,8 @@ from ..clip.build import Clip, CustomPenalties, with_custom_penalties
 from ..clip.text import TomlTable, keyframe_tables, tables, written
 from ..errors import UserError, words_of
 from ..scene import file_access
+from ..scene.compose import is_text, spec_of, spec_of_text
 from ..scene.configuration import first_wrong
-from ..scene.model_inputs import is_text, spec_of, spec_of_text
 from ..system.mujoco_warnings import as_python_warnings, quietly
 from ..system.progress import Progress, silent
 from ..system.quantity import positive
@@ -74,7 +74,7 @@ class Keyframe:
 
 @as_python_warnings()
 def build(
-    figure: str | os.PathLike[str] | mujoco.MjSpec | mujoco.MjModel,
+    figure: str | os.PathLike[str] | mujoco.MjSpec,
     keyframes: Sequence[Keyframe],
     *,
     name: str = "clip",
@@ -92,8 +92,8 @@ def build(
     """Build a clip from keyframes.
 
     Args:
-        figure: Name of a shipped figure (see `figures()`), path of an MJCF or URDF file, MJCF text, an MjSpec, or
-            the MjModel that was compiled last (MuJoCo keeps the source of this one only).
+        figure: Name of a shipped figure (see `figures()`), path of an MJCF or URDF file, MJCF text, or an
+            MjSpec.
         keyframes: Two or more, in order of time.
         name: Name of the clip and of output files.
         fps: Samples per second [1/s] of outputs.
@@ -211,7 +211,7 @@ def load_motion(source: str | os.PathLike[str]) -> Motion:
     """
     if not files.is_motion(os.fspath(source)):
         raise UserError(f"'{source}': a motion is an .npz file; load opens a clip, import_motion a recording")
-    return Motion(clips.load_motion(Path(source)))
+    return Motion(files.load(Path(source)))
 
 
 @as_python_warnings()

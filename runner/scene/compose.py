@@ -6,6 +6,7 @@ Keyframes place the object, and hands can grasp it.
 
 from __future__ import annotations
 
+import os
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -23,8 +24,9 @@ from dynsplines.solver.surface.touch import SCENERY, grounds, moves
 from ..errors import UserError, unknown, words_of
 from ..system import size_limit
 from ..system.mujoco_warnings import quietly
+from . import file_access
 from .assets import Assets, Scene, check_places, taken_along
-from .file_access import is_there, models_in
+from .file_access import elements, is_there, models_in
 from .framing import STANDING, is_of_people_size, rest_box, size_of
 from .mujoco_versions import geoms_by_number, lamp, portable_text, remove
 from .triangles import HIDDEN_GROUP
@@ -33,6 +35,7 @@ PREFIX = "stage_"
 GREY = (0.5, 0.5, 0.5, 1.0)  # MuJoCo's default colour of a geom
 BURIED = 0.005  # [m] depth in the floor that is permitted for a fixed figure
 BELOW = 0.02  # [1] distance of an added floor below the figure's lowest point, relative to the figure's size
+INPUTS = "give the name of a figure that ships, a path to MJCF or URDF, MJCF text or an MjSpec"
 KINDS = {
     "box": mujoco.mjtGeom.mjGEOM_BOX,
     "sphere": mujoco.mjtGeom.mjGEOM_SPHERE,
@@ -106,6 +109,42 @@ def figure_spec(figure: str, folder: Path | None = None) -> mujoco.MjSpec:
     except ValueError as error:
         raise UserError(f"{figure}: MuJoCo cannot read it: {words_of(error)}") from None
     return spec
+
+
+def is_text(source: object) -> bool:
+    """Return whether a source is MJCF or URDF text, not a path."""
+    return isinstance(source, str) and source.lstrip("\ufeff \t\r\n").startswith("<")
+
+
+def spec_of(figure: object) -> tuple[mujoco.MjSpec, str]:
+    """Return a model for changes, and its name in a clip's text: a shipped name, a path, or the model's name.
+
+    Raises UserError for other objects, such as an MjModel, which MuJoCo cannot write as MJCF in general.
+    """
+    if isinstance(figure, mujoco.MjSpec):
+        spec = figure.copy()
+    elif isinstance(figure, str) and is_text(figure):
+        spec = spec_of_text(figure)
+    elif isinstance(figure, str | os.PathLike):
+        called = os.fspath(figure)
+        if not isinstance(called, str):
+            raise UserError(f"figure is a path of bytes; {INPUTS}")
+        return figure_spec(called), called if called in models.figures() else Path(called).resolve().as_posix()
+    else:
+        raise UserError(f"figure is of type {type(figure).__name__}; {INPUTS}")
+    return spec, f"{spec.modelname or 'figure'}.xml"
+
+
+def spec_of_text(text: str) -> mujoco.MjSpec:
+    """Return the model of MJCF text, whose files are relative to the current folder."""
+    for tag, attributes in elements(text):
+        if tag in ("include", "model") and attributes.get("file"):
+            file_access.check(Path(attributes["file"]), Path(), attributes["file"])
+    try:
+        with quietly():
+            return mujoco.MjSpec.from_string(text)
+    except ValueError as error:
+        raise UserError(f"figure: MuJoCo cannot read the text: {words_of(error)}") from None
 
 
 def stage(

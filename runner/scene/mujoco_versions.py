@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import re
-import tempfile
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -56,20 +55,6 @@ def portable_text(spec: mujoco.MjSpec) -> str:
     text = re.sub(r' material="([^"]*)"', lambda match: match[0] if match[1] in materials else "", text)
     text = re.sub(r"<texture [^>]*>", lambda match: match[0].replace(' colorspace="auto"', ""), text)
     return re.sub(r"<hfield [^>]*>", lambda match: _upright(match[0]), text) if _turns_height_fields() else text
-
-
-def last_text(model: mujoco.MjModel) -> str:
-    """Return the text of the model that MuJoCo read last from a file or text, with the numbers of `model`.
-
-    It may be another model, because MuJoCo stores no text of a compiled one. Raises ValueError if there is none.
-    """
-    with tempfile.TemporaryDirectory() as folder, _precise():
-        path = Path(folder) / "model.xml"
-        try:
-            mujoco.mj_saveLastXML(str(path), model)
-        except mujoco.FatalError as error:
-            raise ValueError(str(error)) from None
-        return path.read_text(encoding="utf-8")
 
 
 @contextlib.contextmanager

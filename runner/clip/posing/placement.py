@@ -8,7 +8,6 @@ specifies them.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -50,31 +49,25 @@ MOST_RISES = 10  # attempts to lift the soles out of the ground
 MOST_TURNED = np.radians(45)  # [rad] rotation of a foot from which its heading is corrected
 
 
-@dataclass(frozen=True, eq=False)
-class Wanted:
-    """A keyframe's position entries: goals of its pose, and points that the search places."""
-
-    goals: tuple[Goal, ...] = ()
-    placed: tuple[Placed, ...] = ()
-
-    def loose(self, figure: Figure, row: KeyframeTable) -> list[int]:
-        """Return the links whose joints the goals and points free, independent of `others`."""
-        model = figure.model
-        bodies = [goal.bodies(model)[0] for goal in self.goals]
-        bodies += [figure.links[point.point.link].body for point in self.placed]
-        named = root_links(figure, row) | {i for i, link in enumerate(figure.links) if link.name in row.joints}
-        return sorted({link for body in bodies for link in limb(figure, body)} - named)
+def released_links(figure: Figure, row: KeyframeTable, goals: Sequence[Goal], placed: Sequence[Placed]) -> list[int]:
+    """Return the links whose joints a keyframe's goals and placed points free, independent of `others`."""
+    bodies = [goal.bodies(figure.model)[0] for goal in goals]
+    bodies += [figure.links[point.point.link].body for point in placed]
+    named = root_links(figure, row) | {i for i, link in enumerate(figure.links) if link.name in row.joints}
+    return sorted({link for body in bodies for link in limb(figure, body)} - named)
 
 
-def wanted(places: Places, row: KeyframeTable, where: str) -> Wanted:
-    """Read a keyframe's sites and bodies; raises UserError for unknown names and contradictions."""
+def targets_of(places: Places, row: KeyframeTable, where: str) -> tuple[list[Goal], list[Placed]]:
+    """Return a keyframe's position entries: goals of its pose, and points that the search places.
+
+    Raises:
+        UserError: For unknown names and contradictions.
+    """
     figure = places.figure
     goals: list[Goal] = []
     placed: list[Placed] = []
     for name, table in row.sites.items():
-        point = places.point(name)
-        if point is None:
-            raise UserError(f"{where}: {unknown('site', name, places.points_listed)}")
+        point = places.named_point(name, where)
         table = table if isinstance(table, SiteTable) else SiteTable(position=table)
         target = _target(table.position, f"{where}: sites.{name}", "the site")
         goal = PointGoal.of(figure, point, target)
@@ -90,7 +83,7 @@ def wanted(places: Places, row: KeyframeTable, where: str) -> Wanted:
         body_goals = _body_goals(figure, name, body, table, f"{where}: bodies.{name}")
         _check_moves(figure, body_goals[0], f"{where}: body '{name}'")
         goals += body_goals
-    return Wanted(tuple(goals), tuple(placed))
+    return goals, placed
 
 
 def _target(position: Sequence[float | str], where: str, what: str) -> Array:

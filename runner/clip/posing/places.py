@@ -37,6 +37,7 @@ from dynsplines.solver.surface.points import (
 )
 from dynsplines.solver.surface.touch import movers
 
+from ...errors import UserError, unknown
 from ..table import KeyframeTable
 
 # Names of points of a muscle's path and of its wrapping sides in models converted from OpenSim.
@@ -86,6 +87,14 @@ class Places:
         body = self.body(name)
         return None if body is None else self._body_point(name, body)
 
+    def named_point(self, name: str, where: str) -> Point:
+        """Return a point by name; raises UserError that lists sites and feet, or bodies if there are none."""
+        point = self.point(name)
+        if point is None:
+            names = list(dict.fromkeys([*posable_sites(self.figure.model), *self.soles])) or self.bodies_listed
+            raise UserError(f"{where}: {unknown('site', name, names)}")
+        return point
+
     def body(self, name: str) -> int | None:
         """Return the id of a body by its name, or by that of a joint, site, foot or geom; None without."""
         model = self.figure.model
@@ -104,11 +113,6 @@ class Places:
         """Return all names of the first kind to which a name belongs: sites, feet, bodies or geoms."""
         kinds = (self._sites, self.soles, self._bodies, self._geoms)
         return next((list(names) for names in kinds if name in names), [])
-
-    @property
-    def points_listed(self) -> list[str]:
-        """The names of points listed in a message: sites and feet, or bodies if there are none."""
-        return list(dict.fromkeys([*posable_sites(self.figure.model), *self.soles])) or self.bodies_listed
 
     @property
     def bodies_listed(self) -> list[str]:

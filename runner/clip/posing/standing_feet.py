@@ -15,7 +15,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
-from dynsplines.solver.contacts import ROUNDING
+from dynsplines.solver.contacts import ROUNDING, ContactSchedule
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
@@ -36,7 +36,7 @@ from dynsplines.solver.posing import (
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, placed
 
-from ..contacts import KeyframeContacts
+from ..contacts import schedule_of
 from ..table import ContactTable, GraspTable, SolveTable
 from .grounding import Grounding
 
@@ -178,8 +178,7 @@ class Stander:
 
     def known_positions(self, timeline: Timeline) -> _KnownPositions:
         tables = list(_during(self.contact_tables, *timeline.times[[0, -1]].tolist()))
-        specified = KeyframeContacts.of(self.figure, timeline, self.surfaces, self.where, tables, self.grasp_tables)
-        return _KnownPositions(self.figure, timeline, self.surfaces, specified)
+        return _KnownPositions(schedule_of(self.figure, timeline, self.surfaces, self.where, tables, self.grasp_tables))
 
     def _posed(self, key: Frame, known: _KnownPositions, k: int, left: Sequence[Placed]) -> Frame:
         """Return keyframe k posed for its feet and goals; feet that cannot keep their stance are released."""
@@ -229,14 +228,12 @@ class _KnownPositions:
     For a loop three periods are evaluated, which include the keyframes before the first and after the last.
     """
 
-    def __init__(
-        self, figure: Figure, timeline: Timeline, surfaces: Sequence[Surface], specified: KeyframeContacts
-    ) -> None:
-        self.figure, self.timeline, self.limits = figure, timeline, Thresholds.of(figure)
-        self.soles, self.contacts, self.grasps = specified.points, specified.contacts, specified.grasps
+    def __init__(self, schedule: ContactSchedule) -> None:
+        self.figure, self.timeline, self.limits = schedule.figure, schedule.keys, Thresholds.of(schedule.figure)
+        self.soles, self.contacts, self.grasps = schedule.points, schedule.contacts, schedule.grasps
         rests = [stance.point for stance in self.contacts.stances]
         self.points = (*self.soles, *(p for i, p in enumerate(rests) if not _among(p, (*self.soles, *rests[:i]))))
-        self.at_keys = KeyframePoints.of(figure, timeline, self.points, surfaces)
+        self.at_keys = KeyframePoints.of(self.figure, self.timeline, self.points, schedule.surfaces)
         self.told = self.at_keys.is_known
         self.times, self.centres, self.low = self._unrolled()
 

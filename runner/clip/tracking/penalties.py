@@ -39,7 +39,7 @@ from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane, Surface, static_surfaces
 from dynsplines.solver.surface.points import Point, body_points, bottoms_of
 
-from ...errors import UserError, unknown
+from ...errors import UserError
 from ..context import knees_and_elbows
 from ..posing.places import Places, rounded, sole_points
 from ..table import ContactTable, StanceTable
@@ -133,13 +133,10 @@ def _bends(figure: Figure, qpos: Array) -> BendLimits | None:
 
 def rests_of(ground: Ground, tables: Sequence[ContactTable], span: tuple[float, float], where: str) -> tuple[Rest, ...]:
     """Return the stances of [[contact]] tables for a recording over a span [s]; `where` is the label in errors."""
-    places, rests = Places(ground.figure, ground.points), list[Rest]()
-    sole_points_by_name = {point.name: point for point in ground.points}
+    places, soles, rests = Places(ground.figure, ground.points), {p.name: p for p in ground.points}, list[Rest]()
     for number, table in enumerate(tables, start=1):
         name = f"{where}: contact {number} ('{table.point}')"
-        point = sole_points_by_name.get(table.point) or places.point(table.point)
-        if point is None:
-            raise UserError(f"{name}: {unknown('site', table.point, places.points_listed)}")
+        point = soles.get(table.point) or places.named_point(table.point, name)
         if not span[0] - ROUNDING <= table.start < table.end <= span[1] + ROUNDING:
             raise UserError(
                 f"{name}: {table.start:g} to {table.end:g} s is not within the recording, {span[0]:g} to {span[1]:g} s"

@@ -494,11 +494,3 @@ def test_at_another_speed_and_in_a_part_of_the_clip_grasps_keep_their_place():
     (left, right) = clips.clip_from_motion(part).context.schedule.grasps
     assert (left.first, left.last, right.last) == (0.8, 1.3, 1.3)
     assert [penalty.name for penalty, _ in clips.clip_from_motion(part).penalties].count("attach.grasp") == 1
-
-
-def test_older_names_of_tables_and_values_are_errors_with_their_present_ones():
-    rest = 'figure = "human"\n[[keyframe]]\ntime = 0\nothers = "rest"\n[[keyframe]]\ntime = 1\n'
-    with pytest.raises(UserError, match=r"^old.toml: \[\[hold\]\] is named \[\[grasp\]\] now$"):
-        recordings.from_text(rest + "[[hold]]\n", name="old")
-    with pytest.raises(UserError, match=r"keyframe 2 \(t = 1 s\): others = 'hold' is named others = 'previous' now$"):
-        recordings.from_text(rest + 'others = "hold"\n', name="old")

@@ -24,7 +24,7 @@ from rich.console import Console
 from dynsplines import Clip, Keyframe, Motion, UserError, build, inbetween, load, load_motion, recordings, solving
 from dynsplines.cli import list_penalties
 from dynsplines.clip import load as clip
-from dynsplines.clip.kinds import KINDS, RENAMED, Kind, Part
+from dynsplines.clip.kinds import KINDS, Kind, Part
 from dynsplines.measure.report import report, tables
 from dynsplines.motion import save
 from dynsplines.scene.compose import compose
@@ -207,13 +207,6 @@ def test_errors_name_table_key_and_value(table, told):
     assert tomllib.loads(f"{CLIP}[[penalty]]\n{table}")
 
 
-@pytest.mark.parametrize("kind", RENAMED)
-def test_an_older_kind_is_refused_with_the_term_that_replaces_it(kind):
-    with pytest.raises(UserError, match=f"penalty 1: kind '{kind}' is '{RENAMED[kind]}' now"):
-        load(f'{CLIP}[[penalty]]\nkind = "{kind}"\n')
-    assert RENAMED[kind] in {record.term(part) for record in KINDS.values() for part in record.parts}
-
-
 def test_a_custom_penalty_becomes_a_kind_by_one_record(monkeypatch, capsys):
     record = Kind("calm", (Part(0.2, "speed of all links", lambda context, options: Calm()),))
     monkeypatch.setitem(KINDS, "calm", record)
@@ -232,13 +225,11 @@ def test_a_custom_penalty_becomes_a_kind_by_one_record(monkeypatch, capsys):
     assert outline(CLIP + '[[penalty]]\nkind = "calm"\nweight = 3', "clip")["weights"] == {"calm": 3}
 
 
-@pytest.mark.parametrize("old", ['[[penalty]]\nkind = "clearance"\nweight = 100\n', '[[hold]]\nhand = "left_hand"\n'])
-def test_a_motion_of_an_older_version_is_read_without_its_text(tmp_path, old):
+def test_a_motion_whose_text_another_version_wrote_has_the_penalties_of_its_keyframes(tmp_path):
     saved = inbetween(load(CLIP + "[solve]\nevaluations = 1\nframes = 0\n")).saved
     search: Any = {"stop": "STUCK", "own penalties": ["calm"]}  # names of version 0.2
-    save(replace(saved, text=CLIP + old, search=search), tmp_path / "old.npz")
+    save(replace(saved, text=CLIP + '[[penalty]]\nkind = "clearance"\n', search=search), tmp_path / "old.npz")
     read = load_motion(tmp_path / "old.npz")
-    assert not read.saved.text
     assert read.clip.penalties
     assert read.mirrored().duration == 1
 

@@ -118,11 +118,11 @@ def test_two_keyframes_tell_none_even_if_asked():
     keys = raw_timeline(FIGURE, [Frame.key(TIME[k], WALK[k]) for k in (0, 200)])
     two = Gait(FIGURE, keys, SOLES, GROUND)
     assert two.infer() is two.likeliest() is two.with_period(1.0) is None
-    found = constraints(Context.of(FIGURE, keys, GROUND, "two"), chosen([PenaltyTable.of("cycle", period=1.0)], "two"))
-    assert "cycle" not in {penalty.name for penalty, _ in found.penalties}
+    listed = chosen([PenaltyTable.of("cycle", period=1.0)], "two")
+    _, penalties, notes = constraints(Context.of(FIGURE, keys, GROUND, "two"), listed)
+    assert "cycle" not in {penalty.name for penalty, _ in penalties}
     assert (
-        "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none"
-        in found.notes
+        "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none" in notes
     )
 
 
@@ -138,8 +138,8 @@ def test_a_clip_has_the_cycle_by_itself_or_as_asked_and_not_with_weight_0():
     keys = gait(WALK, 0.42).keys
 
     def periods(*entries: PenaltyTable) -> list[float]:
-        found = constraints(Context.of(FIGURE, keys, GROUND, "walk"), chosen(entries, "walk"))
-        return [penalty.gait_cycle.period for penalty, _ in found.penalties if isinstance(penalty, Cycle)]
+        _, penalties, _ = constraints(Context.of(FIGURE, keys, GROUND, "walk"), chosen(entries, "walk"))
+        return [penalty.gait_cycle.period for penalty, _ in penalties if isinstance(penalty, Cycle)]
 
     assert periods() == pytest.approx([PERIOD], rel=0.05)
     assert periods(PenaltyTable.of("cycle", period=0.9)) == [0.9]
