@@ -68,41 +68,6 @@ def energy(path: Path) -> float:
     return float(w @ np.sum(rate**2, axis=1))
 
 
-def ratio(seed: int, variable: int, even: bool = True) -> float:
-    return energy(motion(seed, variable, even=even).path) / exact(seed, even).energy
-
-
-@pytest.mark.slow
-@pytest.mark.parametrize(("seed", "even"), [(0, True), (1, False)])
-def test_the_oracle_obeys_its_equation_and_meets_the_keyframes(seed: int, even: bool) -> None:
-    faults = exact(seed, even).faults()
-    assert faults.equation < 1e-5
-    assert max(faults.keyframes, faults.continuity, faults.ends) < 1e-11
-
-
-def test_the_oracle_finds_a_turn_about_one_axis_to_be_the_natural_cubic_of_the_angle() -> None:
-    angles = np.array([0, 0.7, 1.9, 1.1, 0.2])
-    keys = np.stack([np.cos(angles / 2), 0 * angles, np.sin(angles / 2), 0 * angles], axis=1)
-    path = exact_path(np.arange(5.0), keys)
-    bend = np.linalg.solve(
-        np.diag([2 / 3] * 3) + np.diag([1 / 6] * 2, 1) + np.diag([1 / 6] * 2, -1), np.diff(angles, 2)
-    )
-    curvature = np.concatenate([[0], bend, [0]])
-    expected = np.sum(curvature[:-1] ** 2 + curvature[:-1] * curvature[1:] + curvature[1:] ** 2) / 12
-    assert path.energy == pytest.approx(expected, rel=1e-10)
-
-
-def test_three_variable_frames_come_close_to_the_exact_energy_and_fifteen_within_a_millionth() -> None:
-    assert 1 - 1e-9 <= ratio(0, 3) <= 1.0005
-    assert 1 - 1e-9 <= ratio(0, 15) <= 1 + 1e-6
-
-
-@pytest.mark.slow
-def test_the_exact_energy_is_reached_with_uneven_times_too() -> None:
-    assert 1 - 1e-9 <= ratio(1, 3, even=False) <= 1.0005
-    assert ratio(1, 3, even=False) < ratio(1, 1, even=False)
-
-
 def test_the_path_itself_comes_close_to_the_exact_one() -> None:
     t = np.linspace(0, 6, 601)
     found = motion(0, 15).path.at(t)
@@ -131,10 +96,9 @@ def test_what_the_weak_form_still_promises_falls_as_the_fourth_power_for_samples
     assert left[0] > 8 * left[1] > 64 * left[2] > 0
 
 
-@pytest.mark.parametrize("variable", [1, 3])
-def test_the_promises_of_all_midpoints_add_up_to_about_the_whole_gap(variable: int) -> None:
-    found = motion(0, variable)
-    weak = WeakForm(found.objective, found.path)
-    promised = weak.decrements(midpoints(found.timeline)).sum()
-    gap = found.objective.value(found.path) - found.objective.value(motion(0, 15).path)
-    assert 0.3 <= promised / gap <= 3
+@pytest.mark.parametrize(
+    ("seed", "variable", "even", "excess"), [(0, 3, True, 5e-4), (0, 15, True, 1e-6), (1, 3, False, 5e-4)]
+)
+def test_few_variable_frames_come_close_to_the_exact_energy_and_many_closer(seed, variable, even, excess) -> None:
+    ratio = energy(motion(seed, variable, even=even).path) / exact(seed, even).energy
+    assert 1 - 1e-9 <= ratio <= 1 + excess

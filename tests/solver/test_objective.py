@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 from figures import CHAIN, figure_of, hinge_keys, hinged, scaled
 from gradients import clip, every_penalty, taylor_slope
-from motions import FINE, walk, walker
 from random_models import TIMES, evenly
 from scipy.interpolate import CubicSpline
 
@@ -46,7 +45,7 @@ from dynsplines.solver.penalty.block import Dense
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.solver.search.quadratic import Layout, Model
-from dynsplines.solver.surface import Box, Plane
+from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 
 ONE_HINGE = '<mujoco><worldbody><body><joint axis="0 1 0"/><geom size=".1"/></body></worldbody></mujoco>'
@@ -102,51 +101,22 @@ def violent_parts(times: np.ndarray, angles: np.ndarray) -> tuple[float, float]:
     raise AssertionError
 
 
-@pytest.mark.parametrize("seed", range(3))
-def test_violent_segments_count_as_four_times_what_most_of_the_time_stays_below(seed):
-    rng = np.random.default_rng(seed)
-    times = np.cumsum(rng.uniform(0.1, 0.4, 60))
-    angles = 2 * rng.normal(size=60)
-    angles[rng.integers(20, 40)] += rng.uniform(20, 60)
+@pytest.mark.parametrize("seed", [0, 1, 2, None])
+def test_violent_segments_count_as_four_times_what_most_of_the_time_stays_below_but_as_a_tenth_of_the_whole(seed):
+    if seed is None:  # nearly all of the integral is in one segment
+        times = np.append(np.arange(0.0, 20.0), 19.02)
+        angles = np.append(0.01 * np.sin(times[:-1]), 3.0)
+    else:
+        rng = np.random.default_rng(seed)
+        times = np.cumsum(rng.uniform(0.1, 0.4, 60))
+        angles = 2 * rng.normal(size=60)
+        angles[rng.integers(20, 40)] += rng.uniform(20, 60)
     objective, path = hinge_path(times, angles)
     whole, typical = violent_parts(times, angles)
-    assert 0.1 * whole < typical < whole
+    assert (typical < LEAST_TYPICAL * whole) == (seed is None) and typical < whole
     (term,) = objective.renormalised(path).terms
-    np.testing.assert_allclose(term.factor * objective.integrals(path)[0] / term.weight, whole / typical, rtol=1e-9)
-
-
-def test_a_tenth_of_the_integral_counts_however_violent_one_segment_is():
-    times = np.append(np.arange(0.0, 20.0), 19.02)
-    angles = np.append(0.01 * np.sin(times[:-1]), 3.0)
-    objective, path = hinge_path(times, angles)
-    whole, typical = violent_parts(times, angles)
-    assert typical < LEAST_TYPICAL * whole
-    (term,) = objective.renormalised(path).terms
-    np.testing.assert_allclose(term.factor, term.weight / (LEAST_TYPICAL * objective.integrals(path)[0]), rtol=1e-12)
-
-
-def test_a_pose_a_thirtieth_of_a_second_before_a_walk_does_not_make_the_walk_soft():
-    figure, soles = walker()
-    time, qpos = walk(figure, soles, 1.1, 3.5)
-    walked = [Frame.key(time[k], qpos[k]) for k in range(0, time.size, round(0.14 * FINE))]
-    pose = np.array(figure.model.qpos0)
-    pose[:3] = qpos[0, :3]
-    objective = Objective.of(figure, [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0)])
-    plain, posed = (
-        path_of(raw_timeline(figure, keys)) for keys in (walked, [Frame.key(time[0] - 1 / 30, pose), *walked])
-    )
-    assert np.all(objective.integrals(posed) > 2 * objective.integrals(plain))
-    kept, softer = (np.array([t.factor for t in objective.renormalised(path).terms]) for path in (plain, posed))
-    assert np.all(softer > kept / 1.5)
-
-
-def test_without_renormalisation_it_is_the_weighted_sum_of_integrals(figure, rng):
-    raw, penalties = path_of(clip(figure, rng)), every_penalty(figure)
-    objective = Objective.of(figure, penalties)
-    expected = np.dot([weight for _, weight in penalties], objective.integrals(raw))
-    np.testing.assert_allclose(objective.value(raw), expected, rtol=1e-12)
-    t, w = Quadrature().nodes(raw.spline.times)
-    np.testing.assert_allclose(w @ objective.density(objective.samples(raw, t)), expected, rtol=1e-12)
+    expected = whole / max(typical, LEAST_TYPICAL * whole)
+    np.testing.assert_allclose(term.factor * objective.integrals(path)[0] / term.weight, expected, rtol=1e-9)
 
 
 @pytest.mark.parametrize(("ends", "kind"), [("free", "gauss"), ("clamped start", "uniform"), ("periodic", "gauss")])
@@ -166,25 +136,6 @@ def test_the_parts_add_up_to_the_value_and_the_value_is_that_of_the_path(figure,
     np.testing.assert_allclose(sum(found.parts.values()), found.value, rtol=1e-14)
     np.testing.assert_allclose(objective.value(problem.path(problem.unknowns.start)), found.value, rtol=1e-10)
     np.testing.assert_allclose(found.parts["acceleration.angular"], 2.5, rtol=1e-10)  # two terms of one name
-    assert set(found.parts) == {
-        "acceleration.angular",
-        "unit",
-        "acceleration.linear",
-        "torque",
-        "limits.bend",
-        "collision.soles",
-    }
-
-
-def test_sample_gradients_are_those_of_the_density(figure, rng):
-    objective = Objective.of(figure, every_penalty(figure)[:6])
-    samples = objective.samples(path_of(clip(figure, rng)), np.array([0.1, 0.7, 1.2]))
-    point = np.stack([samples.y, samples.y_d, samples.y_dd])
-
-    def value(p: np.ndarray) -> float:
-        return float(objective.density(Samples(figure, *p)).sum())
-
-    assert taylor_slope(value, point, np.stack(objective.sample_gradients(samples)), rng) > 1.95
 
 
 def test_a_long_clip_in_runs_of_samples_has_the_value_and_gradient_of_one_piece(figure, rng):
@@ -214,7 +165,7 @@ def test_what_costs_more_on_a_path_that_leads_is_divided_by_that_and_violations_
     raw = path_of(timeline)
     rows = timeline.rows + 0.3 * rng.normal(size=timeline.rows.shape)
     initial_guess = path_of(timeline.with_rows(rows))
-    objective = Objective.of(figure, [*every_penalty(figure), (Posture(), 0.5)])
+    objective = Objective.of(figure, every_penalty(figure))
     plain, other, found = (
         o.terms
         for o in (
@@ -225,17 +176,11 @@ def test_what_costs_more_on_a_path_that_leads_is_divided_by_that_and_violations_
     )
     below = 0
     for own, there, both in zip(plain, other, found, strict=True):
-        scale = both.penalty.normalization
-        if scale.is_violation:
+        if both.penalty.normalization.is_violation:
             assert both.factor == own.factor
-        elif not scale.normalize_by:
+        else:
             assert both.factor == pytest.approx(min(own.factor, there.factor))
             below += both.factor < own.factor
-        else:
-            measure = [t for t in found if t.penalty.name == scale.normalize_by][-1]
-            size, powers = Size.of(figure), (scale.time_power, measure.penalty.normalization.time_power)
-            reference = scale.reference * size.length**scale.length_power * size.time ** (powers[1] - powers[0])
-            assert both.factor * reference / both.weight == pytest.approx(measure.factor / measure.weight)
     assert below > 0
 
 
@@ -302,21 +247,15 @@ def test_momentary_terms_count_at_their_instants_once_and_in_no_integral(quadrat
     objective, path = clock_and_bell(quadrature)
     t, w, each = objective.nodes(path.spline.times)
     plain, plain_weights = quadrature.nodes(path.spline.times)
-    assert np.all(np.diff(t) >= 0)
     rung = np.array([0.0, 0.25, 0.5, 1.1, 2.0])
     np.testing.assert_array_equal(np.sort(np.append(plain, rung)), t)
-    np.testing.assert_array_equal(np.unique(t[each[0] > 0]), rung)
-    np.testing.assert_array_equal(each[0][each[0] > 0], 1)
+    np.testing.assert_array_equal(t[each[0] > 0], rung)
     np.testing.assert_array_equal(each[1], w)
-    for power in range(4):
-        np.testing.assert_allclose(w @ t**power, plain_weights @ plain**power, rtol=1e-13)
     alone = replace(objective, terms=objective.terms[1:]).nodes(path.spline.times)
     np.testing.assert_array_equal(alone[0], plain)
-    np.testing.assert_array_equal(alone[1], plain_weights)
     np.testing.assert_array_equal(alone[2], [plain_weights])
-    bell, clock = objective.integrals(path)
-    assert bell == pytest.approx(np.sum(1 + rung), rel=1e-13)
-    assert clock == pytest.approx(plain_weights @ plain**5, rel=1e-13)
+    expected = [np.sum(1 + rung), plain_weights @ plain**5]
+    np.testing.assert_allclose(objective.integrals(path), expected, rtol=1e-13)
 
 
 def test_shares_of_segments_are_exact_and_an_instant_between_two_belongs_to_the_later():
@@ -327,29 +266,6 @@ def test_shares_of_segments_are_exact_and_an_instant_between_two_belongs_to_the_
     np.testing.assert_allclose(shares[:, 0], 2 * np.array([1.25, 1.5, 2.1, 3.0]), rtol=1e-13)
     whole = segment_integrals(objective, path, np.array([0.0, 0.7, 1.1, 2.0])).sum(axis=0)
     np.testing.assert_allclose(whole, [2 * (1 + 1.25 + 1.5 + 2.1 + 3), 3 * 2.0**6 / 6], rtol=1e-12)
-
-
-def test_samples_are_added_only_where_they_miss_a_violation():
-    """A ball passes a wall between two samples, and rests in another one for a long time, which no sample misses."""
-    slide = '<mujoco><worldbody><body><joint type="slide" axis="1 0 0"/><geom size=".02"/></body></worldbody></mujoco>'
-    figure = figure_of(slide)
-    times = np.array([0.0, 1.0, 2.0, 3.0])
-    keys = [Frame.key(t, np.array([x])) for t, x in zip(times, (0.0, 1.0, 1.0, 1.0), strict=True)]
-    path = path_of(raw_timeline(figure, keys))
-    ball = Point("ball", len(figure.links) - 1, np.zeros(3), 0.02)
-    quadrature = Quadrature(points=3, longest=0.2)
-
-    def objective(x: float, half: float) -> Objective:
-        wall = Box("wall", np.array([x, 0, 0]), np.eye(3), np.array([half, 1.0, 1.0]))
-        return Objective.of(figure, [(Contact((ball,), (wall,)), 1.0)], quadrature=quadrature)
-
-    thin, thick = objective(0.5, 0.001), objective(1.1, 0.1)
-    finer = thin.finer(path)
-    exact = thin.value(path, np.linspace(0, 3, 3001))
-    assert thin.value(path) < 0.5 * exact
-    assert abs(finer.value(path) - exact) < 0.3 * exact
-    assert all(0 < cut < 1 for cut in finer.quadrature.cuts)
-    assert thick.value(path) > 0 and thick.finer(path) is thick
 
 
 PENALTIES = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 0.5), (UnitMagnitude(), 2.0), (Posture(), 0.7)]
@@ -389,7 +305,7 @@ def same() -> tuple[Timeline, Objective, Objective]:
 
 
 def test_equal_tension_multiplies_the_weights(same, rng):
-    """In E, its density and gradients, its parts by segments, and what more frames promise."""
+    """In E, its density and gradients, its parts by segments, what more frames promise, and the curvature."""
     timeline, tense, weighted = same
     path = path_of(timeline)
     np.testing.assert_allclose(tense.value(path), weighted.value(path), rtol=1e-12)
@@ -402,24 +318,11 @@ def test_equal_tension_multiplies_the_weights(same, rng):
     np.testing.assert_allclose(*parts, rtol=1e-12)
     for name in ("weak", "residual", "objective"):
         np.testing.assert_allclose(*(CRITERIA[name](each, timeline) for each in (tense, weighted)), rtol=1e-9)
-
-
-def test_it_multiplies_the_curvature_as_well(same, rng):
-    timeline, *objectives = same
     steps = []
-    for objective in objectives:
-        problem = objective.on(timeline)
+    for problem in (tense.on(timeline), weighted.on(timeline)):
         x = problem.unknowns.start + 0.1
         steps.append(Model(Layout(problem), x, problem(x).gradient).minimise(0.1)[0])
     np.testing.assert_allclose(*steps, rtol=1e-9)
-
-
-def test_the_gradient_has_taylor_slope_two(rng):
-    figure = figure_of(CHAIN.format("ball"))
-    timeline = evenly(raw_timeline(figure, swing_keys(figure, np.array([0.0, 0.2, 0.5, 1.1]))), 1)
-    problem = objective_of(timeline, figure, timeline.times[timeline.fixed.any(axis=1)]).on(timeline)
-    x = problem.unknowns.start + 0.02 * rng.normal(size=problem.unknowns.size)
-    assert taylor_slope(lambda z: problem(z).value, x, problem(x).gradient, rng) > 1.95
 
 
 def swing_keys(figure: Figure, times: Array) -> list[Frame]:
@@ -444,23 +347,3 @@ def test_joints_overshoot_less_between_keyframes_that_are_farther_apart():
     short, long = overshoot(0.2, 0.7), overshoot(0.6, 0.7)
     assert short > 0.8 * plain[0]
     assert long < 0.5 * plain[0]
-
-
-def test_a_joint_starts_and_stops_gently():
-    """From rest to rest, the spline of least acceleration has a peak of 6 rad/s² for a turn of 1 rad in 1 s."""
-    figure = figure_of(CHAIN.format("ball"))
-    bent = quat.from_rotation_vector(np.array([0, 1.0, 0]))
-    keys = [Frame.key(0.0, [1, 0, 0, 0, 1, 0, 0, 0]), Frame.key(1.0, np.concatenate([[1, 0, 0, 0], bent]))]
-    slope = np.zeros((2, figure.width))
-    problem = Problem(figure, keys, PENALTIES, Settings(tolerance=1e-6), ends="clamped", end_slope=slope)
-    motion, t = inbetween(problem), np.linspace(0, 1, 501)
-    angle = quat.angle_between(np.array([1.0, 0, 0, 0]), motion.at(t)[:, 4:])
-    assert np.abs(np.gradient(np.gradient(angle, t), t)[2:-2]).max() < 9
-    assert problem.objective.at_rest == (True, True)
-
-
-def test_only_the_soft_constraint_of_posture_brings_it():
-    figure, keys = hinged(), hinge_keys()
-    with_posture, without = (Problem(figure, keys, PENALTIES[:count]).objective for count in (4, 3))
-    np.testing.assert_array_equal(with_posture.key_times, [key.time for key in keys])
-    assert without.key_times is None

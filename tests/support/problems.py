@@ -335,6 +335,8 @@ def _outside(places: Array, point: Array) -> float:
 
 PERIOD, STRIDE = 0.8, 0.6
 TIMES = [0.0, 0.3, 0.5, PERIOD]
+TURN = np.radians(50)  # a period of the circle
+CENTRE, UP = np.array([0.1, 0.7, 0.0]), np.array([0.0, 0.0, 1.0])
 HOP_TERMS: list[tuple[Penalty, float]] = [
     (CovariantAcceleration(), 1.0),
     (RootAcceleration(), 1.0),
@@ -343,25 +345,35 @@ HOP_TERMS: list[tuple[Penalty, float]] = [
 ]
 
 
-def pose(time: float, turns: int = 0) -> Array:
-    """qpos of a body that hops along x while its shin swings; with `turns`, it also turns about a slant axis."""
+def turned(qpos: Array, angle: float) -> Array:
+    """A configuration turned about the vertical through the centre of the circle."""
+    turn = quat.from_rotation_vector(angle * UP)
+    place = CENTRE + quat.rotated(turn, qpos[:3] - CENTRE)
+    return np.concatenate([place, quat.product(turn, qpos[3:7]), qpos[7:]])
+
+
+def pose(time: float, way: str = "straight") -> Array:
+    """qpos of a body that hops while its shin swings: straight along x, also turning about a slanted axis, or round a
+    circle."""
     a = 2 * np.pi * time / PERIOD
-    root = [STRIDE * time / PERIOD + 0.1 * np.sin(a), 0.05 * np.sin(a), 1 + 0.03 * np.cos(2 * a)]
+    far = 0 if way == "circle" else STRIDE * time / PERIOD
+    root = [far + 0.1 * np.sin(a), 0.05 * np.sin(a), 1 + 0.03 * np.cos(2 * a)]
     sway = quat.from_rotation_vector([0.2 * np.sin(a), 0.1 * np.cos(a), 0.3 * np.sin(a + 1)])
-    turn = quat.product(quat.from_rotation_vector(turns * a * np.array([0.6, 0, 0.8])), sway)
-    return np.concatenate([root, turn, quat.from_rotation_vector([0, 0.6 + 0.5 * np.sin(a), 0.1 * np.cos(a)])])
+    turn = quat.product(quat.from_rotation_vector((way == "spinning") * a * np.array([0.6, 0, 0.8])), sway)
+    qpos = np.concatenate([root, turn, quat.from_rotation_vector([0, 0.6 + 0.5 * np.sin(a), 0.1 * np.cos(a)])])
+    return turned(qpos, TURN * time / PERIOD) if way == "circle" else qpos
 
 
-def hop(periods: int = 1, turns: int = 0) -> list[Frame]:
+def hop(periods: int = 1, way: str = "straight") -> list[Frame]:
     """Keyframes of some periods."""
     times = [0.0] + [t + PERIOD * k for k in range(periods) for t in TIMES[1:]]
-    return [Frame.key(t, pose(t, turns)) for t in times]
+    return [Frame.key(t, pose(t, way)) for t in times]
 
 
-def loop(figure: Figure, turns: int, *, partial: bool) -> Timeline:
-    keys = hop(turns=turns)
+def loop(figure: Figure, way: str, *, partial: bool = False) -> Timeline:
+    keys = hop(way=way)
     if partial:
-        free = "knee" if turns else "root turn"  # without its turn at a third, a full turn would be none
+        free = "knee" if way == "spinning" else "root turn"  # without its turn at a third, a full turn would be none
         keys[1] = Frame.key(TIMES[1], keys[1].state, mask_without(figure, free, "root x"))
         keys[-1] = Frame.key(PERIOD, keys[-1].state, mask_without(figure, "root z", "knee"))
     return raw_timeline(figure, keys, "periodic")

@@ -5,7 +5,7 @@ import pytest
 from figures import TINY, figure_of
 from scipy.spatial.transform import Rotation
 
-from dynsplines.solver.curve.recording import LIVELINESS, ORDER, RecordedMotion, between
+from dynsplines.solver.curve.recording import LIVELINESS, RecordedMotion, between
 from dynsplines.solver.figure.figure import Figure
 
 TIMES = np.linspace(0.3, 3.3, 181)
@@ -38,22 +38,6 @@ def test_the_curve_is_the_least_squares_solution(figure, rng):
         assert np.isclose(LIVELINESS, recorded.liveliness[first]).any()
 
 
-def test_the_noise_is_as_large_as_it_was_made(figure, rng):
-    for noise in (0.02, 0.04):
-        found = RecordedMotion.of(figure, TIMES, swung(figure, rng, noise))
-        assert 0.5 * noise < np.median(found.noise) < 1.3 * noise  # quaternions were longer than one
-        clean = RecordedMotion.of(figure, TIMES, swung(figure, np.random.default_rng(3)))
-        assert np.median(clean.noise) < 0.4 * noise
-
-
-@pytest.mark.parametrize("count", [2, ORDER, ORDER + 1])
-def test_samples_too_few_to_measure_noise_have_the_least(count):
-    figure = figure_of(TINY)
-    still = np.tile(figure.model.qpos0, (TIMES.size, 1))
-    few, many = (RecordedMotion.of(figure, TIMES[:n], still[:n]) for n in (count, TIMES.size))
-    np.testing.assert_allclose(few.noise, many.noise)
-
-
 def test_a_gap_is_bridged_and_what_is_in_it_does_not_matter(figure, rng):
     qpos = swung(figure, rng)
     known = np.ones((TIMES.size, 1))
@@ -79,19 +63,6 @@ def test_a_joint_that_was_recorded_nowhere_is_no_recording(figure):
     states = figure.to_state(np.tile(figure.model.qpos0, (TIMES.size, 1)))
     with pytest.raises(ValueError, match="without two samples"):
         _ = RecordedMotion(figure, TIMES, states, 0 * states).bridged
-
-
-def test_moved_and_turned_all_poses_are_by_as_much(rng):
-    figure = figure_of(TINY, "joint")
-    recorded = RecordedMotion.of(figure, TIMES, swung(figure, rng))
-    moved = recorded.moved([0.1, -0.2, 0.3])
-    np.testing.assert_allclose(moved.states[:, :3] - recorded.states[:, :3], [[0.1, -0.2, 0.3]] * TIMES.size)
-    np.testing.assert_array_equal(moved.states[:, 3:], recorded.states[:, 3:])
-    turn = Rotation.from_rotvec([0.3, 0.2, -0.1])
-    turned = recorded.turned(slice(7, 11), turn.as_quat(scalar_first=True))
-    before, after = (Rotation.from_quat(one.states[:, 7:], scalar_first=True) for one in (recorded, turned))
-    np.testing.assert_allclose((before.inv() * after).as_rotvec(), [[0.3, 0.2, -0.1]] * TIMES.size, atol=1e-9)
-    np.testing.assert_array_equal(turned.states[:, :7], recorded.states[:, :7])
 
 
 def test_a_recording_bent_by_its_way_to_another_is_that_and_goes_there_by_even_turns(figure, rng):
@@ -129,9 +100,3 @@ def test_what_fills_a_gap_turns_no_sign_about():
     seen = known[:, 0] > 0
     np.testing.assert_allclose(torn.states[seen], whole.states[seen], rtol=0, atol=1e-12)
     np.testing.assert_allclose(torn.bridged, whole.bridged, rtol=0, atol=0.05)
-
-
-def test_the_rate_is_that_of_most_samples(figure, rng):
-    times = np.delete(TIMES, slice(60, 90))
-    recorded = RecordedMotion.of(figure, times, np.delete(swung(figure, rng), slice(60, 90), axis=0))
-    assert recorded.rate == pytest.approx(60)

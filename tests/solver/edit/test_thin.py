@@ -7,15 +7,12 @@ import itertools
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL, BALL_TREE, EVERY_JOINT, FIGURES, ONE_BALL, figure_of
+from figures import FIGURES, figure_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracles import kinematics
 from scipy.interpolate import CubicSpline
-from scipy.spatial.transform import Rotation
 
-from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.edit.thin import Bound, Recorded, refined, thin
 from dynsplines.solver.figure.figure import Figure
@@ -94,21 +91,6 @@ def test_a_straight_motion_thins_to_two_keyframes():
     assert thin(Recorded(figure, times, qpos, Bound(1e-6, 1e-6))).instants == (0, 49)
 
 
-def test_a_bound_of_next_to_nothing_keeps_every_instant():
-    figure = of("ball tree, world")
-    times, qpos = recording(figure, 1, count=12, bends=12)
-    recorded = Recorded(figure, times, qpos, Bound(1e-9, 1e-9))
-    found = thin(recorded)
-    assert found.instants == tuple(range(12))
-    assert recorded.excess(found.timeline).max() < 1
-
-
-@pytest.mark.parametrize(("distance", "angle"), [(0.0, 1.0), (1.0, 0.0), (-1.0, 1.0), (np.nan, 1.0)])
-def test_a_bound_of_nothing_is_refused(distance, angle):
-    with pytest.raises(ValueError, match="above 0"):
-        Bound(distance, angle)
-
-
 def test_the_worst_is_reported_with_its_name_and_instant():
     figure = of("every joint")
     times, qpos = recording(figure, 2, count=30)
@@ -138,101 +120,8 @@ def test_refining_any_in_between_ends_within_the_bound():
     assert calls[-1] == len(found.instants)
 
 
-@pytest.mark.slow
-def test_a_loop_stays_a_loop():
-    figure = figure_of(BALL_TREE)
-    times = np.linspace(0, 1, 13)
-    qpos = np.tile(figure.model.qpos0, (13, 1))
-    qpos[:, 0] += 2 * times
-    qpos[:, 2] += 0.1 * np.cos(2 * np.pi * times)
-    swing = 0.5 * np.sin(2 * np.pi * times)
-    qpos[:, 7:11] = np.stack([np.cos(swing), np.sin(swing), 0 * swing, 0 * swing], axis=1)
-    recorded = Recorded(figure, times, qpos, Bound(0.02, np.radians(5)), "periodic", (2.0, 0.0, 0.0))
-    found = thin(recorded)
-    assert found.timeline.ends == "periodic"
-    assert {0, 12} < set(found.instants)
-    assert len(found.instants) <= fewest(recorded, len(found.instants)) + 1
-    assert recorded.excess(found.timeline).max() <= 1
-    start, end = (path_of(found.timeline).at([t], 1)[0] for t in (0.0, 1.0))
-    np.testing.assert_allclose(start, end, atol=1e-9)
-
-
-def test_figures_without_names_are_reported_by_number():
-    figure = figure_of(EVERY_JOINT.replace('name="tip"', ""), "joint")
-    recorded = Recorded(figure, *recording(figure, 0), WIDE)
-    assert any(name.startswith("body ") for name in recorded.points[0])
-
-
 SWAY = """<mujoco><worldbody><body name="foot"><joint type="slide" axis="1 0 0"/><geom size=".02"/>
 <site name="sole" pos="0 0 -.02"/></body></worldbody></mujoco>"""
-
-
-def test_limbs_without_a_site_are_looked_at_to_their_tips():
-    arm = """<mujoco><worldbody><body name="upper"><joint type="ball"/>
-    <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/>
-    <body name="lower" pos="0 0 -.3"><joint axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 0 0 -.25"/>{}
-    </body></body></worldbody></mujoco>"""
-    bare, marked = (figure_of(arm.format(site)) for site in ("", '<site name="hand"/>'))
-    times, qpos = recording(bare, 0)
-    names, links, places = Recorded(bare, times, qpos, WIDE).points
-    at = names.index("tip of lower")
-    assert bare.links[links[at]].body == bare.model.body("lower").id
-    np.testing.assert_allclose(places[:, at], [0, 0, -0.27], atol=1e-9)
-    assert set(names) == {"upper", "lower", "tip of lower"}
-    assert set(Recorded(marked, times, qpos, WIDE).points[0]) == {"upper", "lower", "hand"}
-
-
-def test_a_round_limb_about_its_joint_has_no_tip():
-    head = """<mujoco><worldbody><body name="neck"><joint type="ball"/><geom size=".05"/>
-    <body name="head" pos="0 0 .2"><joint type="ball"/><geom size=".1"/></body></body></worldbody></mujoco>"""
-    figure = figure_of(head)
-    assert Recorded(figure, *recording(figure, 0), WIDE).points[0] == ("neck", "head")
-
-
-def test_a_miss_counts_as_a_share_of_the_bound():
-    """A foot on a slide whose recording is a line, and an in-between that is 3 mm off it throughout."""
-    figure, times = figure_of(SWAY), np.linspace(0, 1, 41)
-    recorded = Recorded(figure, times, 0.15 * times[:, None], Bound(0.02, np.radians(5)))
-    off = recorded.spline([Frame.key(t, [0.15 * t + 0.003]) for t in (0.0, 1.0)])
-    np.testing.assert_allclose(recorded.misses(off)[0], 0.003, rtol=1e-9)
-    np.testing.assert_allclose(recorded.misses(off)[1], 0, atol=1e-9)
-    np.testing.assert_allclose(recorded.excess(off), 0.003 / 0.02, rtol=1e-9)
-    assert recorded.worst(off)[0].value == pytest.approx(0.003)
-
-
-def test_a_turn_counts_as_a_share_of_the_bounds_angle_whatever_the_signs_of_quaternions():
-    figure = figure_of(ONE_BALL)
-    times, turn = np.linspace(0, 1, 11), Rotation.random(None, np.random.default_rng(2))
-    qpos = np.tile(turn.as_quat(scalar_first=True), (11, 1))
-    recorded = Recorded(figure, times, qpos, Bound(1.0, 0.1))
-    for angle in (0.01, 0.3, 2.5):
-        about = Rotation.from_rotvec(angle * np.array([0.6, 0, 0.8])) * turn
-        for sign in (1, -1):
-            keys = [Frame.key(t, sign * about.as_quat(scalar_first=True)) for t in (0.0, 1.0)]
-            off = recorded.spline(keys)
-            np.testing.assert_allclose(recorded.excess(off), angle / 0.1, rtol=1e-6)
-            assert recorded.worst(off)[1].value == pytest.approx(angle)
-
-
-def test_a_loops_splines_travel_and_turn_as_it_does_and_others_need_no_travel():
-    figure, times = figure_of(BALL), np.linspace(0, 1, 9)
-    about = Rotation.from_rotvec(np.outer(0.7 * times, [0, 0, 1]))
-    qpos = np.column_stack([0.5 * times, 0 * times, 1 + 0 * times, about.as_quat(scalar_first=True)])
-    frames = [0, 3, 8]
-    loop = Recorded(figure, times, qpos, WIDE, "periodic", [0.5, 0, 0], 0.7)
-    timeline = loop.spline(loop.frames(frames))
-    seam = Seam.of(figure, timeline)
-    np.testing.assert_allclose(seam.headings, [0.7])
-    np.testing.assert_allclose(seam.travel[:3], [0.5, 0, 0], atol=1e-12)
-    assert timeline.ends == "periodic"
-    assert seam.discontinuity(path_of(timeline)).max() < 1e-9
-    assert loop.excess(timeline).max() < 1
-    for ends in ("free", "clamped"):
-        other = Recorded(figure, times, qpos, WIDE, ends, [0.5, 0, 0], 0.7)
-        found = other.spline(other.frames(frames))
-        assert found.ends == ends
-        slope = path_of(found).motion(times[[0, -1]])[1 if ends == "clamped" else 2]
-        np.testing.assert_allclose(slope, 0, atol=1e-9)
 
 
 @pytest.mark.parametrize("ends", ["free", "clamped"])

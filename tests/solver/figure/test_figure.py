@@ -11,7 +11,6 @@ from figures import (
     BALL_TREE,
     BOX,
     CART,
-    CHAIN,
     DOOR,
     DRAWER,
     EVERY_JOINT,
@@ -25,14 +24,11 @@ from figures import (
     scene,
 )
 from figures import OBJECT_BALL as BALL
-from gradients import taylor_slope
 from oracles import kinematics, mujoco_forces
 from random_models import random_figure, random_qpos, random_samples
 
-from dynsplines.solver.figure.adjoint import Cotangent
-from dynsplines.solver.figure.dynamics import InverseDynamics, generalised_forces, velocities
-from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
-from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.dynamics import generalised_forces, velocities
+from dynsplines.solver.figure.figure import quaternion_columns
 from dynsplines.solver.figure.naming import geom_name, names_of_joints
 from dynsplines.solver.figure.root import has_fixed_base, root_of, sliding_joints
 
@@ -62,30 +58,6 @@ def test_a_quaternion_in_world_coordinates_is_its_bodys_orientation_by_mujoco_an
     np.testing.assert_allclose(figure.to_state(figure.to_qpos(state)), state, atol=1e-9)
 
 
-UNDER_A_HINGE = """<mujoco><worldbody><body><joint/><geom size=".1"/>
-  <body><joint type="ball"/><geom size=".1"/></body></body></worldbody></mujoco>"""
-
-
-@pytest.mark.parametrize(
-    ("text", "coordinates"),
-    [(CHAIN.format("hinge"), "world"), (CHAIN.format("ball"), "world"), (UNDER_A_HINGE, "joint")],
-)
-def test_orientations_in_the_world_are_the_state_where_a_ball_joint_has_one_of_its_own(text, coordinates):
-    figure = figure_of(text)
-    assert figure.coordinates == coordinates
-    for i, link in enumerate(figure.links[1:], start=1):
-        upright = all(figure.links[k].kind in (JointKind.FREE, JointKind.BALL) for k in _way(figure, i))
-        assert figure.tables.in_world[i] == (upright and coordinates == "world" and link.kind is not JointKind.HINGE)
-
-
-def _way(figure: Figure, link: int) -> list[int]:
-    found = []
-    while link:
-        found.append(link)
-        link = figure.links[link].parent
-    return found
-
-
 def test_a_link_is_called_by_its_joint_or_by_the_body_that_it_moves():
     figure = figure_of(EVERY_JOINT)
     names = [link.name for link in figure.links]
@@ -110,14 +82,6 @@ def test_a_link_is_called_by_its_joint_or_by_the_body_that_it_moves():
 def test_joints_without_a_name_have_one_all_the_same_and_no_two_the_same(given, bodies, names):
     assert names_of_joints(given, bodies) == names
     assert len(set(names)) == len(names)
-
-
-def test_joints_cover_every_column_of_qpos_and_qvel_once():
-    figure = figure_of(EVERY_JOINT)
-    assert {link.kind for link in figure.links[1:]} == set(JointKind)
-    columns, dofs = ([getattr(link, name) for link in figure.links[1:]] for name in ("columns", "dofs"))
-    for slices, count in ((columns, figure.model.nq), (dofs, figure.model.nv)):
-        assert [k for part in slices for k in range(part.start, part.stop)] == list(range(count))
 
 
 def test_gravity_is_the_models_unless_it_is_switched_off():
@@ -167,26 +131,6 @@ def test_objects_may_be_listed_before_and_after_the_robot(objects: tuple[str, st
     assert root_bodies(scene(*(bodies[i] for i in order))) == ("pelvis", "root")
 
 
-def test_of_two_robots_the_evidently_larger_one_is_the_figure() -> None:
-    arms = "".join(f'<body pos="0 0 .{i}"><joint/><geom size=".05"/></body>' for i in range(1, 8))
-    large = biped(prefix="b_", x=1.0, root='<freejoint name="b_root"/>').replace("</body>", arms + "</body>", 1)
-    assert root_bodies(scene(biped(), large)) == ("b_pelvis", "b_root")
-
-
-def test_two_robots_of_one_size_are_ambiguous() -> None:
-    model = mujoco.MjModel.from_xml_string(scene(BOX, biped(), biped(prefix="b_", x=1.0, root="<freejoint/>")))
-    root = root_of(model)
-    assert root is not None and root.is_ambiguous
-    assert [model.body(body).name for body in (root.body, *root.rivals)] == ["pelvis", "b_pelvis"]
-
-
-def test_the_root_is_the_first_of_the_free_links() -> None:
-    figure = figure_of(scene(BOX, biped(), BALL))
-    named = [figure.links[i].name for i in figure.tables.free_links]
-    assert named == ["root", "box_free", "ball"]
-    assert figure.tables.position_columns[:, 0].tolist() == [7, 8, 9]
-
-
 @pytest.mark.parametrize(
     ("bodies", "root", "sliding", "is_fixed"),
     [
@@ -210,17 +154,6 @@ SEEDS = range(24)
 
 
 COORDINATES = ("auto", "world", "joint")
-
-
-def test_the_random_models_mix_what_they_should():
-    figures = [random_figure(seed, "world")[0] for seed in SEEDS]
-    kinds = [{link.kind for link in figure.links[1:]} for figure in figures]
-    assert sum(kind == set(JointKind) for kind in kinds) > 3
-    flags = [figure.tables.in_world[figure.tables.ball_links] for figure in figures]
-    assert sum(bool(flag.any() and not flag.all()) for flag in flags) > 3
-    assert any(figure.is_world for figure in figures) or any(flag.all() for flag in flags)
-    assert any(figure.tables.free_links.size > 1 for figure in figures)
-    assert any(figure.tables.free_links.size and figure.tables.free_links[0] > 1 for figure in figures)
 
 
 @pytest.mark.parametrize("coordinates", COORDINATES)
@@ -247,21 +180,3 @@ def test_bodies_are_where_mujoco_has_them_and_its_forces_are_found(seed, coordin
             np.testing.assert_allclose(velocity, spin[3:], atol=1e-8)
     expected = mujoco_forces(samples)
     np.testing.assert_allclose(generalised_forces(samples), expected, atol=1e-9 * np.abs(expected).max())
-
-
-@pytest.mark.parametrize("coordinates", ["auto", "joint"])
-@pytest.mark.parametrize("seed", range(8))
-def test_the_adjoint_of_forces_has_taylor_slope_two(seed, coordinates):
-    figure, rng = random_figure(seed, coordinates)
-    samples = random_samples(figure, rng, 3)
-    shape = (3, len(figure.links), samples.count)
-    for_moment, for_force = rng.normal(size=shape), rng.normal(size=shape)
-    cotangent = Cotangent(samples)
-    InverseDynamics(samples.links).pull_back(cotangent, for_moment, for_force)
-    gradients = cotangent.gradients()
-
-    def value(point: np.ndarray) -> float:
-        inverse = InverseDynamics(Samples(figure, *point).links)
-        return float(np.sum(for_moment * inverse.moment) + np.sum(for_force * inverse.force))
-
-    assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), np.stack(gradients), rng) > 1.95

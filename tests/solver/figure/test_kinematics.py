@@ -7,67 +7,37 @@ from unittest import mock
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE, WOOD, assert_near, figure_of, with_armature
+from figures import assert_near, figure_of, with_armature
 from gradients import taylor_slope
 from oracles import kinematics, mujoco_forces
 from random_models import random_figure, random_samples
 
 from dynsplines.solver import compiled
-from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.figure.adjoint import QUANTITIES, Cotangent, Quantity
-from dynsplines.solver.figure.algebra import turned_back, vector_product
-from dynsplines.solver.figure.dynamics import velocities
+from dynsplines.solver.figure.adjoint import Cotangent, Quantity
 from dynsplines.solver.figure.effort_rows import Pushes, joint_rows, wrench_rows
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.forward import boxes
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.root_wrench import RootWrench, height, weight
-from dynsplines.solver.figure.turns import turning
 from dynsplines.solver.figure.wrenches import Wrenches
 from dynsplines.solver.penalty import Torque
 from dynsplines.solver.penalty.curvature import jacobian
 
 
-def test_link_positions_and_orientations_are_those_of_mj_kinematics(figure, rng):
-    samples = random_samples(figure, rng)
-    for i, qpos in enumerate(figure.to_qpos(samples.y)):
-        data = kinematics(figure.model, qpos)
-        for link_index, link in enumerate(figure.links[1:], start=1):
-            if figure.body_link[link.body] != link_index:
-                continue
-            np.testing.assert_allclose(samples.links.x[:, link_index, i], data.xpos[link.body], atol=1e-12)
-            np.testing.assert_allclose(
-                samples.links.rotation[:, :, link_index, i].ravel(), data.xmat[link.body], atol=1e-12
-            )
-            if link.kind != link.kind.SLIDE:  # MuJoCo gives a slide's anchor before the displacement
-                np.testing.assert_allclose(samples.links.anchor[:, link_index, i], data.xanchor[link.joint], atol=1e-12)
-
-
-@pytest.mark.parametrize("name", ["x", "x_d", "x_dd", "omega", "alpha"])
+@pytest.mark.parametrize("name", ["x", "x_d", "x_dd", "omega", "alpha", "rotation"])
 def test_the_adjoint_of_each_quantity_has_taylor_slope_two(figure, rng, name):
     samples = random_samples(figure, rng)
-    weights = rng.normal(size=(3, len(figure.links), samples.count))
+    weights = rng.normal(size=getattr(samples.links, name).shape)
     cotangent = Cotangent(samples)
-    cotangent.accumulate(name, weights)
+    if name == "rotation":
+        cotangent.accumulate("turn", np.cross(samples.links.rotation, weights, axis=0).sum(axis=1))
+    else:
+        cotangent.accumulate(name, weights)
     gradients = cotangent.gradients()
 
     def value(point: np.ndarray) -> float:
         return float(np.sum(weights * getattr(Samples(figure, *point).links, name)))
-
-    assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), np.stack(gradients), rng) > 1.95
-
-
-def test_the_adjoint_of_rotations_has_taylor_slope_two(figure, rng):
-    samples = random_samples(figure, rng)
-    weights = rng.normal(size=(3, 3, len(figure.links), samples.count))
-    rotation = samples.links.rotation
-    cotangent = Cotangent(samples)
-    cotangent.accumulate("turn", np.cross(rotation, weights, axis=0).sum(axis=1))
-    gradients = cotangent.gradients()
-
-    def value(point: np.ndarray) -> float:
-        return float(np.sum(weights * Samples(figure, *point).links.rotation))
 
     assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), np.stack(gradients), rng) > 1.95
 
@@ -77,29 +47,6 @@ def test_a_gradient_with_respect_to_nothing_that_there_is_is_refused(figure, rng
     cotangent = Cotangent(random_samples(figure, rng))
     with pytest.raises(ValueError, match=r"'spin'; there are: y, y_d, .*omega"):
         getattr(cotangent, direction)("spin", *([] if direction == "buffer" else [np.zeros(3)]))
-
-
-@pytest.mark.parametrize("name", QUANTITIES)
-def test_a_gradient_may_be_added_into_a_buffer_as_well_as_given_whole(figure, rng, name):
-    samples = random_samples(figure, rng, 3)
-    links = (len(figure.links), 3)
-    shapes = {"y": samples.y.shape, "q": samples.q.shape, "swing": (3, 3, *links)}
-    gradient = rng.normal(size=shapes.get(name.split("_")[0], (3, *links)))
-    given, added = Cotangent(samples), Cotangent(samples)
-    given.accumulate(name, gradient)
-    assert added.buffer(name).shape == gradient.shape
-    added.buffer(name)[...] += gradient
-    for own, other in zip(given.gradients(), added.gradients(), strict=True):
-        np.testing.assert_array_equal(own, other)
-
-
-@pytest.mark.parametrize(("v", "q"), [((5, 7), (5, 7)), ((4, 3, 6), (4, 1, 6)), ((1, 6), (4, 6))])
-def test_the_product_of_a_vector_and_a_quaternion_is_hamiltons(rng, v, q):
-    vector, quaternion = rng.normal(size=(3, *v)), rng.normal(size=(4, *q))
-    pure = np.concatenate([np.zeros((1, *v)), vector])
-    expected = quat.product(np.moveaxis(pure, 0, -1), np.moveaxis(quaternion, 0, -1))
-    product = turned_back(vector_product(quaternion), vector)
-    np.testing.assert_allclose(np.moveaxis(product, 0, -1), expected, atol=1e-14)
 
 
 def test_boxes_are_around_the_vertices_of_a_turned_mesh(rng):
@@ -144,8 +91,7 @@ def by_adjoint(samples: Samples, given: Wrenches) -> np.ndarray:
     return jacobian(samples, given.at, seeded)[:, : given.orders]
 
 
-def check(figure: Figure, rng: np.random.Generator) -> None:
-    """With the compiled kernel, if there is one, and without."""
+def test_rows_are_those_of_the_adjoint_sweep_with_the_compiled_kernel_and_without(figure, rng):
     samples = random_samples(figure, rng)
     for names in (ALL, ("force",), ("torque",), ("force", "torque"), ("force_d", "torque_d"), ("torque_dd",)):
         given = some(figure, samples, rng, names)
@@ -156,49 +102,7 @@ def check(figure: Figure, rng: np.random.Generator) -> None:
                 assert_near(given.rows(samples), expected, 1e-11)
 
 
-def test_rows_are_those_of_the_adjoint_sweep(figure, rng):
-    check(figure, rng)
-
-
-def test_joined_wrenches_have_the_rows_of_all_parts(figure, rng):
-    samples = random_samples(figure, rng)
-    parts = [some(figure, samples, rng, names) for names in (("force", "torque"), ("force", "torque_d"))]
-    rows = Wrenches.joined(parts).rows(samples)
-    expected = [part.rows(samples) for part in parts]
-    np.testing.assert_allclose(rows[:, 0], np.concatenate([part[:, 0] for part in expected]), atol=1e-12)
-    np.testing.assert_allclose(rows[len(expected[0]) :], expected[1], atol=1e-12)
-    assert not rows[: len(expected[0]), 1].any()
-
-
-@pytest.mark.parametrize("coordinates", ["auto", "joint"])
-@pytest.mark.parametrize("seed", range(8))
-def test_rows_times_the_motion_are_what_mujoco_measures(seed, coordinates):
-    """Places and turns change by J v, velocities and spins by J a + J' v."""
-    figure, rng = random_figure(seed, coordinates)
-    sample = random_samples(figure, rng, count=1)
-    model, data = figure.model, mujoco.MjData(figure.model)
-    data.qpos, (data.qvel, acceleration) = figure.to_qpos(sample.y)[0], (part[0] for part in velocities(sample))
-    mujoco.mj_forward(model, data)
-    given = some(figure, sample, rng, ("force", "torque", "force_d", "torque_d"))
-    rows = given.rows(sample)
-    found = rows[:, 0] @ sample.y_d[0] + rows[:, 1] @ sample.y_dd[0]
-    expected = np.empty(given.at.size)
-    first = np.zeros((2, 3, model.nv))
-    for p, link in enumerate(given.link):
-        body = figure.links[link].body if link else 0
-        if body and model.body_jntnum[body] > 1:  # an intermediate link is no body of MuJoCo's
-            expected[p] = found[p]
-            continue
-        mujoco.mj_jac(model, data, first[0], first[1], data.xpos[body], body)
-        places, turns = first.copy()
-        mujoco.mj_jacDot(model, data, first[0], first[1], data.xpos[body], body)
-        linear, angular = places @ acceleration + first[0] @ data.qvel, turns @ acceleration + first[1] @ data.qvel
-        force, torque, force_d, torque_d = (given.vectors[name][:, p] for name in ALL[:4])
-        expected[p] = force @ places @ data.qvel + torque @ turns @ data.qvel + force_d @ linear + torque_d @ angular
-    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-10 * np.abs(expected).max())
-
-
-def test_force_and_moment_are_those_of_mj_inverse_at_the_root(figure, rng):
+def test_force_moment_centre_and_mass_are_mujocos_at_the_root(figure, rng):
     samples = random_samples(figure, rng)
     wrench = RootWrench(samples, 1)
     expected = mujoco_forces(samples)[:, :6]
@@ -207,21 +111,17 @@ def test_force_and_moment_are_those_of_mj_inverse_at_the_root(figure, rng):
     scale = np.abs(expected).max()
     np.testing.assert_allclose(wrench.force.T, expected[:, :3], atol=1e-11 * scale)
     np.testing.assert_allclose(np.einsum("ijs,is->sj", rotation, at_root), expected[:, 3:], atol=1e-11 * scale)
-
-
-def test_the_centre_and_the_mass_are_mujocos(figure, rng):
-    samples = random_samples(figure, rng)
-    wrench = RootWrench(samples, 1)
     for i, qpos in enumerate(figure.to_qpos(samples.y)):
         np.testing.assert_allclose(wrench.centre[:, i], kinematics(figure.model, qpos).subtree_com[1], atol=1e-12)
     np.testing.assert_allclose(wrench.mass, figure.model.body_subtreemass[1])
-    np.testing.assert_allclose(weight(figure, 1), np.linalg.norm(figure.gravity) * figure.model.body_subtreemass[1])
 
 
-def test_a_slender_rod_is_as_high_as_it_is_long():
+def test_a_slender_rod_is_as_high_as_it_is_long_and_has_a_weight_without_gravity():
     text = """<mujoco><worldbody><body><freejoint/><inertial pos="1 2 3" mass="6" diaginertia="2 2 1e-9"/></body>
     </worldbody></mujoco>"""
     assert height(figure_of(text), 1) == pytest.approx(2)
+    floating = text.replace("<worldbody>", '<option gravity="0 0 0"/><worldbody>')
+    assert weight(figure_of(floating), 1) == pytest.approx(9.81 * 6)
 
 
 def test_the_adjoint_has_taylor_slope_two(figure, rng):
@@ -236,12 +136,6 @@ def test_the_adjoint_has_taylor_slope_two(figure, rng):
 
     gradients = np.stack(cotangent.gradients())
     assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), gradients, rng) > 1.95
-
-
-def test_without_gravity_the_weight_is_still_a_unit():
-    text = BALL_TREE.replace('gravity="0 0 -9.81"', 'gravity="0 0 0"')
-    figure = figure_of(text)
-    assert weight(figure, 1) == pytest.approx(9.81 * figure.model.body_subtreemass[1])
 
 
 SEEDS = range(12)
@@ -314,10 +208,3 @@ def test_rows_of_efforts_are_those_of_the_adjoint_sweep(figure, rng):
 def test_so_they_are_on_random_models(coordinates):
     assert sum(check_wrench(*random_figure(seed, coordinates)) for seed in SEEDS) > 5
     assert sum(check_efforts(*random_figure(seed, coordinates)) for seed in SEEDS) > 50
-
-
-def test_so_they_are_where_quaternions_in_the_world_follow_each_other(rng):
-    figure = figure_of(WOOD, "world")
-    assert not np.array_equal(turning(figure), figure.tables.beyond)
-    assert check_wrench(figure, rng) == 2
-    assert check_efforts(figure, rng) == 3 * figure.tables.ball_links.size

@@ -1,4 +1,4 @@
-"""A second motion after a first: placed where that one goes on, with a transition that takes over y, y' and y''."""
+"""Edits that keep the curve, and a second motion after a first, with a transition that takes over y, y' and y''."""
 
 from __future__ import annotations
 
@@ -9,18 +9,22 @@ import numpy as np
 import pytest
 from figures import BALL_TREE, TINY, figure_of
 from gradients import RESIDUALS, SMOOTH, assert_dense, every_penalty, taylor_slope
+from hypothesis import given, settings
+from hypothesis import strategies as st
 from oracles import kinematics
 from problems import HOP_TERMS as TERMS
-from problems import hop
-from random_models import evenly, random_keys, random_qpos
+from problems import PERIOD, hop, loop
+from random_models import TIMES, evenly, random_keys, random_qpos
 
 from dynsplines.scene.compose import figure_spec
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
 from dynsplines.solver.edit.join import Placement, bridge, following, heading, joined, signed_like, trunk
+from dynsplines.solver.edit.retime import repeated, retimed, trimmed
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
@@ -28,14 +32,106 @@ from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import split
 from dynsplines.solver.search.descent import optimised
 
+FIGURE_OF_A_HOP = figure_of(TINY)
+FIGURE = figure_of(BALL_TREE)
+ENDS = ["free", "clamped", "periodic"]
+FIRST, LAST = TIMES[0], TIMES[-1]
+
+
+def random_timeline(seed: int, ends: str) -> Timeline:
+    """Some motion with variable frames off the raw spline."""
+    rng = np.random.default_rng(seed)
+    keys = random_keys(FIGURE, rng)
+    if ends == "periodic":
+        keys[-1] = Frame.key(LAST, keys[0].state + np.array([0.7, -0.2, *np.zeros(FIGURE.width - 2)]))
+    slope = rng.normal(size=(2, FIGURE.width)) if ends == "clamped" else None
+    timeline = evenly(raw_timeline(FIGURE, keys, ends, slope), 1)
+    unknowns = Unknowns.of(FIGURE, timeline)
+    return timeline.with_rows(unknowns.rows(unknowns.start + 0.05 * rng.normal(size=unknowns.size)))
+
+
+def assert_close(got: np.ndarray, wanted: np.ndarray) -> None:
+    assert np.abs(got - wanted).max() <= 1e-9 * max(1.0, np.abs(wanted).max())
+
+
+@settings(deadline=None, max_examples=30)
+@given(st.integers(0, 1000), st.sampled_from(ENDS), st.floats(0.02, 50))
+def test_a_retimed_motion_is_the_motion_at_other_times(seed, ends, speed):
+    timeline = random_timeline(seed, ends)
+    fast = retimed(timeline, speed)
+    t = np.linspace(FIRST, LAST, 37)
+    at = np.clip(FIRST + (t - FIRST) / speed, *path_of(fast).span)
+    for order in range(3):
+        assert_close(path_of(fast).at(at, order) / speed**order, path_of(timeline).at(t, order))
+    assert fast.times[0] == FIRST
+    np.testing.assert_allclose(np.diff(fast.times) * speed, np.diff(timeline.times), rtol=1e-12)
+    np.testing.assert_array_equal(fast.fixed, timeline.fixed)
+    assert fast.ends == ends
+    assert_close(retimed(fast, 1 / speed).rows, timeline.rows)
+
+
+@settings(deadline=None, max_examples=40)
+@given(st.integers(0, 1000), st.sampled_from(ENDS), st.floats(FIRST, LAST), st.floats(FIRST, LAST))
+def test_a_trimmed_motion_is_the_same_inside(seed, ends, a, b):
+    timeline = random_timeline(seed, ends)
+    first, last = min(a, b), max(a, b)
+    if last - first < 1e-3:
+        last = first + 1e-3 if first < 1 else last
+        first = last - 1e-3
+    part = trimmed(timeline, first, last)
+    t = np.linspace(*path_of(part).span, 37)
+    np.testing.assert_allclose(path_of(part).span, [first, last], rtol=0, atol=2e-9)
+    assert_close(path_of(part).at(t), path_of(timeline).at(t))
+    assert_close(path_of(part).at(t, 1), path_of(timeline).at(t, 1))
+    assert part.ends == "free"
+    assert part.frames[0].is_key
+    assert part.frames[-1].is_key
+    inside = [frame for frame in timeline.frames if part.times[0] < frame.time < part.times[-1]]
+    assert list(part.frames[1:-1]) == inside
+
+
+@pytest.mark.parametrize("way", ["straight", "spinning", "circle"])
+@pytest.mark.parametrize("count", [1, 3])
+def test_a_repeated_loop_continues_period_by_period(rng, way, count):
+    figure = FIGURE_OF_A_HOP
+    timeline = evenly(loop(figure, way), 1)
+    unknowns = Unknowns.of(figure, timeline)
+    timeline = timeline.with_rows(unknowns.rows(unknowns.start + 0.05 * rng.normal(size=unknowns.size)))
+    many, seam = repeated(figure, timeline, count), Seam.of(figure, timeline)
+    t = np.linspace(0, PERIOD, 41)
+    for number in range(count):
+        at = np.clip(t + PERIOD * number, 0, path_of(many).span[1])
+        assert_close(path_of(many).at(at), seam.moved(path_of(timeline).at(t), number))
+        for order in (1, 2):
+            assert_close(path_of(many).at(at, order), seam.linear(path_of(timeline).at(t, order), number))
+    assert len(many.frames) == count * (len(timeline.frames) - 1) + 1
+    assert Seam.of(figure, many).discontinuity(path_of(many)).max() < 1e-9
+    first = timeline.states[0]
+    np.testing.assert_allclose(Seam.of(figure, many).moved(first), seam.moved(first, count), atol=1e-12)
+    again = Unknowns.of(figure, many)
+    np.testing.assert_allclose(again.rows(again.start), many.rows, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("edit", "words"),
+    [
+        (lambda: retimed(random_timeline(0, "free"), 0.0), "speed must be a number above 0"),
+        (lambda: retimed(random_timeline(0, "free"), np.nan), "speed must be a number above 0"),
+        (lambda: trimmed(random_timeline(0, "free"), 0.5, 0.5), "ends after it begins"),
+        (lambda: trimmed(random_timeline(0, "free"), 0.9, 0.3), "ends after it begins, not from 0.9 to 0.3 s"),
+        (lambda: trimmed(random_timeline(0, "free"), np.nan, 1.0), "ends after it begins"),
+        (lambda: trimmed(random_timeline(0, "free"), -0.1, 0.5), "not inside 0 to 1.3 s"),
+        (lambda: trimmed(random_timeline(0, "free"), 0.5, 1.31), "not inside"),
+        (lambda: repeated(FIGURE, random_timeline(0, "clamped"), 2), "only a loop, .* can be repeated; these are 'cla"),
+        (lambda: repeated(FIGURE, random_timeline(0, "periodic"), 0), "at least once, not 0 times"),
+    ],
+)
+def test_wrong_speeds_intervals_and_counts_are_refused(edit, words):
+    with pytest.raises(TimelineError, match=words):
+        edit()
+
+
 LENGTH = 0.4
-SPINE = """<mujoco><worldbody><body><freejoint name="root"/><geom size=".1"/>
-  <body><joint name="leg" type="ball"/><geom size=".05"/></body>
-  <body><joint name="waist" type="ball"/><geom size=".1"/><body><joint name="chest" type="ball"/><geom size=".1"/>
-    <body><joint name="left" type="ball"/><geom size=".05"/></body>
-    <body><joint name="right" type="ball"/><geom size=".05"/></body></body></body></body>
-<body name="object"><freejoint/><geom size=".5"/><body><joint name="lid"/><geom size=".5"/></body>
-  <body><joint name="drawer"/><geom size=".5"/></body></body></worldbody></mujoco>"""
 
 
 def sides(figure: Figure, rng: np.random.Generator) -> tuple[Timeline, Timeline]:
@@ -116,42 +212,6 @@ def test_a_placed_figure_is_turned_and_shifted_as_a_whole(rng, coordinates):
     np.testing.assert_allclose(path_of(place.timeline(figure, timeline)).at(t), wanted, atol=1e-10)
 
 
-def test_the_root_continues_in_its_heading_and_at_the_mean_of_both_velocities(rng):
-    figure = figure_of(TINY)
-    before, after = sides(figure, rng)
-    end, start = before.states[-1], after.states[0]
-    turned = heading(np.stack([axes(quat.normalised(state[3:7])) for state in (end, start)]))
-    np.testing.assert_allclose(np.cos(turned[1] - turned[0]), 1, atol=1e-12)
-    velocities = [path_of(before).at(before.times[-1], 1), path_of(after).at(after.times[0], 1)]
-    np.testing.assert_allclose(start[:2] - end[:2], LENGTH * np.mean(velocities, axis=0)[0, :2], atol=1e-9)
-
-
-def test_a_motion_that_follows_keeps_its_heights(rng):
-    figure = figure_of(TINY)
-    up = np.eye(figure.width)[2]
-    low, high = ([Frame.key(key.time, key.state + z * up) for key in random_keys(figure, rng)] for z in (0.0, 2.0))
-    before, after = raw_timeline(figure, low), raw_timeline(figure, high)
-    place = following(figure, before, after, LENGTH)
-    assert place.shift[2] == 0
-    assert np.abs(place.shift[:2]).min() > 0.01
-    np.testing.assert_allclose(place.timeline(figure, after).states[:, 2], after.states[:, 2], rtol=1e-12)
-
-
-def test_of_two_free_bodies_the_first_says_where_a_motion_continues():
-    one = '<body><freejoint/><geom size=".1"/></body>'
-    figure = figure_of(f"<mujoco><worldbody>{one}{one}</worldbody></mujoco>")
-
-    def moving(first: float, second: float) -> Timeline:
-        """From 0 to 1 s, straight on along x at 1 m/s; the second body as fast along y."""
-        states = [[first + t, 0, 1, 1, 0, 0, 0, 5, second + t, 1, 1, 0, 0, 0] for t in (0.0, 1.0)]
-        slope = np.eye(14)[0] + np.eye(14)[8]
-        return Timeline(tuple(Frame.key(float(t), state) for t, state in enumerate(states)), np.stack([slope, slope]))
-
-    place = following(figure, moving(0.0, 0.0), moving(7.0, -3.0), LENGTH)
-    np.testing.assert_allclose(place.turn, [1, 0, 0, 0], atol=1e-12)
-    np.testing.assert_allclose(place.shift, [1 + LENGTH - 7, 0, 0], atol=1e-12)
-
-
 def axes(q: Array) -> Array:
     """(3, 3) the rotation matrix of a unit quaternion."""
     return np.stack([quat.rotated(q, e) for e in np.eye(3)], axis=1)
@@ -161,8 +221,6 @@ def test_a_walk_continues_the_way_that_its_trunk_faces_whichever_foot_is_ahead()
     """At a step the pelvis turns 4 degrees one way and the chest as much the other: the walk goes straight on."""
     figure = Figure(figure_spec("human").compile())
     assert [figure.links[i].name for i in trunk(figure)] == ["root", "spine"]
-    spine = figure_of(SPINE)
-    assert [spine.links[i].name for i in trunk(spine)] == ["root", "chest"]
     for way in (0.0, 1.2, -2.9):
         still = np.zeros((2, figure.width))
         before, after = Timeline(step(figure, 4.0, way), still), Timeline(step(figure, -4.0, 0.0), still)
@@ -180,12 +238,6 @@ def step(figure: Figure, pelvis: float, way: float) -> tuple[Frame, Frame]:
     return Frame.key(0.0, state), Frame.key(1.0, state)
 
 
-def test_a_figure_that_stands_fixed_is_not_moved(rng):
-    ball = figure_of('<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>')
-    one, two = (raw_timeline(ball, random_keys(ball, rng)) for _ in range(2))
-    np.testing.assert_array_equal(following(ball, one, two, 1.0).timeline(ball, two).rows, two.rows)
-
-
 def test_a_transition_that_is_none_is_refused(rng):
     figure = figure_of(TINY)
     before, after = sides(figure, rng)
@@ -199,14 +251,7 @@ def test_a_transition_that_is_none_is_refused(rng):
     with pytest.raises(TimelineError, match="at least 4 variable frames, not 2"):
         bridge(figure, before, after, variable=2)
     begin = bridge(figure, before, after)
-    ends = begin.frames[:2], begin.frames[-2:]
-    assert len(Timeline(ends[0] + ends[1], begin.end_slope, "held").frames) == 4
-    key = Frame.key(begin.times[1], begin.states[1]), Frame.key(begin.times[-2], begin.states[-2])
-    for frames in (
-        ends[0][:1] + ends[1][1:],
-        ends[0] + ends[1][1:],
-        (begin.frames[0], key[0], *begin.frames[2:]),
-        (*begin.frames[:-2], key[1], begin.frames[-1]),
-    ):
+    second, last = (Frame.key(begin.times[i], begin.states[i]) for i in (1, -2))
+    for frames in ((begin.frames[0], second, *begin.frames[2:]), (*begin.frames[:-2], last, begin.frames[-1])):
         with pytest.raises(TimelineError, match="held ends need a variable frame next to each end"):
             Timeline(frames, begin.end_slope, "held")
