@@ -7,7 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from dynsplines import models
 
@@ -16,7 +16,7 @@ from ..system.output import Replacement
 
 if TYPE_CHECKING:
     from ..clip.text import TomlTable
-    from .edits.tables import Blocks
+    from .blocks import Blocks
 
 MODELS = (".xml", ".mjcf", ".urdf")
 FILMS = (".mp4", ".webm", ".gif", ".png")  # extensions of rendered files
@@ -59,13 +59,6 @@ def opened(source: str) -> Document:
         raise UserError(f"{path}: cannot be read: {error.strerror}") from None
     path = path.resolve()
     return Document(path.stem, text, path.parent, file=path, saved=text, newline=newline)
-
-
-class Unsaved(NamedTuple):
-    """Unsaved work of an earlier session: when it was written [s since 1970], and its text."""
-
-    time: float
-    text: str
 
 
 @dataclass
@@ -132,7 +125,7 @@ class Document:
 
     def tree(self) -> Blocks:
         """Return the text in editable blocks. Raises UserError for invalid TOML."""
-        from .edits.tables import Blocks  # imported here because it is only needed for edits
+        from .blocks import Blocks  # imported here because it is only needed for edits
 
         return Blocks.of(self.text, self.place)
 
@@ -187,17 +180,16 @@ class Document:
             raise UserError(f"unsaved work is not stored, save the clip: {error}") from None
         self._copy = self.text
 
-    def read_unsaved(self) -> Unsaved | None:
+    def read_unsaved(self) -> str | None:
         """Return the unsaved work of an earlier session; None if there is none, or if it equals this text."""
         text = self._read_copy()
-        if text is None or text == self.text:
+        if text == self.text:
             self._copy = text
-            return None
-        return Unsaved(self.unsaved_file.stat().st_mtime, text)
+        return None if text == self.text else text
 
-    def adopt(self, work: Unsaved) -> None:
+    def adopt(self, text: str) -> None:
         """Make the copy of unsaved work that of this document, which may replace or remove it."""
-        self._copy = work.text
+        self._copy = text
 
     def discard(self) -> None:
         """Remove the copy of unsaved work if it is that of this document."""

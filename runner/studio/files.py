@@ -6,26 +6,21 @@ import asyncio
 import re
 import sys
 from collections.abc import Sequence
-from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from dynsplines import models
-
 from ..errors import UserError
 from ..system.scratch import scratch
-from .document import FILMS, opened
+from .document import FILMS
 from .session import Session
 
-MOST_NAME = 120  # maximum number of characters in a file's name
-MOST_LISTED = 200  # maximum number of files in a list
 PLAIN = re.compile(r"[^/\\\0:*?\"<>|]+")
 COMMAND = "import sys; from dynsplines.__main__ import main; sys.argv[0] = 'dynsplines'; main()"
 
 
 def inside(folder: Path, name: Any) -> Path:
     """Return a file of a folder by its name. Raises UserError for a file elsewhere."""
-    if not isinstance(name, str) or not PLAIN.fullmatch(name) or name.startswith(".") or len(name) > MOST_NAME:
+    if not isinstance(name, str) or not PLAIN.fullmatch(name) or name.startswith(".") or len(name) > 120:
         raise UserError(f"'{name}': give a plain name of a file in the clip's folder, {folder.name}")
     path = (folder / name).resolve()
     if path.parent != folder.resolve():
@@ -38,7 +33,6 @@ class Files:
 
     def __init__(self, session: Session) -> None:
         self.session = session
-        self._written: set[Path] = set()  # videos and exports of this session, which may be overwritten
         self._running: asyncio.subprocess.Process | None = None
 
     @property
@@ -63,21 +57,6 @@ class Files:
         self.session.show_document()
         return f"saved {target.name}"
 
-    def listed(self) -> list[str]:
-        """Return the clips of the folder."""
-        with suppress(OSError):
-            names = [path.name for path in self.folder.iterdir() if path.suffix.lower() == ".toml" and path.is_file()]
-            return sorted(name for name in names if not name.startswith("."))[:MOST_LISTED]
-        return []
-
-    async def open(self, *, name: str) -> str:
-        """Open another clip of the folder, or a shipped clip."""
-        source = name if name in models.clips() else str(inside(self.folder, name))
-        document = opened(source)
-        if source in models.clips():
-            document.folder = self.folder
-        return await self.session.reopen(document)
-
     async def formats(self) -> dict[str, list[dict[str, str]]]:
         """Return the formats that can be written."""
         return {"formats": await asyncio.to_thread(_formats)}
@@ -85,12 +64,7 @@ class Files:
     async def export(self, *, to: str, name: str, overwrite: bool = False) -> str:
         """Export the present motion to another program's format."""
         target = self._target(name, overwrite)
-        again = ["--overwrite"] if overwrite or target in self._written else []
-        with scratch() as folder:
-            motion = folder / f"{self.session.document.name}.npz"
-            await self.session.save_motion(motion)
-            await self._run(["export", str(motion), "--to", to, "-o", str(target), *again], "export")
-        self._written.add(target)
+        await self._run(["export", "--to", to, "-o", str(target), *(["--overwrite"] if overwrite else [])])
         return f"exported {target.name}"
 
     async def render(
@@ -100,19 +74,15 @@ class Files:
         target = self._target(name, overwrite)
         if target.suffix.lower() not in FILMS:
             raise UserError(f"'{name}': a video's name ends in {', '.join(FILMS)}")
-        with scratch() as folder:
-            motion = folder / f"{self.session.document.name}.npz"
-            await self.session.save_motion(motion)
-            words = ["render", str(motion), "-o", str(target), "--size", size, "--camera", camera]
-            await self._run([*words, *(["--only", only] if only else [])], "render")
-        self._written.add(target)
+        words = ["render", "-o", str(target), "--size", size, "--camera", camera]
+        await self._run([*words, *(["--only", only] if only else [])])
         return f"rendered {target.name}"
 
     def _target(self, name: str, overwrite: bool) -> Path:
-        """Return the target of a video or an export. Raises UserError if it is an unrelated existing file."""
+        """Return the target of a video or an export. Raises UserError if it exists."""
         target = inside(self.folder, name)
-        if target.exists() and target not in self._written and not overwrite:
-            raise UserError(f"'{target.name}' already exists; choose another name, or confirm replacing it")
+        if target.exists() and not overwrite:
+            raise UserError(f"'{target.name}' already exists; choose another name, or overwrite it")
         return target
 
     async def stop(self) -> str:
@@ -121,21 +91,28 @@ class Files:
             self._running.terminate()
         return "stopped"
 
-    async def _run(self, words: Sequence[str], what: str) -> None:
-        """Run one of this program's commands and show its progress on the page. Raises UserError with its message."""
-        if self._running is not None:
-            raise UserError("another file is being written; wait for it, or stop it")
-        command = [sys.executable, "-c", COMMAND, *words]
-        pipe = asyncio.subprocess.PIPE
-        self._running = await asyncio.create_subprocess_exec(*command, stdout=pipe, stderr=pipe, cwd=self.folder)
-        try:
-            last = await self._followed(self._running, what)
-            code = await self._running.wait()
-        finally:
-            if self._running.returncode is None:
-                self._running.kill()
-            self._running = None
-            self.session.tell({"is": "task", "what": what, "words": None})
+    async def _run(self, words: Sequence[str]) -> None:
+        """Run one of this program's commands on the present motion and show its progress on the page.
+
+        Raises UserError with the message of the command.
+        """
+        what, *options = words
+        with scratch() as folder:
+            motion = folder / f"{self.session.document.name}.npz"
+            await self.session.save_motion(motion)
+            if self._running is not None:
+                raise UserError("another file is being written; wait for it, or stop it")
+            command = [sys.executable, "-c", COMMAND, what, str(motion), *options]
+            pipe = asyncio.subprocess.PIPE
+            self._running = await asyncio.create_subprocess_exec(*command, stdout=pipe, stderr=pipe, cwd=self.folder)
+            try:
+                last = await self._followed(self._running, what)
+                code = await self._running.wait()
+            finally:
+                if self._running.returncode is None:
+                    self._running.kill()
+                self._running = None
+                self.session.tell({"is": "task", "what": what, "words": None})
         if code:
             raise UserError(last.removeprefix("dynsplines: ") if code > 0 else f"{what}: stopped")
 

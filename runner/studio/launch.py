@@ -65,10 +65,10 @@ def run(
 def _serve(session: Session, listening: socket.socket, token: str, hosts: frozenset[str]) -> None:
     import uvicorn  # imported here, after the start of the solver process
 
-    from .server import MOST_BYTES, Door, application
+    from .server import MOST_BYTES, application
 
     settings = uvicorn.Config(
-        application(session, Door(token, hosts)),
+        application(session, token, hosts),
         log_level="critical",
         access_log=False,
         ws="websockets-sansio",

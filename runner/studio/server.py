@@ -9,7 +9,7 @@ from __future__ import annotations
 import asyncio
 import hmac
 import json
-from collections.abc import AsyncIterator, Awaitable, Callable
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 from importlib.resources import files
 from typing import Any
@@ -20,8 +20,6 @@ from starlette.requests import HTTPConnection, Request
 from starlette.responses import PlainTextResponse, Response
 from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
-
-from dynsplines import models
 
 from ..errors import UserError, one_line
 from .actions import Actions
@@ -47,42 +45,35 @@ PAGE = {
     "studio.css": ("studio.css", "text/css; charset=utf-8"),
 }
 NOT_HERE, IN_USE = 4403, 4409  # close codes of the websocket: rejected; another tab is open
+POSING = ("grip", "drag", "turn", "drop", "cancel", "key", "rest", "pin", "free", "mirror", "copy", "paste")
 BACKGROUND = ("export", "render", "stop_task")  # requests that need not wait for others
 MOST_WAITING = 64  # queued messages of a slow page above which paths are omitted
 MOST_BYTES = 4_000_000  # [bytes] maximum size of a message from a page
 
 
-class Door:
-    """Access control; `hosts` are the accepted values of the `Host` header, such as "127.0.0.1:8000"."""
+def application(session: Session, token: str, hosts: frozenset[str]) -> Starlette:
+    """Return the server of one session. `hosts` are the accepted `Host` headers, such as "127.0.0.1:8000"."""
+    desk = _Desk(session)
 
-    def __init__(self, token: str, hosts: frozenset[str]) -> None:
-        self.token, self.hosts = token, hosts
-
-    def refusal(self, connection: HTTPConnection, *, with_token: bool) -> str | None:
+    def refusal(connection: HTTPConnection, *, with_token: bool) -> str | None:
         """Return the reason for rejecting a request; None for an accepted one."""
         host = connection.headers.get("host", "")
-        if host not in self.hosts:
+        if host not in hosts:
             return f"no such host: '{host[:100]}'"
         origin = connection.headers.get("origin")
-        if origin is not None and urlsplit(origin).netloc not in self.hosts:
+        if origin is not None and urlsplit(origin).netloc not in hosts:
             return "this page may not connect to the studio; open the address that the command prints"
         if connection.scope["type"] == "websocket" and origin is None:
             return "a line to the studio needs an origin"
-        token = connection.query_params.get("token", "")
-        if with_token and not hmac.compare_digest(token.encode(), self.token.encode()):
+        if with_token and not hmac.compare_digest(connection.query_params.get("token", "").encode(), token.encode()):
             return "the address lacks the studio's token; use the one that the command printed"
         return None
-
-
-def application(session: Session, door: Door) -> Starlette:
-    """Return the server of one session."""
-    desk = _Desk(session)
 
     async def page(request: Request) -> Response:
         name = request.path_params.get("name", "")
         if name not in PAGE:
             return PlainTextResponse("there is no such page", 404, HEADERS)
-        refused = door.refusal(request, with_token=name == "")
+        refused = refusal(request, with_token=name == "")
         if refused is not None:
             return PlainTextResponse(refused, 403, HEADERS)
         file, kind = PAGE[name]
@@ -90,7 +81,7 @@ def application(session: Session, door: Door) -> Starlette:
         return Response(content, headers=HEADERS, media_type=kind)
 
     async def line(socket: WebSocket) -> None:
-        refused = door.refusal(socket, with_token=True)
+        refused = refusal(socket, with_token=True)
         if refused is not None:
             await socket.close(NOT_HERE, refused)
             return
@@ -117,30 +108,53 @@ class _Desk:
         self.session = session
         self.actions, self.writer = Actions(session), Files(session)
         self._turn = asyncio.Lock()  # requests are performed one after another
+        self._tasks: set[asyncio.Task[None]] = set()
         self._tab = ""
         self._socket: WebSocket | None = None
 
     async def serve(self, socket: WebSocket) -> None:
-        """Serve a page until it disconnects. A second tab is rejected, or replaces the first one if it wants to."""
+        """Serve a page until it disconnects. A second tab is rejected, or replaces the first one if it wants to.
+
+        A request is received at once and performed in turn, also if the connection is lost meanwhile.
+        """
         tab, takes_over = socket.query_params.get("tab", ""), "take" in socket.query_params
         if self._socket is not None and tab != self._tab and not takes_over:
             await socket.close(IN_USE)
             return
         before, self._socket, self._tab = self._socket, socket, tab
-        connection = _Connection(socket)
-        await self.actions.cancel()
-        self.session.enter(connection.put)
-        if before is not None:
-            with suppress(RuntimeError, WebSocketDisconnect):
-                await before.close(IN_USE)
+        queue = asyncio.Queue[str | bytes]()
+
+        def put(message: str | bytes) -> None:
+            """Queue a message; paths are omitted if the page is slow."""
+            if queue.qsize() <= MOST_WAITING or not _is_path(message):
+                queue.put_nowait(message)
+
+        self._start({"do": "cancel"}, lambda _: None)  # a drag of an earlier page
+        self.session.enter(put)
+        out = asyncio.create_task(_write(socket, queue))
         try:
-            await connection.live(self._answer)
+            if before is not None:
+                with suppress(RuntimeError, WebSocketDisconnect):
+                    await before.close(IN_USE)
+            while True:
+                self._start(dict(json.loads(await socket.receive_text())), put)
+        except (WebSocketDisconnect, ValueError, TypeError, RuntimeError):
+            pass
         finally:
-            self.session.leave(connection.put)
+            out.cancel()
+            self.session.leave(put)
             if self._socket is socket:
                 self._socket = None
+            with suppress(RuntimeError, WebSocketDisconnect):
+                await socket.close()
 
-    async def _answer(self, message: Message) -> Message:
+    def _start(self, message: Message, put: Callable[[str], None]) -> None:
+        """Perform a request in the background, and send the answer."""
+        task = asyncio.create_task(self._answer(message, put))
+        self._tasks.add(task)
+        task.add_done_callback(self._tasks.discard)
+
+    async def _answer(self, message: Message, put: Callable[[str], None]) -> None:
         """Perform a request. The answer describes the edit, or the reason for its rejection."""
         answer: Message = {"is": "answer", "id": message.pop("id", None)}
         do = str(message.pop("do", ""))
@@ -152,103 +166,47 @@ class _Desk:
                     if (revision := message.pop("revision", None)) is not None:
                         self.session.document.check_numbers(revision)
                     result = await self._done(do, message)
+            answer |= {"ok": True, **(result if isinstance(result, dict) else {"words": result})}
         except UserError as error:
-            return {**answer, "ok": False, "words": one_line(error)}
+            answer |= {"ok": False, "words": one_line(error)}
         except (TypeError, ValueError, KeyError, IndexError) as error:
             words = f"invalid request from the page: {type(error).__name__}: {one_line(error)}"
-            return {**answer, "ok": False, "words": words}
-        return {**answer, "ok": True, **(result if isinstance(result, dict) else {"words": result})}
+            answer |= {"ok": False, "words": words}
+        put(json.dumps(answer))
 
     async def _done(self, do: str, arguments: Message) -> Any:
-        request = self._requests.get(do)
-        if request is None:
-            raise UserError(f"'{do}': unknown request; reload the page")
-        return await request(**arguments)
-
-    @property
-    def _requests(self) -> dict[str, Callable[..., Awaitable[Any]]]:
         session, actions, writer = self.session, self.actions, self.writer
-        methods = {name: getattr(self, f"_{name}") for name in ("edit", "go", "stop", "curves", "offer", "files")}
-        posing = ("grip", "drag", "turn", "drop", "cancel", "key", "rest", "pin", "free", "mirror", "copy", "paste")
-        return {
-            **methods,
-            **{name: getattr(actions, name) for name in posing},
-            "undo": session.undo,
-            "redo": session.redo,
-            "save": writer.save,
-            "open": writer.open,
-            "export": writer.export,
-            "render": writer.render,
-            "formats": writer.formats,
-            "stop_task": writer.stop,
-        }
-
-    async def _edit(self, name: str, **arguments: Any) -> str:
-        return await self.session.edit(name, arguments)
-
-    async def _go(self, anew: bool = False) -> str:
-        self.session.search(go=True, restart=anew)
+        if do in POSING:
+            return await getattr(actions, do)(**arguments)
+        match do:
+            case "edit":
+                return await session.edit(arguments.pop("name"), arguments)
+            case "undo" | "redo":
+                return await getattr(session, do)(**arguments)
+            case "save" | "export" | "render" | "formats":
+                return await getattr(writer, do)(**arguments)
+            case "stop_task":
+                return await writer.stop()
+            case "offer":
+                return await session.take_offer(yes=bool(arguments["take"]))
+            case "curves":
+                session.want_curves(bool(arguments["on"]))
+            case "go" | "stop":
+                session.search(go=do == "go", restart=arguments.get("anew", False))
+            case _:
+                raise UserError(f"'{do}': unknown request; reload the page")
         return ""
 
-    async def _stop(self) -> str:
-        self.session.search(go=False)
-        return ""
 
-    async def _curves(self, on: bool) -> str:
-        self.session.want_curves(bool(on))
-        return ""
-
-    async def _offer(self, take: bool) -> str:
-        return await self.session.take_offer(yes=bool(take))
-
-    async def _files(self) -> dict[str, list[str]]:
-        return {"files": self.writer.listed(), "shipped": list(models.clips())}
+def _is_path(message: str | bytes) -> bool:
+    return isinstance(message, bytes) and not message.startswith(b"{")
 
 
-class _Connection:
-    """The connection of a page. Its requests are answered in turn; its notifications are queued separately."""
-
-    def __init__(self, socket: WebSocket) -> None:
-        self.socket = socket
-        self._queue: asyncio.Queue[str | bytes] = asyncio.Queue()
-        self._tasks: set[asyncio.Task[None]] = set()
-
-    async def live(self, answer: Callable[[Message], Awaitable[Message]]) -> None:
-        """Answer requests until the page disconnects."""
-        out = asyncio.create_task(self._write())
-
-        async def respond(message: Message) -> None:
-            self.put(json.dumps(await answer(message)))
-
-        try:
-            while True:
-                message = json.loads(await self.socket.receive_text())
-                if message.get("do") in BACKGROUND:
-                    task = asyncio.create_task(respond(message))
-                    self._tasks.add(task)
-                    task.add_done_callback(self._tasks.discard)
-                else:
-                    await respond(message)
-        except (WebSocketDisconnect, json.JSONDecodeError, AttributeError, RuntimeError):
-            pass
-        finally:
-            out.cancel()
-            for task in list(self._tasks):
-                task.cancel()
-            with suppress(RuntimeError, WebSocketDisconnect):
-                await self.socket.close()
-
-    def put(self, message: str | bytes) -> None:
-        """Queue a message; paths are omitted if the page is slow."""
-        if self._queue.qsize() > MOST_WAITING and isinstance(message, bytes) and not message.startswith(b"{"):
-            return
-        self._queue.put_nowait(message)
-
-    async def _write(self) -> None:
-        with suppress(WebSocketDisconnect, RuntimeError):
-            while True:
-                message = await self._queue.get()
-                if isinstance(message, bytes) and not message.startswith(b"{"):
-                    await self.socket.send_bytes(message)
-                else:
-                    await self.socket.send_text(message if isinstance(message, str) else message.decode())
+async def _write(socket: WebSocket, queue: asyncio.Queue[str | bytes]) -> None:
+    with suppress(WebSocketDisconnect, RuntimeError):
+        while True:
+            message = await queue.get()
+            if _is_path(message):
+                await socket.send_bytes(message)
+            else:
+                await socket.send_text(message if isinstance(message, str) else message.decode())

@@ -52,7 +52,7 @@ class Session:
     def start(self) -> None:
         """Start the process and load the clip. Messages are queued until the session listens."""
         self.solver.start()
-        self.solver.send(self._load_request(self.document.text, self.document.revision, first=True))
+        self.solver.send(self._load_request(self.document.text, self.document.revision))
 
     def begin(self) -> None:
         """Listen to the process, and start it if necessary."""
@@ -98,8 +98,8 @@ class Session:
     def _show_offer(self) -> None:
         words = None
         if self.offer is not None:
-            date = time.strftime("%Y-%m-%d %H:%M", time.localtime(self.offer.time))
-            words = f"unsaved work on {self.document.place} from {date}"
+            date = time.localtime(self.document.unsaved_file.stat().st_mtime)
+            words = f"unsaved work on {self.document.place} from {time.strftime('%Y-%m-%d %H:%M', date)}"
         self._show("offer", {"words": words})
 
     def _show_state(self, state: str, **details: Any) -> None:
@@ -152,43 +152,26 @@ class Session:
         offer, words = self.offer, "restore unsaved work" if yes else "discarded unsaved work"
         if offer is None:
             raise UserError("there is no unsaved work")
-        loaded = await self._validate(offer.text) if yes else None
+        loaded = await self._validate(offer) if yes else None
         self.document.adopt(offer)
         self.offer = None
         if loaded is None:
             self.document.discard()
         else:
-            self.document.commit(offer.text, words)
+            self.document.commit(offer, words)
             self.document.numbered_since = self.document.revision
             words = self._changed(loaded, words)
         self._show_offer()
         return words
 
-    async def reopen(self, document: Document) -> str:
-        """Open another document. Unsaved work of this one is on the disk."""
-        before, self.document = self.document, document
-        document.revision = document.numbered_since = before.revision + 1
-        try:
-            loaded = await self._validate(document.text, first=True)
-        except UserError:
-            self.document = before
-            raise
-        self.offer = document.read_unsaved()
-        self._accept(loaded)
-        self._show_offer()
-        return f"opened {document.place}"
-
-    async def _validate(self, text: str, *, first: bool = False) -> Message:
+    async def _validate(self, text: str) -> Message:
         """Return a text as the solver has loaded it, which then searches it. Raises UserError for an invalid clip."""
-        revision = self.document.revision + (not first)
-        return await self.solver.ask(self._load_request(text, revision, first=first))
+        return await self.solver.ask(self._load_request(text, self.document.revision + 1))
 
-    def _load_request(self, text: str, revision: int, *, first: bool = False, path: bytes | None = None) -> Message:
+    def _load_request(self, text: str, revision: int, path: bytes | None = None) -> Message:
         document = self.document
         place = {"name": document.name, "place": document.place, "folder": str(document.folder)}
-        return {
-            "do": "load", "text": text, **place, "revision": revision, "go": self.go, "first": first, "path": path,
-        }  # fmt: skip
+        return {"do": "load", "text": text, **place, "revision": revision, "go": self.go, "path": path}
 
     def _changed(self, loaded: Message, words: str) -> str:
         """Show a changed document, and store it as unsaved work. Return the words, with the reason if it cannot be."""
@@ -276,4 +259,4 @@ class Session:
         self.tell({"is": "note", "words": words})
         self.want_curves(self._has_curves)
         path = None if self._path is None else self._path[1]
-        self.solver.send(self._load_request(self.document.text, self.document.revision, first=path is None, path=path))
+        self.solver.send(self._load_request(self.document.text, self.document.revision, path))

@@ -13,11 +13,8 @@ from typing import Any
 from ..errors import UserError
 from ..scene.file_access import is_allowed
 from ..system.workers import ctrl_c_blocked
-from .solving.process import entry
 
 Message = dict[str, Any]  # JSON between pages, server and solver: "do" names a request, "is" an answer
-SHORT = 0.2  # [s] time in which an idle process should end
-PATIENCE = 5.0  # [s] time in which any process should end
 ANSWER_TIMEOUT = 60.0  # [s] time limit for an answer
 MOST_LOSSES = 5  # consecutive crashes without an answer after which it is not restarted
 
@@ -36,7 +33,7 @@ class Solver:
         self._process: Any = None
         self._losses = 0
         self._numbers = itertools.count(1)
-        self._requests: dict[int, tuple[Message, asyncio.Future[Message]]] = {}  # without an answer, by their ids
+        self._answers: dict[int, asyncio.Future[Message]] = {}  # of requests without an answer yet, by their ids
         self._is_closed = False
         self._loop: asyncio.AbstractEventLoop | None = None
 
@@ -67,19 +64,17 @@ class Solver:
             self._line.send(message)
 
     async def ask(self, message: Message) -> Message:
-        """Return the answer to a request, also of a new process after a crash. Raises UserError for a refusal, and
-        after a time limit."""
+        """Return the answer to a request. Raises UserError for a refusal, after a crash, and after a time limit."""
         number = next(self._numbers)
-        request, answer = {**message, "id": number}, asyncio.get_running_loop().create_future()
-        self._requests[number] = request, answer
-        self.send(request)
+        answer = self._answers[number] = asyncio.get_running_loop().create_future()
+        self.send({**message, "id": number})
         try:
             received: Message = await asyncio.wait_for(answer, ANSWER_TIMEOUT)
         except TimeoutError:
             self.restart()  # otherwise it would finish this request first
             raise UserError(f"the solver process took longer than {ANSWER_TIMEOUT:g} s") from None
         finally:
-            del self._requests[number]
+            del self._answers[number]
         if received["is"] == "refused":
             raise UserError(received["words"])
         return received
@@ -90,10 +85,10 @@ class Solver:
             self._line.close()
         if self._process is None:
             return
-        self._process.join(SHORT)
+        self._process.join(0.2)  # [s]; an idle process ends with its connection
         if self._process.is_alive():
             self._process.terminate()
-            self._process.join(PATIENCE)
+            self._process.join(5)
 
     def restart(self) -> None:
         """End the process at once. A new one continues from the last path."""
@@ -108,7 +103,7 @@ class Solver:
                 self._losses = 0
                 self._deliver(self.answer, message)
         if not self._is_closed:
-            process.join(PATIENCE)
+            process.join(5)  # [s]
             self._deliver(self._recover, process.exitcode)
 
     def answer(self, message: Message) -> None:
@@ -116,8 +111,8 @@ class Solver:
         number = message.pop("id", None)
         if number is None:
             self.receive(message)
-        elif number in self._requests and not self._requests[number][1].done():
-            self._requests[number][1].set_result(message)
+        elif number in self._answers and not self._answers[number].done():
+            self._answers[number].set_result(message)
 
     def _deliver(self, to: Callable[[Any], None], what: Any) -> None:
         with suppress(RuntimeError):  # the server has ended
@@ -129,14 +124,32 @@ class Solver:
             return
         self._losses += 1
         how = f"was ended by signal {-code}" if code is not None and code < 0 else f"ended with code {code}"
+        words = f"the solver process {how}; a new one continues from the last path"
         if self._losses > MOST_LOSSES:
             words = f"the solver process {how} repeatedly; free memory, then start the studio again"
-            for number in self._requests:
-                self.answer({"is": "refused", "id": number, "words": words})
+        for number in self._answers:
+            self.answer({"is": "refused", "id": number, "words": words})
+        if self._losses > MOST_LOSSES:
             self.receive({"is": "gone", "words": words})
             return
         self.start()
         self.listen()
-        self.resume(f"the solver process {how}; a new one continues from the last path")
-        for request, _ in self._requests.values():
-            self.send(request)
+        self.resume(words)
+
+
+def entry(line: Any, outside: bool) -> None:
+    """Run the solver process. With `outside`, models may refer to files anywhere.
+
+    Numerical libraries are imported here, because the server does without them.
+    """
+    from ..picture.graphics import do_without
+    from ..system import mujoco_warnings
+    from ..system.threads import use_one_thread, without_tools
+
+    use_one_thread()
+    do_without()
+    without_tools()
+    from .loop import serve
+
+    with mujoco_warnings.reported_to(mujoco_warnings.print_note):
+        serve(line, outside)

@@ -23,7 +23,7 @@ ONLY_IN = {
     "tomllib": {"runner/clip/parse.py", "runner/studio/document.py"},
     "typer": {"runner/cli.py", "runner/cli_options.py", "runner/system/exit_status.py"},
     "starlette": {"runner/studio/server.py"},
-    "tomlkit": {"runner/studio/edits/tables.py"},
+    "tomlkit": {"runner/studio/blocks.py"},
     "uvicorn": {"runner/studio/launch.py"},
 }
 SCIPY_IN_SOLVER = {

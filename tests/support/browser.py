@@ -18,6 +18,8 @@ import pytest
 
 GRAPHICS = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 FLAGS = ["--no-sandbox", "--disable-gpu-compositing", *GRAPHICS]  # only WebGL is drawn by the software GPU
+SOCKETS = """window.sockets = [], window.WebSocket = class extends WebSocket {
+  constructor(...all) { super(...all); sockets.push(this); } }"""
 COMMAND = "import sys; from dynsplines.__main__ import main; sys.argv[0] = 'dynsplines'; main()"
 
 
@@ -83,24 +85,19 @@ class Tab:
     """A page of the studio, and what it asked for or complained of."""
 
     def __init__(self, browser: Any, address: str, width: int = 900, height: int = 600) -> None:
-        self._begin(browser.new_page(viewport={"width": width, "height": height}), address)
-
-    @classmethod
-    def on(cls, page: Any, address: str) -> Tab:
-        """On a page that is there, whose lines may lead through something."""
-        found = cls.__new__(cls)
-        found._begin(page, address)
-        return found
-
-    def _begin(self, page: Any, address: str) -> None:
-        self.page, self.folder = page, ""
+        self.page, self.folder = browser.new_page(viewport={"width": width, "height": height}), ""
         self.page.set_default_timeout(60_000)
         self.errors: list[str] = []
         self.requested: list[str] = []
         self.page.on("request", lambda request: self.requested.append(request.url))
         self.page.on("pageerror", lambda error: self.errors.append(str(error)))
         self.page.on("console", lambda message: self.errors.append(message.text) if message.type == "error" else None)
+        self.page.add_init_script(SOCKETS)
         self.page.goto(address)
+        self.begun()
+
+    def begun(self) -> None:
+        """Until the page shows the figure and the clip."""
         self.until("window.studio !== undefined && studio.model.stage !== null && studio.model.now !== null")
         self.until("studio.model.document !== null && studio.model.loaded !== null")
 

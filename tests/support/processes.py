@@ -14,8 +14,8 @@ import pytest
 from rich.console import Console
 
 from dynsplines import cli
+from dynsplines.studio.loop import SolverLoop
 from dynsplines.studio.session import Session
-from dynsplines.studio.solving.loop import SolverLoop
 from dynsplines.system.progress import Progress
 from dynsplines.system.signals import HANDLED
 
@@ -116,9 +116,9 @@ class Recorded(SolverLoop):
         self.do({"do": do, **arguments})
         return self.taken()
 
-    def loaded(self, folder, text, revision=0, *, first=False, go=True):
+    def loaded(self, folder, text, revision=0, *, go=True):
         place = {"name": "tiny", "place": "tiny.toml", "folder": str(folder)}
-        return self.asked("load", text=text, **place, revision=revision, go=go, first=first, id=7)
+        return self.asked("load", text=text, **place, revision=revision, go=go, id=7)
 
 
 def session_without_solver(document, monkeypatch):

@@ -1,4 +1,4 @@
-// Files: open, save as, export, render.
+// Files: save as, export, render.
 import { $, el } from "./dom";
 import { act, ask } from "./link";
 import { model } from "./model";
@@ -38,18 +38,6 @@ export const saveAs = (): void => {
   name.select();
 };
 
-export const open = async (): Promise<void> => {
-  const answer = await ask("files");
-  if (!answer.ok) return;
-  const list = (names: string[], what: string): HTMLElement => el("div", { class: "list" }, el("h3", { text: what }),
-    ...(names.length ? names.map((name) => el("button", {
-      type: "button", text: name,
-      onclick: () => void act("open", { name }).then((done) => { if (done.ok) { box.close(); model.select([]); } }),
-    })) : [el("p", { class: "hint", text: "none" })]));
-  const box = dialog("Open", list(answer.files as string[], "in the clip's folder"), list(answer.shipped as string[], "shipped clips"),
-    el("div", { class: "buttons end" }, el("button", { type: "button", text: "Cancel", onclick: () => box.close() })));
-};
-
 export const exported = async (): Promise<void> => {
   const answer = await ask("formats");
   if (!answer.ok) return;
@@ -77,7 +65,7 @@ export const rendered = (): void => {
 export const beginFiles = (): void => {
   const menu = $("files");
   menu.addEventListener("save-as", saveAs);
-  const items: [string, () => void][] = [["Open …", () => void open()], ["Save as …", saveAs], ["Export …", () => void exported()], ["Render …", rendered]];
+  const items: [string, () => void][] = [["Save as …", saveAs], ["Export …", () => void exported()], ["Render …", rendered]];
   const list = el("div", { class: "menu", role: "menu", hidden: true }, ...items.map(([text, done]) => el("button", { type: "button", role: "menuitem", text, onclick: () => { list.hidden = true; menu.setAttribute("aria-expanded", "false"); done(); } })));
   menu.after(list);
   menu.addEventListener("click", () => {

@@ -1,7 +1,7 @@
 // The connection to the server: requests get an answer, notifications update the model. It reconnects when lost.
 import { Path } from "../scene/path";
 import { toast } from "./dom";
-import { model, type Course, type Obstacle } from "./model";
+import { model, type Course, type Outline } from "./model";
 
 export interface Answer { ok: boolean; words?: string; [key: string]: unknown; }
 type Message = Record<string, any>;
@@ -80,26 +80,12 @@ const packed = (data: ArrayBuffer): void => {
 const HANDLERS: Record<string, (message: Message) => void> = {
   stage: (message) => { model.stage = message.stage; model.tell("stage"); },
   document: (message) => {
-    const before = model.document, keys = message.keys as { time: number }[];
-    const renewed = before?.keys.length !== keys.length ? (key: number) => keys.findIndex((each) => each.time === before?.keys[key]?.time) : (key: number) => key;
-    model.document = message as never;
-    model.keys = new Set([...model.keys].map(renewed).filter((key) => key >= 0));
-    if (model.bar) {
-      const bars = (of: typeof before) => (model.bar!.kind === "contact" ? of?.contacts : of?.grasps) ?? [], was = JSON.stringify(bars(before)[model.bar.index]);
-      if (bars(before).length !== bars(model.document).length) {
-        const index = bars(model.document).findIndex((bar) => JSON.stringify(bar) === was);
-        model.bar = index < 0 ? null : { kind: model.bar.kind, index };
-      }
-    }
-    if (model.obstacle) {
-      const { kind, index } = model.obstacle, of = (document: typeof before) => (document?.obstacles ?? []).filter((each) => each.kind === kind);
-      const plain = (thing: Obstacle | undefined) => JSON.stringify({ ...thing, index: 0 }), was = plain(of(before)[index]), now = of(model.document);
-      if (of(before).length !== now.length) {
-        const found = now.findIndex((each) => plain(each) === was);
-        model.obstacle = found < 0 ? null : { kind, index: found };
-        model.tell("joint");
-      }
-    }
+    const before = model.document, now = message as never as Outline;
+    const isRenumbered = (...lists: ("keys" | "contacts" | "grasps" | "obstacles")[]) => lists.some((list) => before?.[list].length !== now[list].length);
+    model.document = now;
+    if (isRenumbered("keys")) model.keys = new Set();
+    if (isRenumbered("contacts", "grasps")) model.bar = null;
+    if (model.obstacle && isRenumbered("obstacles")) { model.obstacle = null; model.tell("joint"); }
     model.tell("document");
   },
   loaded: (message) => { model.loaded = message as never; model.tell("loaded"); },
@@ -133,7 +119,7 @@ export const connect = (take = false): void => {
   };
   line.onclose = ({ code }) => {
     connection = code === IN_USE ? "elsewhere" : "lost";
-    for (const resolve of waiting.values()) resolve({ ok: false, words: "connection to the studio lost; reconnecting" });
+    for (const resolve of waiting.values()) resolve({ ok: false, words: "connection to the studio lost; check whether the change was applied" });
     waiting.clear();
     model.tell("line");
     if (connection === "elsewhere") return;

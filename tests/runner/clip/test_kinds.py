@@ -32,7 +32,7 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrenches import Wrenches, every_axis
 from dynsplines.solver.penalty import Block, Normalization, Penalty
 from dynsplines.solver.surface import Box, Capsule, Cylinder, Hull, Plane, Sphere, static_surfaces
-from dynsplines.studio.outline import kinds, outline
+from dynsplines.studio.stage import kinds, outline
 
 
 @dataclass(frozen=True)

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import importlib.util
-import json
 import re
-import shutil
 import signal
 import tomllib
 from pathlib import Path
@@ -16,7 +13,6 @@ import problems
 import psutil
 import pytest
 from browser import Studio, Tab
-from websockets.sync.client import connect
 
 from dynsplines import models
 from dynsplines.clip.starter import starter
@@ -32,14 +28,6 @@ pytestmark = [
 def browser():
     with browsers.opened() as found:
         yield found
-
-
-def clip_in(folder):
-    """A clip that ships, searched for a moment."""
-    file = folder / "run.toml"
-    text = models.clip_text("run_and_step").replace("[[keyframe]]", "[solve]\ntolerance = 0.02\n\n[[keyframe]]", 1)
-    file.write_text(text, encoding="utf-8")
-    return file
 
 
 def test_work_survives_whatever_is_killed(browser, tmp_path):
@@ -85,7 +73,8 @@ def test_work_survives_whatever_is_killed(browser, tmp_path):
 def tab(browser, tmp_path_factory):
     """A page of a studio that several tests share, each of which leaves the clip as it was."""
     folder = tmp_path_factory.mktemp("shared")
-    clip_in(folder)
+    text = models.clip_text("run_and_step").replace("[[keyframe]]", "[solve]\ntolerance = 0.02\n\n[[keyframe]]", 1)
+    (folder / "run.toml").write_text(text, encoding="utf-8")
     with browsers.studio(folder, "run.toml") as studio:
         found = Tab(browser, studio.address)
         found.folder = str(folder)
@@ -150,7 +139,7 @@ def test_an_animators_afternoon(tab):
     assert saved != first
     assert [line for line in first.splitlines() if "#" in line and line not in saved] == []
     page.reload()
-    tab.until("window.studio !== undefined && studio.model.now !== null && studio.model.document !== null")
+    tab.begun()
     assert not tab.evaluate("studio.model.document.dirty")
 
     # what is wrong is found, and nothing is once the edits are taken back
@@ -239,37 +228,25 @@ def test_everything_has_a_name_and_is_reached_by_the_keyboard(tab):
     tab.press("Escape")
 
 
-@pytest.mark.parametrize("is_selected", [False, True])
-def test_every_repeat_of_a_key_moves_the_keyframe_by_one_frame(tab, is_selected):
+NUDGES = (("ArrowRight", 10), ("ArrowLeft", -14))
+
+
+@pytest.mark.parametrize(("selected", "presses"), [([], NUDGES), ([10], NUDGES), ([9, 10], (("ArrowUp", 5),))])
+def test_every_repeat_of_a_key_moves_or_spreads_the_keyframes(tab, selected, presses):
     """The keyboard repeats a key faster than the studio answers."""
     keyboard, place = tab.page.keyboard, "studio.model.document.keys[10].time"
-    time = tab.evaluate(place)
+    before, time = tab.evaluate("studio.model.document.keys.slice(9, 11).map((key) => key.time)")
     tab.seek(time)
-    tab.evaluate(f"studio.model.select({[10] if is_selected else []})")
+    tab.evaluate(f"studio.model.select({selected})")
     keyboard.down("Alt")
-    for key, count in (("ArrowRight", 10), ("ArrowLeft", -14)):
+    for key, count in presses:
         for _ in range(abs(count)):
             keyboard.down(key)
         keyboard.up(key)
-        time += count / 30
+        time = before + 1.1**count * (time - before) if key == "ArrowUp" else time + count / 30
         tab.until(f"Math.abs({place} - {time}) < 2e-3", 10)
     keyboard.up("Alt")
     tab.until(f"studio.model.time === {place}")
-    while tab.evaluate("studio.model.document.undo") is not None:
-        tab.changes(lambda: tab.press("Control+z"))
-    tab.evaluate("studio.model.select([])")
-
-
-def test_every_repeat_of_a_key_spreads_the_keyframes(tab):
-    keyboard, place = tab.page.keyboard, "studio.model.document.keys[10].time"
-    first, second = tab.evaluate("studio.model.document.keys.slice(9, 11).map((key) => key.time)")
-    tab.evaluate("studio.model.select([9, 10])")
-    keyboard.down("Alt")
-    for _ in range(5):
-        keyboard.down("ArrowUp")
-    keyboard.up("ArrowUp")
-    keyboard.up("Alt")
-    tab.until(f"Math.abs({place} - {first + 1.1**5 * (second - first)}) < 2e-3", 10)
     while tab.evaluate("studio.model.document.undo") is not None:
         tab.changes(lambda: tab.press("Control+z"))
     tab.evaluate("studio.model.select([])")
@@ -282,40 +259,29 @@ def test_a_second_tab_may_take_over(browser, tab):
     assert tab.page.locator("#elsewhere").is_hidden()
     page.locator("#take-over").click()
     tab.page.locator("#elsewhere").wait_for()
-    other = Tab.on(page, page.url)  # the same tab, loaded again
-    before = other.evaluate("JSON.stringify(studio.model.document.keys)")
-    other.seek(1.7)
-    other.changes(lambda: other.press("k"))
+    assert page.evaluate("studio.ask('key', { time: 1.7 })")["ok"]
     tab.page.locator("#take-over").click()
     page.locator("#elsewhere").wait_for()
     tab.until("studio.model.document.keys.some((key) => key.time === 1.7)")
     tab.changes(lambda: tab.press("Control+z"))
-    assert tab.evaluate("JSON.stringify(studio.model.document.keys)") == before
     page.close()
 
 
-def test_an_edit_is_applied_once_if_the_connection_is_lost_before_its_answer(tmp_path):
-    problems.written(tmp_path)
-    with browsers.studio(tmp_path, "tiny.toml") as studio:
-        origin = studio.address.partition("/?")[0]
-        address = studio.address.replace("http", "ws").replace("/?", "/line?") + "&tab=1"
+LOST = "(() => { const answer = studio.ask('key', { time: 1.7 }); sockets.at(-1).close(); return answer; })()"
 
-        def counts(line, count):
-            """Wait until the page has so many keyframes."""
-            numbers = []
-            while count not in numbers:
-                message = line.recv(timeout=60)
-                if isinstance(message, str) and (told := json.loads(message))["is"] == "document":
-                    numbers.append(len(told["keys"]))
-            return numbers
 
-        with connect(address, origin=origin, max_size=None) as line:
-            counts(line, 3)
-            line.send(json.dumps({"do": "key", "id": 1, "time": 0.3}))
-        with connect(address, origin=origin, max_size=None) as line:
-            assert counts(line, 4) in ([3, 4], [4])
-            line.send(json.dumps({"do": "undo", "id": 2}))
-            assert counts(line, 3) == [3]
+def test_the_page_reconnects_after_a_loss_in_the_middle_of_an_edit_which_is_applied_once(tab):
+    times = "studio.model.document.keys.map((key) => key.time)"
+    before, count = tab.evaluate(times), tab.evaluate("sockets.length")
+    answer = tab.evaluate(LOST)
+    assert not answer["ok"]
+    assert "connection to the studio lost" in answer["words"]
+    tab.until("document.getElementById('state').textContent === 'no connection to the studio'")
+    tab.until("document.getElementById('state').textContent !== 'no connection to the studio'")
+    tab.until(f"studio.model.document.keys.length === {len(before) + 1}")
+    assert tab.evaluate("sockets.length") == count + 1
+    tab.changes(lambda: tab.press("Control+z"))
+    assert tab.evaluate(times) == before
 
 
 def test_things_are_made_larger_by_hand(tab):
@@ -448,66 +414,36 @@ def test_words_stand_out_from_what_is_behind_them_dark_and_light(tab):
         assert tab.evaluate(contrast("--on-accent", "--accent")) >= 4.5
 
 
-G1 = "mjlab/asset_zoo/robots/unitree_g1/xmls/g1.xml"
-HANDS = {"android.xml": "left_wrist_roll_link", "g1.xml": "left_wrist_yaw_link"}
-
-
-def robot_in(folder, name):
-    """A robot's model in a folder: ours, or that of a package by others, with its meshes."""
-    if name == "android.xml":
-        (folder / name).write_text(figures.ANDROID)
-        return
-    found = importlib.util.find_spec("mjlab")
-    if found is None or found.origin is None:
-        pytest.skip("no package mjlab: pip install --no-deps mjlab")
-    source = (Path(found.origin).parent.parent / G1).parent
-    shutil.copytree(source, folder, dirs_exist_ok=True)
-
-
-def opened(tab, name):
-    """A file of the folder, by the menu."""
-    tab.page.locator("#files").click()
-    tab.page.get_by_role("menuitem", name="Open").click()
-    tab.changes(tab.page.locator("dialog .list button", has_text=re.compile(f"^{re.escape(name)}$")).click, 150)
-
-
-@pytest.mark.parametrize("name", HANDS)
-def test_a_robot_crouches_and_reaches_in_less_than_twenty_actions(tab, name):
-    folder = Path(tab.folder)
-    robot_in(folder, name)
-    (folder / "robot.toml").write_text(starter(str(folder / name), folder / "robot.toml"), encoding="utf-8")
-    actions = 3
-    opened(tab, "robot.toml")
-    tab.until("studio.model.now.bodies === studio.model.stage.bodies.length")
-    middle = tab.evaluate("0.5 * (studio.model.first + studio.model.last)")
-    hand, pelvis = HANDS[name], tab.evaluate("studio.model.stage.bodies[studio.model.stage.joints[0].body]")
-    place = "studio.stage.placeOf(studio.model.stage.bodies.indexOf('{}'), [0, 0, 0]).toArray()"
-    tab.seek(middle)
-    tab.press("3")
-    tab.shown()
-    low, far = tab.evaluate(place.format(pelvis)), tab.evaluate(place.format(hand))
-    x, y = tab.grip(pelvis)
-    down = tab.on_screen_at([low[0], low[1], low[2] - 0.12])[1] - tab.on_screen(pelvis)[1]
-    tab.changes(lambda: tab.drag((x, y), (x, y + down)))
-    tab.shown()
-    x, y = tab.grip(hand)
-    tab.changes(lambda: tab.drag((x, y), (x - 1.5 * down, y - 0.5 * down)))
-    actions += 4
-    tab.settled()
-    tab.seek(middle)
-    now = tab.evaluate(place.format(pelvis)), tab.evaluate(place.format(hand))
-    assert now[0][2] < low[2] - 0.04
-    assert now[1][0] > far[0] + 0.08
-    deep = [
-        violation["text"]
-        for violation in tab.evaluate("studio.model.violations")
-        if violation["kind"] == "penetration"
-        and violation["keyframe"] != 3  # is like the one before, with a leg stretched
-    ]
-    assert deep == []
-    assert actions < 20
-    for _ in range(2):
-        tab.changes(lambda: tab.press("Control+z"))
+def test_a_robot_crouches_and_reaches_in_two_drags(browser, tmp_path):
+    (tmp_path / "android.xml").write_text(figures.ANDROID)
+    text = starter(str(tmp_path / "android.xml"), tmp_path / "robot.toml")
+    (tmp_path / "robot.toml").write_text(text, encoding="utf-8")
+    with browsers.studio(tmp_path, "robot.toml") as studio:
+        tab = Tab(browser, studio.address)
+        middle = tab.evaluate("0.5 * (studio.model.first + studio.model.last)")
+        hand, pelvis = (
+            "left_wrist_roll_link",
+            tab.evaluate("studio.model.stage.bodies[studio.model.stage.joints[0].body]"),
+        )
+        place = "studio.stage.placeOf(studio.model.stage.bodies.indexOf('{}'), [0, 0, 0]).toArray()"
+        tab.seek(middle)
+        tab.press("3")
+        tab.shown()
+        low, far = tab.evaluate(place.format(pelvis)), tab.evaluate(place.format(hand))
+        x, y = tab.grip(pelvis)
+        down = tab.on_screen_at([low[0], low[1], low[2] - 0.12])[1] - tab.on_screen(pelvis)[1]
+        tab.changes(lambda: tab.drag((x, y), (x, y + down)))
+        tab.shown()
+        x, y = tab.grip(hand)
+        tab.changes(lambda: tab.drag((x, y), (x - 1.5 * down, y - 0.5 * down)))
+        tab.settled()
+        tab.seek(middle)
+        assert tab.evaluate(place.format(pelvis))[2] < low[2] - 0.04
+        assert tab.evaluate(place.format(hand))[0] > far[0] + 0.08
+        found = tab.evaluate("studio.model.violations")
+        # keyframe 3 is like the one before, with a leg stretched
+        assert [each for each in found if each["kind"] == "penetration" and each["keyframe"] != 3] == []
+        tab.page.close()
 
 
 CRATE = """
@@ -520,23 +456,21 @@ mass = 1
 """
 
 
-def test_what_is_part_of_a_thing_that_moves_is_moved_in_its_axes(tab):
-    folder = Path(tab.folder)
+def test_what_is_part_of_a_thing_that_moves_is_moved_in_its_axes(browser, tmp_path):
     placed = "\nroots.crate = {position = [1, 0.5, 0], rotation = {rotvec = [0, 0, 90]}}"
     text = re.sub(r"\ntime = [0-9.]+", lambda found: found[0] + placed, problems.CLIP)
-    problems.written(folder, text.replace("[[keyframe]]", CRATE + "\n[[keyframe]]", 1), "crate.toml")
-    opened(tab, "crate.toml")
-    tab.until("studio.model.now.bodies === studio.model.stage.bodies.length")
-    tab.settled()
-    tab.evaluate(
-        "void (studio.model.joint = null, studio.model.obstacle = {kind: 'box', index: 0}, studio.model.tell('joint'))"
-    )
-    tab.until("studio.gizmo.controls.object !== undefined")
-    tab.shown()  # bodies are where an image has put them
-    assert tab.evaluate("studio.gizmo.handle.position.toArray()") == pytest.approx([1, 0.8, 0.1], abs=1e-3)
-    tab.evaluate("void studio.gizmo.start()")
-    tab.changes(lambda: tab.evaluate("void (studio.gizmo.handle.position.x += 0.1, studio.gizmo.end())"))
-    assert tab.evaluate("studio.model.document.obstacles[0].position") == pytest.approx([0.3, -0.1, 0.1], abs=2e-3)
+    problems.written(tmp_path, text.replace("[[keyframe]]", CRATE + "\n[[keyframe]]", 1), "crate.toml")
+    with browsers.studio(tmp_path, "crate.toml") as studio:
+        tab = Tab(browser, studio.address)
+        tab.settled()
+        tab.evaluate("void (studio.model.obstacle = {kind: 'box', index: 0}, studio.model.tell('joint'))")
+        tab.until("studio.gizmo.controls.object !== undefined")
+        tab.shown()  # bodies are where an image has put them
+        assert tab.evaluate("studio.gizmo.handle.position.toArray()") == pytest.approx([1, 0.8, 0.1], abs=1e-3)
+        tab.evaluate("void studio.gizmo.start()")
+        tab.changes(lambda: tab.evaluate("void (studio.gizmo.handle.position.x += 0.1, studio.gizmo.end())"))
+        assert tab.evaluate("studio.model.document.obstacles[0].position") == pytest.approx([0.3, -0.1, 0.1], abs=2e-3)
+        tab.page.close()
 
 
 def contrast(high: str, low: str) -> str:

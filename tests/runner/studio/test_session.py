@@ -62,6 +62,8 @@ def test_unsaved_work_is_restored_and_removed_when_it_is_saved(start, unsaved, f
     asyncio.run(again.undo())  # across a save
     assert times(again) == [0.0, 0.1, 0.2]
     assert unsaved.is_file()
+    asyncio.run(again.redo())
+    assert not unsaved.exists()
 
 
 def test_discarded_work_is_removed(start, unsaved, file):
@@ -88,13 +90,6 @@ def test_nothing_changes_until_unsaved_work_is_restored_or_discarded(start, unsa
     assert times(session) == EDITED
 
 
-def test_undone_edits_leave_no_unsaved_work(start, file):
-    session = start()
-    add_key(session, 0.15)
-    asyncio.run(session.undo())
-    assert problems.names(file.parent) == ["clip.toml"]
-
-
 def test_unsaved_work_of_another_studio_is_not_replaced(start, unsaved, file, monkeypatch):
     one = start()
     asyncio.run(one.take_offer(yes=True))
@@ -116,22 +111,19 @@ def test_unsaved_work_of_another_studio_is_not_replaced(start, unsaved, file, mo
 
 def test_work_that_cannot_be_loaded_is_offered_again(start, unsaved, monkeypatch):
     session = start()
-    send = session.solver.send
-
-    def refuse(message):
-        refused = {"is": "refused", "id": message["id"], "words": "no figure"}
-        asyncio.get_running_loop().call_soon(session.solver.answer, refused)
-
-    monkeypatch.setattr(session.solver, "send", refuse)
-    with pytest.raises(UserError, match="no figure"):
-        asyncio.run(session.take_offer(yes=True))
+    with monkeypatch.context() as patch:
+        answer = {"is": "refused", "id": 1, "words": "no figure"}
+        patch.setattr(
+            session.solver, "send", lambda _: asyncio.get_running_loop().call_soon(session.solver.answer, answer)
+        )
+        with pytest.raises(UserError, match="no figure"):
+            asyncio.run(session.take_offer(yes=True))
     assert times(session) == [0.0, 0.1, 0.2]
-    monkeypatch.setattr(session.solver, "send", send)
     asyncio.run(session.take_offer(yes=True))
     assert times(session) == EDITED
 
 
-def test_numbers_of_keyframes_are_those_of_a_revision(start, tmp_path):
+def test_numbers_of_keyframes_are_those_of_a_revision(start):
     session = start()
     document = session.document
     asyncio.run(session.edit("change", {"at": ["keyframe", 0], "entries": {"joints": {"knee": 1}}}))
@@ -142,63 +134,54 @@ def test_numbers_of_keyframes_are_those_of_a_revision(start, tmp_path):
         document.check_numbers(document.revision)
         with pytest.raises(UserError, match="the clip has changed meanwhile"):
             document.check_numbers(before)
-    before = document.revision
-    asyncio.run(session.reopen(Document("other", TEXT, tmp_path)))
-    with pytest.raises(UserError, match="the clip has changed meanwhile"):
-        session.document.check_numbers(before)
 
 
-def test_a_crash_during_an_edit_repeats_the_edit_after_the_present_text(start, monkeypatch):
-    """The new process loads the present text, and then refuses the edit."""
-    session, revisions, shown = start(), [], []
-    session.enter(shown.append)
+@pytest.fixture
+def lost(start, monkeypatch):
+    """A session whose solver process ends as soon as it gets a request, with the messages that it got."""
+    session, sent = start(), []
+    session.sent = sent
+    for name in ("start", "listen"):
+        monkeypatch.setattr(session.solver, name, lambda: None)
 
-    def lost(message):
-        revisions.append(message.get("revision"))
-        loop = asyncio.get_running_loop()
-        if len(revisions) == 1:
-            loop.call_soon(session.solver._recover, -9)
-        elif message.get("id") is None:
-            loaded = {"is": "loaded", "revision": message["revision"], "outline": {}, "timeline": b""}
-            loop.call_soon(session.solver.answer, loaded)
-        else:
-            loop.call_soon(session.solver.answer, {"is": "refused", "id": message["id"], "words": "no clip"})
+    def send(message):
+        sent.append(message)
+        if message.get("id") is not None:
+            asyncio.get_running_loop().call_soon(session.solver._recover, -9)
 
-    monkeypatch.setattr(session.solver, "send", lost)
-    monkeypatch.setattr(session.solver, "start", lambda: None)
-    monkeypatch.setattr(session.solver, "listen", lambda: None)
-    with pytest.raises(UserError, match="no clip"):
-        add_key(session, 0.15)
-    assert revisions == [1, 0, 1]
-    assert session.document.text == TEXT
-    notes = [message["words"] for message in map(json.loads, shown) if message["is"] == "note"]
-    assert notes == ["the solver process was ended by signal 9; a new one continues from the last path"]
+    monkeypatch.setattr(session.solver, "send", send)
+    return session
 
 
-def test_a_solver_that_is_lost_again_and_again_is_not_started_again(start, monkeypatch):
-    session = start()
-    monkeypatch.setattr(session.solver, "start", lambda: None)
-    monkeypatch.setattr(session.solver, "listen", lambda: None)
-    monkeypatch.setattr(session.solver, "send", lambda _: asyncio.get_running_loop().call_soon(lose))
-
-    def lose():
-        for _ in range(solver.MOST_LOSSES + 1):
-            session.solver._recover(1)
-
-    with pytest.raises(UserError, match="ended with code 1 repeatedly"):
-        add_key(session, 0.15)
-    assert session._state == "gone"
+def test_an_edit_during_which_the_solver_process_crashes_is_rejected_and_the_present_text_is_loaded(lost):
+    shown = []
+    lost.enter(shown.append)
+    words = "the solver process was ended by signal 9; a new one continues from the last path"
+    with pytest.raises(UserError, match=words):
+        add_key(lost, 0.15)
+    assert [message["revision"] for message in lost.sent] == [1, 0]
+    assert lost.sent[1]["text"] == lost.document.text == TEXT
+    assert [message["words"] for message in map(json.loads, shown) if message["is"] == "note"] == [words]
 
 
-def test_a_clip_that_takes_too_long_to_load_is_not_the_one_that_is_shown_later(start, monkeypatch, tmp_path):
+def test_a_solver_that_crashes_again_and_again_is_not_started_again(lost):
+    for _ in range(solver.MOST_LOSSES):
+        with pytest.raises(UserError, match="a new one continues"):
+            add_key(lost, 0.15)
+    with pytest.raises(UserError, match="was ended by signal 9 repeatedly"):
+        add_key(lost, 0.15)
+    assert lost._state == "gone"
+
+
+def test_an_edit_that_takes_too_long_to_load_is_rejected_and_the_solver_restarted(start, monkeypatch):
     session, restarted = start(), []
     monkeypatch.setattr(solver, "ANSWER_TIMEOUT", 0.05)
     monkeypatch.setattr(session.solver, "send", lambda message: None)
     monkeypatch.setattr(session.solver, "restart", lambda: restarted.append(True))
     with pytest.raises(UserError, match="took longer than"):
-        asyncio.run(session.reopen(Document("slow", TEXT, tmp_path)))
+        add_key(session, 0.15)
     assert restarted == [True]
-    assert session.document.name == "clip"
+    assert session.document.text == TEXT
 
 
 def test_a_page_shows_what_an_earlier_one_has_shown(start):

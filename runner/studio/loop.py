@@ -11,9 +11,8 @@ import pickle
 import signal
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import dataclass
 from multiprocessing.connection import Connection
 from pathlib import Path
 from queue import SimpleQueue
@@ -21,24 +20,20 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from dynsplines.solver.curve.frame import Frame, Timeline
-from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.inbetween import continue_from, inbetween
 from dynsplines.solver.one_thread import one_thread
 from dynsplines.solver.refine.warm_start import warm_start
 from dynsplines.solver.search.minimum import Stop, StopSearch
-from dynsplines.solver.search.selection import select_best
 from dynsplines.solver.solution import Improvement, Solution
 
-from ... import recordings
-from ...clip.build import Clip
-from ...clip.parse import table_of
-from ...errors import UserError, located, one_line
-from ...scene.file_access import allowed
-from .. import paths
-from ..outline import kinds, outline
-from ..solver import Message
-from .stage import stage
+from .. import recordings
+from ..clip.build import Clip
+from ..errors import UserError, located, one_line
+from ..scene.file_access import allowed
+from . import paths
+from .solver import Message
+from .stage import kinds, outline, stage
 
 if TYPE_CHECKING:
     Line = Connection[Any, Any]
@@ -80,19 +75,6 @@ def _write(line: Line, outbox: SimpleQueue[Message]) -> None:
             line.send(outbox.get())
 
 
-@dataclass(frozen=True)
-class Search:
-    """A search from the present path.
-
-    Attributes:
-        edited: The interval that is searched before the whole clip [s]; None if there is none.
-        is_restart: Whether it starts from the raw spline instead, and replaces the present path only by a better one.
-    """
-
-    edited: tuple[float, float] | None = None
-    is_restart: bool = False
-
-
 class SolverLoop:
     """A clip, and the best path through its keyframes.
 
@@ -101,14 +83,14 @@ class SolverLoop:
         has_message: Returns whether a message is waiting.
 
     Attributes:
-        search: The search that runs as long as no message waits; None if there is nothing to search.
+        is_searching: Whether a search from the present path runs as long as no message waits.
     """
 
     def __init__(self, send: Callable[[Message], None], has_message: Callable[[], bool]) -> None:
         self.send, self.has_message = send, has_message
         self.clip: Clip | None = None
         self.solution: Solution | None = None
-        self.search: Search | None = None
+        self.is_searching = False
         self.revision = 0
         self.has_curves = False
         self.path_cache: dict[str, Timeline] = {}
@@ -119,9 +101,9 @@ class SolverLoop:
         """Perform a request, then search until a message waits or the search ends. Errors are reported to the page."""
         arguments = {key: value for key, value in message.items() if key != "do"}
         self._guarded(getattr(self, f"do_{message['do']}"), message.get("id"), **arguments)
-        while self.search is not None and not self.has_message():
+        while self.is_searching and not self.has_message():
             if not self._guarded(self._run, None):
-                self.search = None
+                self.is_searching = False
 
     def _guarded(self, step: Callable[..., None], number: int | None, **arguments: Any) -> bool:
         """Return whether a step has ended without an error, which is reported as the answer to a request."""
@@ -145,7 +127,6 @@ class SolverLoop:
         folder: str,
         revision: int,
         go: bool,
-        first: bool,
         path: bytes | None = None,
         id: int | None = None,
     ) -> None:
@@ -153,31 +134,26 @@ class SolverLoop:
 
         Args:
             go: Whether to search.
-            first: Whether the text was just opened.
             path: The present path after a restart of this process, pickled.
             id: Number of the request.
         """
-        before = None if first else self.clip
+        before = self.clip
         clip = recordings.from_text(text, name=name, where=place, folder=Path(folder), like=before)
         present = None if before is None or self.solution is None else self.solution.timeline
         if path is not None:
             present = pickle.loads(path)  # data of this program only
-        begin = None if first else self._initial_guess(clip, before, present)
-        raw = clip.problem.raw
-        timeline = raw if begin is None else begin
+        begin = self._initial_guess(clip, before, present)
         if before is None or clip.figure is not before.figure:
             figure = pickle.dumps((clip.scene, clip.figure.coordinates))
             self.send({"is": "stage", "stage": stage(clip), "figure": figure})
         self._report(
             "loaded", id=id, revision=revision, notes=list(clip.notes), outline=outline(text, place),
-            timeline=pickle.dumps(_bare(timeline)), **_shape(clip),
+            timeline=pickle.dumps(_bare(begin or clip.problem.raw)), **_shape(clip),
         )  # fmt: skip
         self.clip, self.revision = clip, revision
-        objective = clip.problem.plain_objective if begin is None else clip.problem.objective
-        self.solution = Solution(clip.figure, objective, timeline, raw)
-        self._send_path(timeline, "initial")
-        self._send_path(raw, "raw")
-        self.search = Search(None if begin is None or before is None else _edited(before, clip)) if go else None
+        self._begin(clip, begin)
+        self._send_path(clip.problem.raw, "raw")
+        self.is_searching = go
         if not go:
             self._judge("paused")
 
@@ -194,14 +170,23 @@ class SolverLoop:
         except ValueError:
             return None
 
+    def _begin(self, clip: Clip, begin: Timeline | None) -> None:
+        """Make the initial guess of a search, or the raw spline if it is None, the present path."""
+        problem = clip.problem
+        objective = problem.plain_objective if begin is None else problem.objective
+        self.solution = Solution(clip.figure, objective, begin or problem.raw, problem.raw)
+        self._send_path(self.solution.timeline, "initial")
+
     def do_go(self, restart: bool = False) -> None:
         """Continue the search from the present path, or restart it from the raw spline."""
-        self.search = None if self.clip is None else Search(is_restart=restart)
+        if self.clip is not None and restart:
+            self._begin(self.clip, None)
+        self.is_searching = self.clip is not None
 
     def do_stop(self) -> None:
         """Stop the search, which the message itself has interrupted."""
-        if self.search is not None:
-            self.search = None
+        if self.is_searching:
+            self.is_searching = False
             self._judge(Stop.INTERRUPTED.name)
 
     def do_curves(self, on: bool) -> None:
@@ -214,9 +199,9 @@ class SolverLoop:
         """Write the present motion to a file for further use."""
         if self.clip is None or self.solution is None:
             raise UserError("nothing has been solved yet")
-        from ... import motion
-        from ...solving import Solved
-        from ...system.progress import Progress
+        from .. import motion
+        from ..solving import Solved
+        from ..system.progress import Progress
 
         saved = Solved(self.clip, self.solution, None).saved(Progress(), with_report=False)
         motion.save(saved, Path(file))
@@ -234,39 +219,32 @@ class SolverLoop:
 
     def _run(self) -> None:
         """Run the present search and send every better path. If a message ends it, it continues afterwards."""
-        clip, present, search = self.clip, self.solution, self.search
-        assert clip is not None and present is not None and search is not None
+        clip, present = self.clip, self.solution
+        assert clip is not None and present is not None
         self._report("searching", revision=self.revision)
-        bound = clip.problem.objective.value(path_of(present.timeline)) if search.is_restart else np.inf
 
         def improved(improvement: Improvement) -> None:
             is_known = not is_from_raw and improvement.evaluation == 1
-            if not is_known and improvement.value < bound and time.monotonic() - self._sent >= SEND_INTERVAL:
+            if not is_known and time.monotonic() - self._sent >= SEND_INTERVAL:
                 details = {"evaluation": improvement.evaluation, "parts": _plain(improvement.parts)}
                 self._send_path(improvement.build(), "best", value=float(improvement.value), **details)
             if self.has_message():
                 raise StopSearch
 
-        is_from_raw = search.is_restart or present.timeline is present.raw
-        solution = self._minimise(clip, None if is_from_raw else present.timeline, search.edited, improved)
+        is_from_raw = present.timeline is present.raw
+        solution = self._minimise(clip, None if is_from_raw else present.timeline, improved)
         if solution is not None:
-            self._accept(solution, present if search.is_restart else None)
-        if solution is None or solution.stop is Stop.INTERRUPTED:
-            self.search = Search(is_restart=search.is_restart)
-            return
-        self.search = None
-        if search.is_restart:
-            words = f"a better path: E {solution.trace[-1][2]:.3g}" if self.solution is solution else "no better path"
-            self._report("note", words=f"the restarted search found {words}")
-        self._judge(solution.stop.name)
+            self.solution = solution
+            self._cache_path(clip.text, solution.timeline)
+            cost: Message = {}  # of a path that no search has evaluated
+            if solution.trace:
+                cost = {"value": solution.trace[-1][2], "parts": _plain(solution.trace[-1][3])}
+            self._send_path(solution.timeline, "best", evaluation=solution.evaluations, **cost)
+        if solution is not None and solution.stop is not Stop.INTERRUPTED:
+            self.is_searching = False
+            self._judge(solution.stop.name)
 
-    def _minimise(
-        self,
-        clip: Clip,
-        begin: Timeline | None,
-        edited: tuple[float, float] | None,
-        improved: Callable[[Improvement], None],
-    ) -> Solution | None:
+    def _minimise(self, clip: Clip, begin: Timeline | None, improved: Callable[[Improvement], None]) -> Solution | None:
         """Return the result of a search, from the raw spline if `begin` is None. Return None if a message has ended it
         outside of the solver."""
         try:
@@ -275,39 +253,24 @@ class SolverLoop:
                 return None
             if begin is None:
                 return inbetween(clip.problem, improved=improved)
-            if edited is not None:
-                first = continue_from(clip.problem, begin, between=(edited,), improved=improved)
-                if first.stop is Stop.INTERRUPTED:
-                    return first
-                begin = first.timeline
             return continue_from(clip.problem, begin, improved=improved)
         except KeyboardInterrupt:
             return None
         finally:
             self._is_interruptible = False
 
-    def _accept(self, solution: Solution, present: Solution | None) -> None:
-        """Use the result of a search, or the present solution if there is one that is better."""
-        clip = self.clip
-        assert clip is not None
-        if present is not None:
-            timelines = [present.timeline, solution.timeline]
-            solution = solution if select_best(clip.problem.objective, timelines) is solution.timeline else present
-        self.solution = solution
-        self.path_cache.pop(clip.text, None)
-        self.path_cache[clip.text] = _bare(solution.timeline)  # for undo and redo
+    def _cache_path(self, text: str, timeline: Timeline) -> None:
+        """Store the path of a text for undo and redo."""
+        self.path_cache.pop(text, None)
+        self.path_cache[text] = _bare(timeline)
         if len(self.path_cache) > MAX_CACHED_PATHS:
             del self.path_cache[next(iter(self.path_cache))]
-        cost: Message = {}  # of a path that no search has evaluated
-        if solution.trace:
-            cost = {"value": solution.trace[-1][2], "parts": _plain(solution.trace[-1][3])}
-        self._send_path(solution.timeline, "best", evaluation=solution.evaluations, **cost)
 
     def _judge(self, stop: str) -> None:
         """Send the present path's violations, and the reason for the end of the search."""
         clip, solution = self.clip, self.solution
         assert clip is not None and solution is not None
-        from ...measure.violation import plain, violations  # imported late: the figure is already shown
+        from ..measure.violation import plain, violations  # imported late: the figure is already shown
 
         listed = plain(violations(clip, solution.timeline, solution.raw))
         frames = solution.timeline.times.tolist()
@@ -358,42 +321,3 @@ def _shape(clip: Clip) -> dict[str, object]:
         "ends": clip.ends,
         "weights": {penalty.name: float(weight) for penalty, weight in clip.penalties},
     }
-
-
-def _edited(before: Clip | None, clip: Clip) -> tuple[float, float] | None:
-    """Return the interval in which keyframes and contacts differ, up to the next keyframes; None if more differs."""
-    if before is None or not before.text or not clip.text or _without_keys(before) != _without_keys(clip):
-        return None
-    changed = [
-        *_changed_times(before.keys, clip.keys),
-        *_changed_times(clip.keys, before.keys),
-        *_moved_contacts(before, clip),
-    ]
-    if not changed:
-        return None
-    times = np.array([key.time for key in clip.keys])
-    low = int(np.searchsorted(times, min(changed), side="left")) - 1
-    high = int(np.searchsorted(times, max(changed), side="right"))
-    return float(times[max(low, 0)]), float(times[min(high, times.size - 1)])
-
-
-def _changed_times(keys: Sequence[Frame], others: Sequence[Frame]) -> list[float]:
-    """Return the times of keyframes that are not among others [s]."""
-    by_time = {key.time: key for key in others}
-    return [key.time for key in keys if key.time not in by_time or not _same(key, by_time[key.time])]
-
-
-def _same(a: Frame, b: Frame) -> bool:
-    return np.array_equal(a.fixed, b.fixed) and np.allclose(a.state[a.fixed], b.state[b.fixed], rtol=0, atol=1e-9)
-
-
-def _without_keys(clip: Clip) -> dict[str, object]:
-    table = table_of(clip.text, clip.context.where)
-    return table.model_copy(update={"keyframe": [], "contact": []}).model_dump()
-
-
-def _moved_contacts(before: Clip, clip: Clip) -> list[float]:
-    """Return the ends of contacts that only one of two clips has [s]."""
-    tables = [table_of(one.text, one.context.where).contact for one in (before, clip)]
-    rows = [row for listed, others in (tables, tables[::-1]) for row in listed if row not in others]
-    return [time for row in rows for time in (row.start, row.end)]

@@ -1,4 +1,4 @@
-"""Curves beside the timeline: angles, speeds, heights of feet, torques, E, and the predicted reduction of E."""
+"""Curves beside the timeline: angles, speeds, torques, and E."""
 
 from __future__ import annotations
 
@@ -12,20 +12,14 @@ from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.dynamics import generalised_forces, velocities
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
-from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import segment_integrals
-from dynsplines.solver.refine.euler_lagrange import residual
-from dynsplines.solver.refine.subdivision import by_weak_form
 from dynsplines.solver.solution import Solution
-from dynsplines.solver.surface.heights import height_above
-from dynsplines.solver.surface.points import places_of
 
-from ...clip.build import Clip
-from ...motion import samples_at
+from ..clip.build import Clip
+from ..motion import samples_at
 
 RATE = 100.0  # [1/s] sampling rate of a short motion
 MOST = 1500  # number of samples of a long motion
-FAR = 10.0  # [m] height of a point without a surface below it
 DIGITS = 3  # decimal places of drawn values
 Series = dict[str, str | list[float]]  # "name", and values "after" and "before"
 Group = dict[str, Any]  # "name", "unit", and "series" of this unit
@@ -43,31 +37,12 @@ def curves(clip: Clip, solution: Solution) -> dict[str, Any]:
         sides["before"] = solution.raw
     by_side = {side: _side(clip, timeline, time) for side, timeline in sides.items()}
     groups: list[Group] = []
-    for name, unit in (("angle", "°"), ("speed", "°/s"), ("height of feet", "m"), ("torque", "N m")):
+    for name, unit in (("angle", "°"), ("speed", "°/s"), ("torque", "N m")):
         names = list(by_side["after"][name])
         series = [{"name": label, **{side: by_side[side][name].get(label, []) for side in by_side}} for label in names]
         groups.append({"name": name, "unit": unit, "series": series})
     groups.append({"name": "E by segment", "unit": "1/s", "series": _by_term(clip, solution, time)})
-    groups += _deviation(clip, sides, time)
     return {"time": time.round(4).tolist(), "groups": groups}
-
-
-def _deviation(clip: Clip, sides: dict[str, Timeline], time: Array) -> list[Group]:
-    """Return |R|, the deviation of a path from the Euler-Lagrange equation, and the predicted reduction of E per
-    segment. The reduction is that of a new frame in the middle of a segment, the solver's criterion for inserting
-    frames."""
-    objective, size, promise = clip.problem.objective, {}, {}
-    for side, timeline in sides.items():
-        strong = residual(objective, path_of(timeline))
-        order = np.argsort(strong.t, axis=None)
-        there = np.interp(time, strong.t.ravel()[order], strong.size.ravel()[order])
-        size[side] = _rounded(np.log10(1 + there))  # logarithmic, because it is thousands of times larger at contacts
-        at = np.clip(np.searchsorted(timeline.times, time, side="right") - 1, 0, timeline.times.size - 2)
-        promise[side] = _rounded(np.maximum(by_weak_form(objective, timeline), 0.0)[at], 6)
-    return [
-        {"name": "Euler-Lagrange residual", "unit": "log10 (1 + |R|)", "series": [{"name": "residual", **size}]},
-        {"name": "what a frame promises", "unit": "E", "series": [{"name": "E less by", **promise}]},
-    ]
 
 
 def _side(clip: Clip, timeline: Timeline, time: Array) -> dict[str, dict[str, list[float]]]:
@@ -82,20 +57,8 @@ def _side(clip: Clip, timeline: Timeline, time: Array) -> dict[str, dict[str, li
     return {
         "angle": {names[i]: _rounded(_angle(figure, i, qpos)) for i in turning},
         "speed": {names[i]: _rounded(np.degrees(_size(figure, i, qvel))) for i in turning},
-        "height of feet": _contact_heights(clip, samples),
         "torque": {names[i]: _rounded(_size(figure, i, forces)) for i in jointed},
     }
-
-
-def _contact_heights(clip: Clip, samples: Samples) -> dict[str, list[float]]:
-    """Return the heights of contact points above their surfaces [m], (T,) by name; FAR without a surface below."""
-    points, surfaces = clip.context.points, clip.context.surfaces
-    if not points or not surfaces:
-        return {}
-    centres, radii = places_of(points, samples)
-    height = height_above(surfaces, centres, radii[:, None])
-    rows = np.where(np.isfinite(height), height, FAR)
-    return {point.name: _rounded(row) for point, row in zip(points, rows, strict=True)}
 
 
 def _angle(figure: Figure, index: int, qpos: Array) -> Array:

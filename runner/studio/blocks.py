@@ -17,9 +17,9 @@ import tomlkit
 from tomlkit.exceptions import TOMLKitError
 from tomlkit.items import AoT, InlineTable, Table
 
-from ...errors import UserError
-from ...system.quantity import LARGEST
-from ..document import parsed
+from ..errors import UserError
+from ..system.quantity import LARGEST
+from .document import parsed
 
 DIGITS = 5  # decimal places of metres and degrees
 DOTTED = ("root", "roots", "joints", "sites", "bodies")  # tables of a keyframe with one entry per line
