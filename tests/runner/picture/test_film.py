@@ -46,26 +46,36 @@ def bt709_to_rgb(picture: av.VideoFrame) -> np.ndarray:
 
 @pytest.mark.parametrize("ending", [".mp4", ".webm"])
 def test_a_video_shows_the_colour_that_was_drawn_as_bt709_of_limited_range(tmp_path: Path, ending: str):
-    write(tmp_path / f"a{ending}", images(), 30)
-    np.testing.assert_allclose(bt709_to_rgb(decoded(tmp_path / f"a{ending}")[3]), RED, atol=4)
-    with av.open(str(tmp_path / f"a{ending}")) as container:
+    target = tmp_path / f"a{ending}"
+    write(target, images(), 30)
+    np.testing.assert_allclose(bt709_to_rgb(decoded(target)[3]), RED, atol=4)
+    with av.open(str(target)) as container:
         context = container.streams.video[0].codec_context
         assert context.pix_fmt == "yuv420p"
         tags = (context.colorspace, context.color_primaries, context.color_trc, context.color_range)
         assert [int(tag) for tag in tags] == [1, 1, 1, 1]
+    content = target.read_bytes()
+    assert ending == ".webm" or content.index(b"moov") < content.index(b"mdat")  # browsers can start before the end
 
 
 @pytest.mark.parametrize("ending", [".mp4", ".webm", ".gif"])
-def test_every_image_arrives_at_its_time(tmp_path: Path, ending: str):
+def test_every_image_arrives_at_its_time_also_if_it_is_drawn_over_for_the_next_one(tmp_path: Path, ending: str):
+    def one_canvas() -> Iterator[np.ndarray]:
+        canvas = np.empty((48, 64, 3), np.uint8)
+        for image in images(9):
+            canvas[:] = image
+            yield canvas
+
     write(tmp_path / f"a{ending}", images(9), 25)
     pictures = decoded(tmp_path / f"a{ending}")
     assert len(pictures) == 9
     assert (pictures[0].width, pictures[0].height) == (64, 48)
     assert pictures[8].time == pytest.approx(8 / 25, abs=0.002)
+    write(tmp_path / f"b{ending}", one_canvas(), 25)
+    assert (tmp_path / f"a{ending}").read_bytes() == (tmp_path / f"b{ending}").read_bytes()
 
 
-@pytest.mark.parametrize(("ending", "width", "height"), [(".mp4", 176, 144), (".webm", 64, 48)])
-def test_what_memory_held_before_is_not_seen_in_a_film(tmp_path: Path, ending: str, width: int, height: int):
+def test_what_memory_held_before_is_not_seen_in_a_video(tmp_path: Path):
     """glibc fills what it gives out and takes back with a byte of our choice."""
     mallopt = getattr(ctypes.CDLL(None), "mallopt", None) if os.name == "posix" else None
     if mallopt is None:
@@ -74,27 +84,19 @@ def test_what_memory_held_before_is_not_seen_in_a_film(tmp_path: Path, ending: s
     try:
         for filling in (1, 127, 254):
             mallopt(M_PERTURB, filling)
-            write(tmp_path / f"a{ending}", images(16, height, width), 30)
-            films.add((tmp_path / f"a{ending}").read_bytes())
+            write(tmp_path / "a.mp4", images(16, 144, 176), 30)
+            films.add((tmp_path / "a.mp4").read_bytes())
     finally:
         mallopt(M_PERTURB, 0)
     assert len(films) == 1
 
 
-def test_the_index_of_an_mp4_stands_before_its_pictures(tmp_path: Path):
-    write(tmp_path / "a.mp4", images(), 30)
-    content = (tmp_path / "a.mp4").read_bytes()
-    assert content.index(b"moov") < content.index(b"mdat")
-
-
-def test_a_gif_keeps_its_colours_and_repeats(tmp_path: Path):
-    write(tmp_path / "a.gif", images(), 20)
+def test_a_gif_keeps_its_colours_repeats_may_have_an_odd_size_and_is_not_faster_than_browsers_play(tmp_path: Path):
+    write(tmp_path / "a.gif", images(3, height=31, width=47), 20)
     assert b"NETSCAPE2.0" in (tmp_path / "a.gif").read_bytes()
     picture = iio.imread(tmp_path / "a.gif", plugin="pillow", index=2)
+    assert picture.shape[:2] == (31, 47)
     np.testing.assert_allclose(picture[-4, -4, :3].astype(int), RED, atol=3)
-
-
-def test_a_gif_faster_than_browsers_play_leaves_images_out(tmp_path: Path):
     write(tmp_path / "a.gif", images(12), 60)
     pictures = decoded(tmp_path / "a.gif")
     assert len(pictures) == 6
@@ -130,9 +132,9 @@ def test_a_broken_off_clip_leaves_what_was_there(tmp_path: Path, ending: str, er
     assert [entry.name for entry in tmp_path.iterdir()] == [target.name]
 
 
-@pytest.mark.parametrize("ending", [".mp4", ".webm", ".gif"])
-def test_images_stream_through(tmp_path: Path, ending: str):
+def test_images_stream_through(tmp_path: Path):
     alive: list[int] = []
+    counts: list[int] = []
 
     class Tracked(np.ndarray):
         def __array_finalize__(self, parent: object) -> None:
@@ -141,17 +143,14 @@ def test_images_stream_through(tmp_path: Path, ending: str):
         def __del__(self) -> None:
             alive.pop()
 
-    peak = 0
-
     def watched() -> Iterator[np.ndarray]:
-        nonlocal peak
         for image in images(40):
             yield image.view(Tracked)
             del image
-            peak = max(peak, len(alive))
+            counts.append(len(alive))
 
-    write(tmp_path / f"a{ending}", watched(), 30)
-    assert peak < 20
+    write(tmp_path / "a.mp4", watched(), 30)
+    assert max(counts) < 20
 
 
 @pytest.mark.parametrize(
@@ -176,24 +175,6 @@ def test_a_directory_without_permission_is_refused(tmp_path: Path, monkeypatch: 
         check_target(tmp_path / "run.mp4", 64, 48)
 
 
-def test_a_gif_may_have_an_odd_size(tmp_path: Path):
-    write(tmp_path / "a.gif", images(3, height=31, width=47), 20)
-    assert (decoded(tmp_path / "a.gif")[0].width, decoded(tmp_path / "a.gif")[0].height) == (47, 31)
-
-
-@pytest.mark.parametrize("ending", [".mp4", ".webm", ".gif"])
-def test_an_image_may_be_drawn_over_once_the_next_one_is_requested(tmp_path: Path, ending: str):
-    def one_canvas() -> Iterator[np.ndarray]:
-        canvas = np.empty((48, 64, 3), np.uint8)
-        for image in images(40):
-            canvas[:] = image
-            yield canvas
-
-    write(tmp_path / f"a{ending}", images(40), 30)
-    write(tmp_path / f"b{ending}", one_canvas(), 30)
-    assert (tmp_path / f"a{ending}").read_bytes() == (tmp_path / f"b{ending}").read_bytes()
-
-
 @pytest.mark.parametrize("fps", [0.0, float("nan")])
 def test_a_rate_that_is_not_positive_is_refused(tmp_path: Path, fps: float):
     with pytest.raises(UserError, match="positive"):
@@ -201,24 +182,17 @@ def test_a_rate_that_is_not_positive_is_refused(tmp_path: Path, fps: float):
     assert not list(tmp_path.iterdir())
 
 
-def test_an_error_of_the_encoder_stops_the_drawing():
+@pytest.mark.parametrize("last", [0, 99])
+def test_an_error_of_the_encoder_stops_the_drawing_and_is_not_lost(last: int):
     drawn: list[int] = []
 
     def full(item: int) -> None:
-        raise OSError(28, "No space left on device")
-
-    with pytest.raises(OSError, match="No space left"):
-        _in_a_thread(full, (drawn.append(item) or item for item in range(100)))
-    assert len(drawn) <= MOST_WAITING + 2
-
-
-def test_an_error_of_the_last_image_is_not_lost():
-    def fails_at_the_last(item: int) -> None:
-        if item == 2:
+        if item == last:
             raise OSError(28, "No space left on device")
 
     with pytest.raises(OSError, match="No space left"):
-        _in_a_thread(fails_at_the_last, range(3))
+        _in_a_thread(full, (drawn.append(item) or item for item in range(100)))
+    assert len(drawn) <= last + MOST_WAITING + 2
 
 
 def plain(height: int, width: int, value: int = 120) -> np.ndarray:
@@ -245,20 +219,12 @@ def test_a_caption_is_written_where_it_was_requested_and_nowhere_else(place):
     assert {"left": x < 0.4, "right": x > 0.6}.get(place.partition(" ")[2], abs(x - 0.5) < 0.02)
 
 
-def test_a_caption_is_readable_on_black_and_on_white():
+def test_a_caption_is_readable_on_black_and_on_white_and_smaller_in_a_small_picture():
     for value in (0, 255):
         pill = caption(plain(360, 640, value), "before")[5:60, 260:380]
         assert pill.max() > 230
         assert pill.min() < 110
-
-
-def test_a_caption_too_long_for_the_picture_is_set_smaller():
-    image = plain(120, 160)
-    after = caption(image, "a caption that is rather long for a picture")
-    assert (after[:, :2] == 120).all()
-    assert (after[:, -2:] == 120).all()
-
-
-@pytest.mark.parametrize(("size", "text"), [(100, ""), (100, "  "), (8, "before")])
-def test_no_words_and_too_small_a_picture_for_words_leave_no_mark(size: int, text: str):
-    assert (caption(plain(size, size), text) == 120).all()
+    after = caption(plain(120, 160), "a caption that is rather long for a picture")
+    assert (after[:, [0, 1, -2, -1]] == 120).all()
+    for size, text in ((100, ""), (100, "  "), (8, "before")):
+        assert (caption(plain(size, size), text) == 120).all()

@@ -31,9 +31,7 @@ def choose_in_a_fresh_process(code: str = SHOW, **settings: str) -> list[str]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    "settings", [{"MUJOCO_GL": "nonsense"}, {"MUJOCO_GL": "egl", "PYOPENGL_PLATFORM": "glx"}, {"MUJOCO_GL": "wgl"}]
-)
+@pytest.mark.parametrize("settings", [{"MUJOCO_GL": "nonsense"}, {"MUJOCO_GL": "egl", "PYOPENGL_PLATFORM": "glx"}])
 def test_opengl_that_does_not_work_is_named_and_does_not_stop_mujoco(settings):
     kind, line, left = choose_in_a_fresh_process(**settings)
     assert (kind, left) == ("software", "disable")
@@ -41,12 +39,9 @@ def test_opengl_that_does_not_work_is_named_and_does_not_stop_mujoco(settings):
     assert "libegl1" in line or sys.platform != "linux"
 
 
-def test_drawing_without_opengl_can_be_selected():
+def test_drawing_without_opengl_can_be_selected_and_after_the_import_of_mujoco_only_its_own_backend_counts():
     line = "renderer: software, on the CPU (MUJOCO_GL=off)"
     assert choose_in_a_fresh_process(MUJOCO_GL="off")[:2] == ["software", line]
-
-
-def test_after_mujoco_is_imported_only_its_own_backend_counts():
     code = "import os, mujoco\nos.environ['MUJOCO_GL'] = 'nonsense'\n" + SHOW
     assert choose_in_a_fresh_process(code, MUJOCO_GL="disable")[0] == "software"
 
