@@ -19,7 +19,7 @@ from dynsplines.clip import load as clips
 from dynsplines.clip.load import Clip
 from dynsplines.scene.compose import compose
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import Contacts, ContactSchedule, Footing, Stance, flights, footings, stances
+from dynsplines.solver.contacts import ContactSchedule, Footing, flights, footings, stances
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -128,12 +128,6 @@ def test_the_shipped_run_has_its_three_flights():
     assert support.flights == ((0.12, 0.26), (0.49, 0.63), (0.88, 1.20))
 
 
-@pytest.mark.parametrize(("seconds", "stands"), [(0.12, True), (0.11, False)])
-def test_a_foot_that_moves_faster_than_35_cm_a_second_does_not_stand(seconds, stands):
-    timeline = raw_timeline(FIGURE, [key(5.0, 0.0, STAND), key(5.0 + seconds, 0.04, STAND)])
-    assert bool(stances(KeyframePoints.of(FIGURE, timeline, SOLES, (FLOOR,)))) is stands
-
-
 def test_a_figure_without_a_free_joint_is_not_held_down():
     figure = figure_of(CHAIN.format("hinge"))
     timeline = raw_timeline(figure, [Frame.key(t, figure.model.qpos0) for t in (0, 1)])
@@ -147,17 +141,6 @@ def test_a_body_is_held_down_next_to_keyframes_that_do_not_specify_its_height(en
     keys = [Frame.key(t, [0, 0, 0.1, 1, 0, 0, 0], mask) for t, mask in enumerate(masks)]
     schedule = ContactSchedule(figure, raw_timeline(figure, keys), (Point("sole", 1, np.zeros(3), 0.1),), (FLOOR,))
     assert schedule.held_down == held_down
-
-
-def test_contacts_overlap_stances_of_the_same_point_at_the_same_times():
-    def stance(point: Point, first: float, last: float) -> Stance:
-        return Stance(point, first, last, np.zeros(3), np.zeros(3))
-
-    contacts = Contacts(stances=(stance(SOLES[0], 0.1, 0.3),))
-    for first, last, overlaps in ((0.0, 0.1, False), (0.3, 0.4, False), (0.2, 0.4, True), (0.0, 0.101, True)):
-        assert contacts.overlaps(stance(SOLES[0], first, last)) is overlaps
-        assert not contacts.overlaps(stance(SOLES[1], first, last))
-        assert not contacts.overlaps(stance(SOLES[2], first, last))
 
 
 def test_standing_and_walking_never_fly():
@@ -190,11 +173,6 @@ def test_a_clip_in_the_air_is_one_flight_if_it_falls():
     assert tell(*(key(2 * float(s), 0, AIR, z=2) for s in t)) == ()
 
 
-@pytest.mark.parametrize(("length", "found"), [(0.65, True), (0.75, False)])
-def test_nobody_leaps_more_than_60_centimetres_unasked(length, found):
-    assert bool(tell(key(0, 0, AIR, z=2), key(length, 1, AIR, z=2))) is found
-
-
 def test_two_keyframes_in_the_air_with_time_for_a_step_tell_no_flight():
     low, high = 0.76, 1.26  # soles 6 cm and 56 cm over the floor
     assert tell(key(0, 0, AIR, z=low), key(0.4, 0.5, AIR, z=low)) == ()
@@ -221,15 +199,6 @@ def test_keyframes_that_leave_a_foot_open_tell_nothing():
     assert tell(key(0, 0, AIR, z=1.5), Frame(0.3, partial.state, fixed), key(0.6, 0.6, AIR, z=1.5)) == ()
 
 
-@pytest.mark.parametrize(("entries", "told"), [([2], ()), ([0], ((0.0, 0.3),)), ([3, 4, 5, 6], ((0.0, 0.3),))])
-def test_a_height_that_was_found_for_legs_tells_nothing_as_all_else_does(entries, told):
-    whole, found = key(0.3, 0, AIR, z=1.5), np.isin(np.arange(9), entries)
-    assert tell(key(0, 0, AIR, z=1.5), whole) == ((0.0, 0.3),)
-    assert tell(key(0, 0, AIR, z=1.5), Frame(0.3, whole.state, ~found, found)) == told
-    legs = found | (np.arange(9) > 6)  # found too, of feet that were placed: then these say how high they are
-    assert tell(key(0, 0, AIR, z=1.5), Frame(0.3, whole.state, ~legs, legs)) == ((0.0, 0.3),)
-
-
 def without_height(frame: Frame) -> Frame:
     """Found for the legs that it sets, as a keyframe is that is put down."""
     found = np.arange(frame.state.size) == 2
@@ -246,31 +215,8 @@ def test_keyframes_of_no_height_are_passed_over_in_a_flight_that_others_tell():
     )
 
 
-def test_but_not_if_nobody_tells_of_the_push_off_or_the_landing():
-    start, toe, landing, *on = run(crouched=0.12)
-    aloft, between = without_height(key(0.17, 0.5, AIR, z=1.0)), without_height(key(0.05, 0, (0.12, 0.3), z=0.88))
-    for before in ([start], [start, between]):
-        assert tell(*before, toe, landing) == ((0.1, 0.25),)
-        assert tell(*before, toe, aloft, landing) == ()
-    assert tell(toe, landing, *on) == ((0.1, 0.25), (0.42, 0.57))
-    assert tell(toe, aloft, landing, *on) == ((0.42, 0.57),)
-    ends = crouched_on_toe(0, 0, 0.1), crouched_on_toe(0.3, 1.0, 0.1)
-    assert tell(ends[0], without_height(key(0.15, 0.5, AIR, z=1.0)), ends[1]) == ()
-    fall = [key(t, t, AIR, z=2 + 3 * t - 9.81 * t**2 / 2) for t in (0.0, 0.2, 0.4)]
-    assert tell(fall[0], without_height(fall[1]), fall[2]) == ((0.0, 0.4),)  # no foot touches
-
-
 def timeline_of(*keys: Frame) -> Timeline:
     return raw_timeline(FIGURE, list(keys))
-
-
-def test_without_a_surface_points_or_gravity_there_is_no_flight():
-    timeline = timeline_of(key(0, 0, AIR, z=1.5), key(0.3, 0, AIR, z=1.5))
-    assert flights(1, KeyframePoints.of(FIGURE, timeline, SOLES, (FLOOR,)), ()) == ((0.0, 0.3),)
-    assert flights(1, KeyframePoints.of(FIGURE, timeline, SOLES), ()) == ()
-    assert flights(1, KeyframePoints.of(FIGURE, timeline, (), (FLOOR,)), ()) == ()
-    text = WALKER.replace("<mujoco>", '<mujoco><option gravity="0 0 0"/>')
-    assert flights(1, KeyframePoints.of(figure_of(text), timeline, SOLES, (FLOOR,)), ()) == ()
 
 
 def footings_of(*keys: Frame, body: tuple[Point, ...] = ()) -> tuple[Footing, ...]:
@@ -294,14 +240,6 @@ def test_points_of_the_body_make_a_foot_wide_and_those_inside_are_left_out():
     assert {f.point.name for f in found} == {p.name for p in wide}
     for footing in found:
         np.testing.assert_allclose(footing.point.position[2], -1)
-
-
-def test_who_does_not_stand_has_no_footing():
-    assert footings_of(key(0, 0, AIR), key(0.3, 0, AIR)) == ()
-    timeline = timeline_of(key(0, 0, LEFT), key(0.1, 0, LEFT))
-    held = stances(KeyframePoints.of(FIGURE, timeline, SOLES, (FLOOR,)))
-    assert footings(KeyframePoints.of(FIGURE, timeline, (), (FLOOR,)), held) == ()
-    assert footings(KeyframePoints.of(FIGURE, timeline, SOLES), held) == ()
 
 
 @pytest.mark.parametrize(
@@ -334,12 +272,6 @@ def test_a_figure_on_one_leg_that_moves_its_foot_hops(feet, moved, stays_low):
     timeline = raw_timeline(FIGURE, [key(0.0, 0.0, feet[0]), key(0.5, moved, feet[1])])
     schedule = ContactSchedule(FIGURE, timeline, SOLES, (FLOOR,))
     assert schedule.grounded == (((0.0, 0.5),) if stays_low else ())
-
-
-def test_points_that_touch_only_later_do_not_push_yet():
-    """A foot on its toe that comes down flat in the third keyframe."""
-    found = footings_of(on_toe(0, 0.295, LEFT), on_toe(0.1, 0.295, LEFT), key(0.2, 0, LEFT))
-    assert [(f.point.name, f.first) for f in found] == [("left_toe", 0.0), ("left_heel", 0.1), ("left_toe", 0.1)]
 
 
 def test_an_object_on_the_floor_does_not_ground_the_figure():

@@ -9,7 +9,6 @@ import figures
 import mujoco
 import numpy as np
 import pytest
-from figures import EVERY_JOINT, figure_of
 from motions import FIGURE, FINE, GROUND, PERIOD, SOLES, TIME, WALK, gait
 
 from dynsplines import Keyframe, build, load
@@ -18,7 +17,6 @@ from dynsplines.clip.context import Context
 from dynsplines.clip.parse import chosen
 from dynsplines.clip.table import PenaltyTable
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.contacts.gait import PoseProcess
 from dynsplines.solver.contacts.gait_period import SLIP, Gait
 from dynsplines.solver.contacts.pose_vectors import Heading, PoseVectors
 from dynsplines.solver.curve.frame import Frame
@@ -53,31 +51,6 @@ def test_it_does_not_matter_which_way_the_figure_walks():
     assert abs(gait_cycle.period / PERIOD - 1) < 0.05
 
 
-def sped_up(factor: float, stops: bool = False) -> np.ndarray:
-    """The walk, carried along faster than its feet go; if it stops, at a tenth of that in its last quarter."""
-    out, step = WALK.copy(), factor * np.diff(WALK[:, 0], prepend=WALK[0, 0])
-    if stops:
-        step[3 * step.size // 4 :] *= 0.1
-    out[:, 0] = np.cumsum(step)
-    return out
-
-
-def test_feet_that_slip_are_believed_where_those_of_other_periods_slip_more_and_the_body_travels_steadily():
-    every = 0.42
-    gait_cycle = gait(sped_up(2.0), every).infer()
-    assert gait_cycle is not None
-    assert gait_cycle.slip > SLIP
-    assert abs(gait_cycle.period / PERIOD - 1) < 0.05
-    assert gait(sped_up(2.0, stops=True), every).infer() is None
-    assert gait(sped_up(5.0), every).infer() is None
-
-
-def test_feet_that_slip_are_not_believed_at_an_unsteady_pace_however_slow():
-    poses, every = sped_up(1.5, stops=True), round(0.42 * FINE)
-    keys = [Frame.key(1.5 * TIME[k], poses[k]) for k in range(0, TIME.size, every)]
-    assert Gait(FIGURE, raw_timeline(FIGURE, keys), SOLES, GROUND).infer() is None
-
-
 def test_its_poses_are_those_of_the_walk():
     seen = gait(WALK, 0.42)
     gait_cycle = seen.infer()
@@ -87,16 +60,6 @@ def test_its_poses_are_those_of_the_walk():
     plain = FIGURE.to_qpos(path_of(seen.keys).at(gait_cycle.times))[:, columns]
     assert np.degrees(quat.angle_between(gait_cycle.rotations, real).mean()) < 2
     assert np.degrees(quat.angle_between(plain, real).mean()) > 4
-
-
-def test_equal_poses_have_no_vectors():
-    figure = figure_of(EVERY_JOINT)
-    poses = np.tile(figure.model.qpos0, (4, 1))
-    poses[:, figure.tables.hinge_columns] = 0.3
-    poses[3, figure.tables.hinge_columns[0]] = 0.4
-    keys = [Frame.key(0.5 * k, pose) for k, pose in enumerate(poses)]
-    assert PoseVectors.of(figure, raw_timeline(figure, keys[:3])) is None
-    assert PoseVectors.of(figure, raw_timeline(figure, keys)) is not None
 
 
 def test_poses_without_a_rhythm_tell_none(rng):
@@ -177,41 +140,6 @@ def test_where_the_cycle_is_not_told_it_asks_for_nothing():
     assert np.all(values[1:3] > 0)
 
 
-def test_bodies_of_one_dynamic_similarity_have_strides_of_one_shape():
-    """Faster and larger by the law v² ~ g h: the same period in units of √(h / g), so the same relative stride."""
-    one = gait(WALK, 0.42)
-    slower = raw_timeline(
-        FIGURE,
-        [Frame.key(2 * f.time, q) for f, q in zip(one.keys.frames, FIGURE.to_qpos(one.keys.states), strict=True)],
-    )
-    half = Gait(FIGURE, slower, SOLES, GROUND)
-    assert half.usual_period == pytest.approx(one.usual_period * 2 ** (1 - 2 * 0.3))
-
-
-def test_candidates_come_likeliest_first_between_the_periods_asked_for_and_above_the_least():
-    seen = gait(WALK, 0.3)
-    poses = PoseVectors.of(FIGURE, seen.keys)
-    assert poses is not None
-    process = PoseProcess(poses)
-    found = seen.candidates(process, (0.4, 2.6), -np.inf)
-    gains = [gait_cycle.gain for gait_cycle in found]
-    assert len(found) > 1
-    assert gains == sorted(gains, reverse=True)
-    assert abs(found[0].period / PERIOD - 1) < 0.05
-    for gait_cycle in found:
-        assert 0.4 <= gait_cycle.period <= 2.6
-        around = [process.gain(gait_cycle.period * factor) for factor in (0.985, 1.0, 1.015)]
-        assert gait_cycle.period in (0.4, 2.6) or around[1] == max(around)
-        assert gait_cycle.gain == pytest.approx(process.gain(gait_cycle.period))
-    above = seen.candidates(process, (0.4, 2.6), gains[1] - 1e-9)
-    assert [gait_cycle.period for gait_cycle in above[:1]] == [found[0].period]
-    assert len(above) <= 2
-    assert seen.candidates(process, (1.0, 1.0), -np.inf) == []
-    given = seen.with_period(0.9)
-    assert given is not None
-    assert given.period == 0.9
-
-
 def test_feet_slide_by_as_much_as_the_body_is_carried_along_besides_whatever_the_ground_is_called():
     """Pushed forward by a share of its speed, the standing foot slides by that share of the new one."""
     seen = gait(WALK, 0.3)
@@ -228,16 +156,6 @@ def test_feet_slide_by_as_much_as_the_body_is_carried_along_besides_whatever_the
     sunk = low.with_period(PERIOD)
     assert sunk is not None
     assert sunk.slip == pytest.approx(gait_cycle.slip, rel=1e-6)  # low is what is lowest of them, not what touches
-
-
-@pytest.mark.parametrize("between", [(0.95, 1.06), (1.14, 1.25)])
-def test_a_likelihood_that_rises_to_an_end_of_what_may_be_has_its_peak_there(between):
-    seen = gait(WALK, 0.3)
-    poses = PoseVectors.of(FIGURE, seen.keys)
-    assert poses is not None
-    found = seen.candidates(PoseProcess(poses), between, -np.inf)
-    nearest = min(between, key=lambda end: abs(end - PERIOD))
-    assert found[0].period == pytest.approx(nearest, rel=1e-9)
 
 
 def placing(clip: Clip) -> set[str]:

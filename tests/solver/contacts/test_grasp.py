@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from figures import figure_of
-from gradients import penalty_slope
 from oracles import kinematics
 from random_models import random_samples
 
@@ -15,7 +14,6 @@ from dynsplines.solver.contacts.flight import STRETCHED
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Contact
@@ -67,13 +65,6 @@ def test_what_another_tree_holds_is_carried_with_all_its_parts():
     assert {point.link for point in schedule.low_points} == {1, 2}
 
 
-@pytest.mark.parametrize("link", [3, 4])
-def test_the_gradient_has_taylor_slope_two_with_few_spheres(link, rng):
-    samples = tangled(figure_of(CARRIER), rng)
-    assert np.count_nonzero(few(link).evaluate(samples)) > 2
-    assert penalty_slope(few(link), samples, rng) > 1.9
-
-
 def test_what_is_deep_is_as_deep_as_in_what_stands_still_there(rng):
     """MuJoCo puts every pose's crate into the world, as a surface of its own."""
     figure = figure_of(CARRIER)
@@ -87,24 +78,6 @@ def test_what_is_deep_is_as_deep_as_in_what_stands_still_there(rng):
         )
         np.testing.assert_allclose(found[i], expected[0], rtol=1e-6, atol=1e-12)
     assert np.count_nonzero(found) > 3
-
-
-@pytest.mark.parametrize("link", [3, 4])
-def test_the_rows_of_its_sides_are_its_gradient(link, rng):
-    figure = figure_of(CARRIER)
-    samples, contact = tangled(figure, rng), few(link)
-    sides = contact.one_sided_residuals(samples)
-    assert sides is not None
-    deep = sides.value > 0
-    cotangent = Cotangent(samples)
-    np.testing.assert_allclose(
-        np.bincount(sides.at[deep], sides.value[deep] ** 2, samples.count),
-        contact.evaluate(samples, cotangent, 1.0),
-        rtol=1e-9,
-    )
-    expected = np.zeros(samples.y.shape)
-    np.add.at(expected, sides.at[deep], 2 * sides.value[deep, None] * sides.rows[deep])
-    np.testing.assert_allclose(expected, cotangent.gradients()[0], rtol=1e-8, atol=1e-9)
 
 
 def test_a_limb_that_holds_on_may_stay_as_deep_as_it_took_hold_while_the_hold_lasts_and_no_longer():
@@ -185,20 +158,6 @@ def test_a_leap_over_several_keyframes_falls_through_them():
     assert first + last == pytest.approx(0.8)
     parabola = np.polyfit([0.3, 0.5, last], [1.25, 1.25, STRETCHED], 2)
     assert parabola[0] == pytest.approx(-G / 2)
-
-
-def test_a_foot_in_the_floor_touches_it():
-    deep = [(t, z - 0.02, drawn) for t, z, drawn in (crouch(0), crouch(0.9))]
-    assert len(hop(deep[0], (0.45, 1.45, 0.1), deep[1])) == 1
-
-
-def test_there_is_none_where_the_ground_would_have_to_push_faster_than_a_leap():
-    assert hop(crouch(0), (0.28, 1.45, 0.1), crouch(0.56)) == ()
-
-
-@pytest.mark.parametrize("z", [1.0, STRETCHED - 0.01, 2.1])
-def test_there_is_none_at_a_height_that_a_stretched_body_reaches_or_none_leaps(z):
-    assert hop(crouch(0), (0.7, z, 0.3), crouch(1.4)) == ()
 
 
 @pytest.mark.parametrize(("first", "last"), [(0.1, 0.4), (0.5, 0.8)])

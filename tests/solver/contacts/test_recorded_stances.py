@@ -13,17 +13,13 @@ from dynsplines.clip.tracking.penalties import Ground
 from dynsplines.motion import samples_at
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts.ground_alignment import ENOUGH, LOWEST, align_to_ground, move_to_ground
+from dynsplines.solver.contacts.ground_alignment import LOWEST, align_to_ground, move_to_ground
 from dynsplines.solver.contacts.recorded_stances import (
     DEAR,
     RecordedStance,
     _cut,
-    _is_low,
-    _largest_speed,
-    _moves,
     infer_stances,
     infer_stances_and_raised,
-    largest_noise,
     position_noise,
     surprisal,
 )
@@ -94,14 +90,6 @@ def test_what_shakes_slides_and_sinks_keeps_most_of_them(take, rng):
     assert (found & ~true).sum() <= 0.25 * found.sum()
 
 
-@pytest.mark.parametrize(("skates", "most"), [(0.0, 0.05), (0.1, 0.2), (0.3, 0.6)])
-def test_planted_points_are_as_slow_as_those_of_the_whole_recording(skates, most):
-    speeds = np.full((2, 20), 2.0)
-    speeds[0, 3:15] = skates
-    assert _largest_speed(speeds, [[(3, 15)], []], ADULT) == pytest.approx(most)
-    assert _largest_speed(speeds, [[], []], ADULT) <= most
-
-
 # of the size of an adult
 SLED = figure_of("""<mujoco><worldbody><body><joint type="slide" axis="1 0 0"/><geom size=".527"/>
         <body><joint type="slide" axis="0 0 1"/><geom size=".527"/></body></body></worldbody></mujoco>""")
@@ -136,24 +124,6 @@ def test_a_slow_step_is_no_stance(seconds):
     assert 1.0 <= lifted <= 1.0 + 0.25 * seconds and 1.0 + 0.75 * seconds <= landed <= 1.0 + seconds
 
 
-@pytest.mark.parametrize("limit", [ADULT.raised + ADULT.floor_off, -ADULT.highest / 2])
-def test_the_lowest_sole_rests_as_high_as_recordings_float_and_as_deep_as_half_of_the_heights_in_the_air(limit):
-    times = np.arange(60) / FPS
-    for share, stands in ((0.998, True), (1.002, False)):
-        height = share * limit
-        assert spans(stances_of(times, 0 * times, np.full(60, height))) == ([(times[0], times[-1])] if stands else [])
-
-
-def test_the_shorter_it_rests_the_nearer_to_the_ground_it_has_to():
-    times, most = np.arange(60) / FPS, []
-    for count in (2, 3, 4, 12):
-        x = 1.5 / FPS * (np.arange(60) - np.clip(np.arange(60) - 20, 0, count))
-        found = [h for h in np.linspace(0, 0.098, 8) if stances_of(times, x, np.full(60, h))]
-        most.append(max(found, default=-1.0))
-    assert most == sorted(most)
-    assert most[0] < most[-1] == pytest.approx(0.098)
-
-
 @pytest.mark.parametrize("before", [12, 30])
 def test_a_stance_lasts_from_when_the_point_has_come_to_rest_until_it_leaves(before):
     """It slides in and on at 0.4 m/s, slowly enough to be of the run, too fast to stand."""
@@ -162,18 +132,6 @@ def test_a_stance_lasts_from_when_the_point_has_come_to_rest_until_it_leaves(bef
     assert len(found) == 1
     assert found[0].first == pytest.approx(before / FPS, abs=1.01 / FPS)
     assert found[0].last == pytest.approx((before + 40) / FPS, abs=1.01 / FPS)
-
-
-def test_smoothing_leaves_brief_stances_of_points_that_seem_to_move():
-    """It rests for a second, and later slides for 0.15 s at 0.15 m/s as the remains of noise do."""
-    times = np.arange(120) / FPS
-    after = np.clip(times - 1.0, 0, 0.3) * 2 + np.clip(times - 1.3, 0, 0.15) * 0.15 + np.clip(times - 1.45, 0, None) * 2
-    recorded = RecordedMotion.of(SLED, times, np.column_stack([after, 0 * times + 0.15]), exact=True)
-    rough, smoothed = (spans(infer_stances(recorded, [RUNNER], [FLOOR], noise)) for noise in (0.0, 0.001))
-    assert len(rough) == 1
-    assert len(smoothed) == 2
-    assert smoothed[0] == rough[0]
-    assert 1.3 <= smoothed[1][0] + 0.02 < smoothed[1][1] <= 1.47
 
 
 @pytest.mark.parametrize(("rate", "most", "rough"), [(FPS, 9, 0.02), (4.0, 4, 0.02), (FPS, 9, 0.08)])
@@ -211,21 +169,6 @@ def test_of_all_ways_to_cut_a_recording_into_stances_the_likeliest_is_taken(rate
         assert _cut(times, place, height, moving, known, noise, ADULT) == least
         seen.add(len(least))
     assert seen >= ({0, 1, 2} if most == count else {1, 2, 3})
-
-
-@pytest.mark.parametrize(("moved", "noise", "moves"), [(0.05, 0.0, True), (0.054, 0.005, True), (0.052, 0.005, False)])
-def test_a_run_moves_by_more_than_drift_and_the_noise_of_means(moved, noise, moves):
-    """15 samples in 0.23 s drift by 4.7 cm; means of five differ by 3 standard errors, 6.7 mm of 5 mm of noise."""
-    place = np.zeros((3, 15))
-    place[0, 8:] = moved
-    assert bool(_moves(np.arange(15) / FPS, place, 0, 15, noise, ADULT)) is moves
-
-
-@pytest.mark.parametrize(("noise", "low"), [(0.0, False), (0.002, True)])
-def test_a_planted_point_is_raised_by_rolling_feet_and_noise_at_most(noise, low):
-    place = np.zeros((3, 9))
-    place[2, 8] = ADULT.rolls + 0.005
-    np.testing.assert_array_equal(_is_low(place, 0, 9, noise, ADULT), [True] * 8 + [low])
 
 
 def heights(take: Take, ground: Ground) -> np.ndarray:
@@ -270,23 +213,6 @@ def test_stances_stay_where_a_recording_drifts_upwards(rng):
     assert (height[2] - height[0])[found[2]].max() < 0.07
 
 
-def test_soles_that_are_not_level_stand_before_they_are_levelled():
-    """Heels 7 cm over toes all along are no heels that rise: feet of figures differ."""
-    take = kneeling(FPS, 0.0)
-    ground = ground_of(take)
-    for side in ("left", "right"):
-        columns = take.figure.model.joint(f"{side}_ankle").qposadr[0] + np.arange(4)
-        turn = quat.from_rotation_vector(np.radians([[0.0, 18.0, 0.0]]))
-        take.qpos[:, columns] = quat.product(take.qpos[:, columns], turn)
-    take.qpos[:, 2] -= heights(take, ground).min()
-    recorded = RecordedMotion.of(take.figure, take.time, take.qpos)
-    rough, aligned = (
-        infer_stances(recorded, ground.points, ground.surfaces, aligned=aligned) for aligned in (False, True)
-    )
-    assert {one.point.name for one in rough} == {"left_heel", "left_toe", "right_heel", "right_toe"}
-    assert {one.point.name for one in aligned} == {"left_toe", "right_toe"}
-
-
 def test_a_stance_on_an_edge_is_on_what_ends_there():
     """A box's top ends 4 cm before the point, which stands as high as it, and the floor is half a metre down."""
     box = Box("box", np.array([-1.04, 0.0, 0.25]), np.eye(3), np.array([1.0, 1.0, 0.25]))
@@ -325,23 +251,6 @@ def test_the_noise_of_places_is_that_of_their_samples_whatever_smooth_way_they_g
     assert np.all(position_noise(noise[:, :2, : ORDER + 1], known[: ORDER + 1])[:2] > 0)
 
 
-def test_how_unsure_a_recording_is_of_its_points_is_the_noise_of_the_one_that_is_known_worst(rng):
-    times = np.arange(400) / FPS
-    qpos = np.column_stack([0.5 * times, 0.2 * np.sin(times)]) + 0.004 * rng.normal(size=(400, 2))
-    recorded = RecordedMotion(SLED, times, qpos, np.ones((400, 2)))
-    first = Point("first", 1, np.zeros(3))
-    low, high = largest_noise(recorded, [first]), largest_noise(recorded, [first, RUNNER])
-    slower = RecordedMotion(SLED, 6 * times, qpos, np.ones((400, 2)))  # ten samples a second
-    assert largest_noise(slower, [RUNNER]) == pytest.approx(high)
-    assert low <= high
-    seen = position_noise(np.stack([qpos[:, 0], 0 * times, qpos[:, 1]])[:, None], np.ones(400))[0]
-    assert high == pytest.approx(seen, rel=0.3)
-    assert largest_noise(recorded, []) == 0
-    short = RecordedMotion(SLED, times[: ORDER - 1], qpos[: ORDER - 1], np.ones((ORDER - 1, 2)))
-    assert largest_noise(short, [RUNNER]) == 0
-    assert infer_stances(short, [RUNNER], [FLOOR]) == ()
-
-
 def covariance(times: np.ndarray, variance: float, first: float) -> np.ndarray:
     """Of a place that begins known to a sample's noise at `first`, at unknown speed, its acceleration white noise."""
     t = times - first
@@ -368,10 +277,6 @@ def test_surprisal_adds_up_to_the_density_of_all_samples_together(rng, share):
             )
     assert np.all(found[:, ~known] == 0)
     assert np.all(found[:, first] == 0)
-
-
-def test_nothing_is_surprising_where_nothing_is_known():
-    assert np.all(surprisal(np.arange(4.0), np.zeros((3, 1, 4)), np.ones(1), np.zeros(4, bool), ADULT) == 0)
 
 
 FIGURE = figure_of("""<mujoco><worldbody><body name="trunk"><freejoint/><geom size=".1"/>
@@ -470,29 +375,3 @@ def test_it_is_the_lowest_spot_of_a_sole_whatever_its_radius_over_the_highest_gr
         found = move_to_ground(before, points, surfaces)
         lowest = bottoms(before, points).min(axis=0) - ground
         np.testing.assert_allclose(found.states[:, 2] - before.states[:, 2], -np.percentile(lowest, LOWEST), atol=1e-9)
-
-
-def test_without_points_stances_or_ground_a_recording_stays_what_it_is() -> None:
-    points, before = sole(0.02, 0.02), recorded(1.5, np.radians([0, 12, 0]))
-    assert move_to_ground(before, (), [FLOOR]) is before
-    assert move_to_ground(before, points, []) is before
-    assert align_to_ground(before, [], [FLOOR]) is before
-    assert align_to_ground(before, standing(points), []) is before
-
-
-@pytest.mark.parametrize(("samples", "level"), [(ENOUGH - 1, False), (ENOUGH, True)])
-def test_a_sole_is_level_if_all_of_it_stands_in_enough_samples(samples: int, level: bool) -> None:
-    points, before = sole(0.02, 0.02, 0.02, 0.02), recorded(0.64, np.radians([0, 12, 0]))
-    heel = [RecordedStance(point, TIMES[0], TIMES[20]) for point in points[:2]]
-    toes = [RecordedStance(point, TIMES[21 - samples], TIMES[-1]) for point in points[2:]]
-    found = align_to_ground(before, [*heel, *toes], [FLOOR])
-    assert (np.ptp(bottoms(found, points)[:, 0]) < 1e-9) == level
-
-
-def test_what_is_next_to_nothing_off_is_left_there() -> None:
-    points = sole(0.02, 0.02, 0.02, 0.02)
-    for share, moves in ((0.8, False), (-0.8, False), (1.2, True), (-1.2, True)):
-        over = share * Thresholds.of(FIGURE).level
-        before = recorded(0.62 + over, np.zeros(3))
-        found = align_to_ground(before, standing(points), [FLOOR])
-        np.testing.assert_allclose(found.states[:, 2] - before.states[:, 2], -over * moves, atol=1e-9)

@@ -7,10 +7,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 import pytest
-from figures import BALL, FLOOR, SLOPE, TINY, figure_of, limits_of, random_points, with_armature
+from figures import BALL, FLOOR, SLOPE, figure_of, limits_of, random_points
 from gradients import (
     RESIDUALS,
-    _efforts,
     assembled,
     assert_near,
     assert_squares,
@@ -21,29 +20,25 @@ from gradients import (
     sides_of,
     some_samples,
 )
-from problems import slider, turning
-from random_models import evenly, random_samples
+from problems import slider
+from random_models import evenly
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import (
-    BendLimits,
     Contact,
     CovariantAcceleration,
     Normalization,
     Penalty,
     RootAcceleration,
-    Sum,
-    Torque,
 )
 from dynsplines.solver.penalty import one_sided as one_sided_module
-from dynsplines.solver.penalty.block import Block, Dense, Entries, every
+from dynsplines.solver.penalty.block import Block, Dense, every
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.penalty.one_sided import OneSidedResiduals
 from dynsplines.solver.refine import euler_lagrange
@@ -56,15 +51,6 @@ from dynsplines.solver.surface.points import Point
 def known(request: pytest.FixtureRequest) -> tuple[Penalty, Callable[[Samples], Array]]:
     """A penalty, and its residuals (S, r) at samples."""
     return RESIDUALS[request.param]
-
-
-def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(figure, rng, known):
-    penalty, residuals = known
-    assert_squares(penalty, residuals, some_samples(figure, rng), rng)
-
-
-def test_the_curvature_of_torques_knows_the_armature(figure, rng):
-    assert_squares(Torque(), _efforts, some_samples(with_armature(figure, rng), rng), rng)
 
 
 def test_the_quadratic_form_and_the_diagonal_are_those_of_the_same_matrices(figure, rng, known):
@@ -116,18 +102,6 @@ def one_sided(request: pytest.FixtureRequest, figure: Figure, rng: np.random.Gen
     return ONE_SIDED[request.param](figure, rng)
 
 
-def test_no_points_no_surfaces_no_joints_and_nothing_near_have_no_sides(figure, rng):
-    samples = low_samples(figure, rng)
-    assert Contact((), (FLOOR,)).one_sided_residuals(samples) is None
-    assert Contact(random_points(figure, rng), ()).one_sided_residuals(samples) is None
-    assert BendLimits(()).one_sided_residuals(samples) is None
-    samples.y[:, 2] = 50
-    on_the_root = tuple(p for p in random_points(figure, rng) if figure.tables.path[p.link, 1])
-    nothing = Contact(on_the_root, (FLOOR,)).one_sided_residuals(samples)
-    assert nothing is not None
-    assert nothing.at.size == nothing.value.size == len(nothing.rows) == 0
-
-
 def test_one_sided_residuals_do_not_enter_the_curvature(figure, rng, one_sided):
     samples = low_samples(figure, rng, 6)
     curvature = curvature_of(one_sided, samples, np.ones(6))
@@ -146,20 +120,6 @@ def test_sides_that_count_enter_a_curvature_as_squares(figure, rng, one_sided):
         if value > 0:
             expected += 2 * scale[at] * phi[at, 0] ** 2 * np.outer(row, row)
     assert_near(curvature.quadratic(phi, 0, 6), expected, 1e-12)
-
-
-ENDS = ["free", "periodic"]
-
-
-@pytest.mark.parametrize("ends", ENDS)
-def test_the_weak_form_never_promises_that_e_rises(figure, rng, ends):
-    timeline = evenly(clip(figure, rng, ends), 1)
-    objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(timeline))
-    decrements = WeakForm(objective, path_of(timeline)).decrements(midpoints(timeline))
-    assert decrements.shape == (len(timeline.frames) - 1,)
-    assert np.all(decrements >= 0)
-    assert np.all(np.isfinite(decrements))
-    assert decrements.max() > 0
 
 
 def test_the_weak_form_of_a_few_spans_at_a_time_is_that_of_all(figure, rng, monkeypatch):
@@ -193,14 +153,6 @@ def test_the_weak_form_promises_what_a_frame_moved_alone_brings_where_e_is_quadr
     np.testing.assert_allclose(promised, brought, rtol=2e-3)
 
 
-@pytest.mark.parametrize("jerky", [0, 5])
-def test_the_weak_form_ranks_the_segment_with_a_jerk_first(jerky):
-    turns = [10.0] * 6
-    turns[jerky] = 150.0
-    objective, timeline = turning(turns, 0)
-    assert np.argmax(WeakForm(objective, path_of(timeline)).decrements(midpoints(timeline))) == jerky
-
-
 def test_the_weak_form_ranks_the_segment_that_dips_into_the_floor_first():
     figure = figure_of(BALL)
     heights = [0.5, 0.4, 0.5, 0.12, 0.12, 0.5, 0.4]
@@ -229,48 +181,3 @@ def test_what_a_change_moves_and_forces_pull_back_are_the_matrix_and_its_transpo
         np.add.at(expected, sides.at, pushed[:, None] * sides.rows)
         sides.pull_back(pushed, pulled)
         np.testing.assert_allclose(pulled, expected, atol=1e-13)
-
-
-def test_weights_of_a_block_are_in_its_residuals_and_their_rows(rng):
-    figure, at, column = figure_of(TINY), np.array([0, 1, 1]), np.array([2, 0, 5])
-    samples, weight = random_samples(figure, rng, 2), np.array([4.0, 0.25, 9.0])
-    entries = Entries(at, 0, column, np.array([1.0, -2.0, 3.0])), Entries(at, 0, column + 1)
-    sides = Block(at, np.array([0.1, 0.2, 0.3]), entries, weight, one_sided=True).one_sided_residuals(samples)
-    np.testing.assert_allclose(sides.value, [0.2, 0.1, 0.9])
-    expected = np.zeros((3, figure.width))
-    expected[np.arange(3), column], expected[np.arange(3), column + 1] = [2.0, -1.0, 9.0], [2.0, 0.5, 3.0]
-    np.testing.assert_allclose(sides.rows, expected)
-
-
-def test_joined_they_follow_one_another(rng):
-    first, second = residuals_at(rng, [3, 0, 3]), residuals_at(rng, [1, 4])
-    joined = OneSidedResiduals.joined([first, second])
-    assert joined.at.tolist() == [3, 0, 3, 1, 4]
-    np.testing.assert_array_equal(joined.value, np.append(first.value, second.value))
-    np.testing.assert_array_equal(joined.select(np.array([2, 3])).rows, [first.rows[2], second.rows[0]])
-
-
-def test_its_value_gradient_and_curvature_are_the_sums_of_its_parts(figure, rng):
-    samples, parts = random_samples(figure, rng, 4), (CovariantAcceleration(), Torque())
-    both, scale = Sum(parts, "both"), rng.uniform(1, 2, 4)
-    assert both.name == "both"
-    assert both.normalization == parts[0].normalization
-    into, own = Cotangent(samples), [Cotangent(samples) for _ in parts]
-    values = [part.evaluate(samples, one, scale) for part, one in zip(parts, own, strict=True)]
-    np.testing.assert_allclose(both.evaluate(samples, into, scale), values[0] + values[1])
-    for found, *expected in zip(into.gradients(), *(one.gradients() for one in own), strict=True):
-        np.testing.assert_allclose(found, sum(expected), atol=1e-9 * (1 + np.abs(sum(expected)).max()))
-    phi = rng.normal(size=(4, 3))
-    found, *expected = (curvature_of(one, samples, scale).quadratic(phi, 0, 4) for one in (both, *parts))
-    np.testing.assert_allclose(found, sum(expected), rtol=1e-9, atol=1e-9 * np.abs(found).max())
-    assert both.one_sided_residuals(samples) is None
-
-
-def test_its_sides_are_those_of_the_parts_that_have_some_one_after_the_other(figure, rng):
-    samples = random_samples(figure, rng, 4)
-    samples.y[:, 2] = -0.3
-    floor, slope = (Contact(random_points(figure, rng), (surface,)) for surface in (FLOOR, SLOPE))
-    found = sides_of(Sum((floor, Torque(), slope), "all"), samples)
-    expected = [sides_of(part, samples) for part in (floor, slope)]
-    for name in ("at", "value", "rows"):
-        np.testing.assert_array_equal(getattr(found, name), np.concatenate([getattr(each, name) for each in expected]))

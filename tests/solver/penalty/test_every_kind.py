@@ -1,14 +1,17 @@
-"""Every kind of soft constraint on every figure: exact gradients, residuals whose squares add up, and invariance."""
+"""Every kind of soft constraint on every figure: exact derivatives, residuals whose squares add up, and invariance."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
+from copy import copy
+from dataclasses import fields, is_dataclass, replace
+from typing import Any
 
+import mujoco
 import numpy as np
 import pytest
 from figures import FLOOR, SLOPE, figure_named, random_points, stance_of, with_armature
-from gradients import penalty_slope, shifted, sides_of
+from gradients import curvature_of, penalty_slope, shifted, sides_of
 from random_models import at_times, random_samples
 from scipy.spatial.transform import Rotation
 
@@ -23,6 +26,8 @@ from dynsplines.solver.penalty import (
     Bend,
     BendLimits,
     Contact,
+    Coupling,
+    CouplingPenalty,
     CovariantAcceleration,
     Flight,
     GraspPenalty,
@@ -37,8 +42,10 @@ from dynsplines.solver.penalty import (
     Range,
     RestPenalty,
     RootAcceleration,
+    SelfContact,
     Skate,
     Speed,
+    Sum,
     Support,
     Torque,
     TrackingPenalty,
@@ -46,6 +53,8 @@ from dynsplines.solver.penalty import (
     Upright,
 )
 from dynsplines.solver.penalty.allowance import Allowance
+from dynsplines.solver.penalty.block import Block
+from dynsplines.solver.penalty.joints.self_contact import Bar
 from dynsplines.solver.surface import Box, Plane, Surface
 from dynsplines.solver.surface.points import Point, places_of
 
@@ -90,6 +99,25 @@ def contact(*surfaces: Surface, allowed: bool = False) -> Kind:
         samples.y[:, 2] = -0.3
         allowance = Allowance(np.array([0.0, 0.8, 2]), rng.uniform(0, 0.1, (len(points), 3))) if allowed else None
         return Contact(points, surfaces, margin=0.02, allowed=allowance), samples
+
+    return case
+
+
+def carried(figure: Figure, rng: np.random.Generator) -> Case:
+    """A block on the last link, and points of the others."""
+    points = tuple(point for point in random_points(figure, rng) if point.link != last(figure))
+    return Contact(points, (BLOCK,), carrier=last(figure)), random_samples(figure, rng, 8)
+
+
+def self_contact(figure: Figure, rng: np.random.Generator) -> Case:
+    bars = tuple(Bar(i, link, 0.2 * TILTED, UP, 0.3, 0.9) for i, link in enumerate((1, last(figure), 1)))
+    return SelfContact(bars, np.array([[0, 1], [1, 2]]), 0.02), random_samples(figure, rng, 8)
+
+
+def added(*kinds: Kind) -> Kind:
+    def case(figure: Figure, rng: np.random.Generator) -> Case:
+        cases = [kind(figure, rng) for kind in kinds]
+        return Sum(tuple(penalty for penalty, _ in cases), "sum"), cases[-1][1]
 
     return case
 
@@ -162,10 +190,28 @@ def flight(angular: float) -> Kind:
     return lambda figure, rng: (Flight.of(figure, 1, ((0.2, 0.8), (1.2, 1.6)), angular), timed(figure, rng))
 
 
-def bends(figure: Figure, rng: np.random.Generator) -> Case:
-    lateral = (np.array([0.0, -1, 0]), np.array([0.0, 1, 0]))
-    joints = tuple(Bend(f"b{i}", i, lateral[i % 2], -UP) for i in figure.tables.ball_links.tolist())
-    return BendLimits(joints, least=0.3, sideways=0.2, twist=0.1), random_samples(figure, rng)
+def bends(*, allowed: bool) -> Kind:
+    def case(figure: Figure, rng: np.random.Generator) -> Case:
+        lateral = (np.array([0.0, -1, 0]), np.array([0.0, 1, 0]))
+        joints = tuple(Bend(f"b{i}", i, lateral[i % 2], -UP) for i in figure.tables.ball_links.tolist())
+        limits = BendLimits(joints, least=0.3, sideways=0.2, twist=0.1)
+        excess = Allowance(np.array([0.0, 0.4, 2]), rng.uniform(0, 0.6, (5, len(joints), 3)))
+        return (replace(limits, allowed=excess) if allowed else limits), timed(figure, rng)
+
+    return case
+
+
+def coupled(figure: Figure, rng: np.random.Generator) -> Case:
+    """Hinges and slides, or else coordinates of roots, each of which follows the one before."""
+    tables = figure.tables
+    columns = [
+        *tables.hinge_columns.tolist(),
+        *tables.slide_columns.tolist(),
+    ] or tables.position_columns.ravel().tolist()
+    coefficients = np.array([0.3, 0.5, -0.2, 0.3, 0.7])
+    followers = zip(columns, [-1, *columns[:-1]], strict=True)
+    couplings = tuple(Coupling(f"{a}", a, b, (0.1, -0.2), coefficients, "degrees") for a, b in followers)
+    return CouplingPenalty(couplings), random_samples(figure, rng)
 
 
 def ranges(figure: Figure, rng: np.random.Generator, **during: float) -> tuple[Range, ...]:
@@ -222,6 +268,8 @@ KINDS: dict[str, Kind] = {
     "contact with a step": contact(STEP),
     "contact with a floor and a block": contact(FLOOR, BLOCK),
     "contact with an allowance": contact(FLOOR, allowed=True),
+    "contact with what moves": carried,
+    "self-contact": self_contact,
     "skate": skate(UP),
     "skate on a slope": skate(TILTED),
     "hover": hover(firm=False),
@@ -234,13 +282,18 @@ KINDS: dict[str, Kind] = {
     "rest": resting,
     "grasp": grasp(is_known=True),
     "grasp without a spot": grasp(is_known=False),
-    "bend": bends,
+    "bend": bends(allowed=False),
+    "bend with an allowance": bends(allowed=True),
+    "coupling": coupled,
     "range": joint_range,
     "overshoot": overshoot,
     "upright": upright,
     "upright at a time": leaning,
     "tracking": tracking,
+    "sum": added(contact(FLOOR), plain(Torque()), bends(allowed=False), contact(SLOPE)),
 }
+ONE_SIDED = ("contact", "self-contact", "bend", "range", "overshoot")  # kinds without other residuals
+APPROXIMATE = {"peak", "skate", "skate on a slope", "support"}  # kinds with a model other than their Jacobian's square
 OF_LENGTHS = {"unit", "tracking"}  # kinds that depend on the lengths of quaternions
 
 
@@ -251,8 +304,29 @@ def kind(request: pytest.FixtureRequest) -> str:
 
 def test_the_gradient_has_taylor_slope_two(kind: str, figure: Figure, rng: np.random.Generator) -> None:
     penalty, samples = KINDS[kind](figure, rng)
-    assert penalty.evaluate(samples).any() or (kind == "bend" and not figure.tables.ball_links.size)
+    assert penalty.evaluate(samples).any() or (kind.startswith("bend") and not figure.tables.ball_links.size)
     assert penalty_slope(penalty, samples, rng, any_length=kind not in OF_LENGTHS) > 1.9
+
+
+def two_sided(penalty: Penalty, samples: Samples) -> list[tuple[Array, Array]]:
+    """The residuals of which the model consists, without the one-sided ones, each with its samples."""
+    blocks = [block for block in penalty.nearby(samples) if not (isinstance(block, Block) and block.one_sided)]
+    every = np.arange(samples.count)
+    return [(np.sqrt(getattr(block, "weight", 1.0)) * block.value, getattr(block, "at", every)) for block in blocks]
+
+
+@pytest.mark.parametrize("name", [name for name in KINDS if name not in APPROXIMATE])
+def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(name, figure, rng) -> None:
+    """Along one direction, in other shares of y, y' and y'' at every sample."""
+    penalty, samples = KINDS[name](figure, rng)
+    phi, scale = rng.normal(size=(samples.count, 3)), rng.uniform(0.5, 2, samples.count)
+    direction, h = rng.normal(size=figure.width), 1e-5
+    by = h * np.einsum("so,n->osn", phi, direction)
+    ends = (two_sided(penalty, shifted(samples, step)) for step in (by, -by))
+    changes = [((after - before) / (2 * h), at) for (after, at), (before, _) in zip(*ends, strict=True)]
+    expected = sum(2 * float(np.sum(scale[at] * change**2)) for change, at in changes)
+    matrix = curvature_of(penalty, samples, scale).quadratic(phi, 0, samples.count)
+    np.testing.assert_allclose(direction @ matrix @ direction, expected, rtol=1e-4, atol=1e-9)
 
 
 def test_one_sided_residuals_add_up_and_their_rows_are_their_gradients(kind, figure, rng) -> None:
@@ -261,7 +335,7 @@ def test_one_sided_residuals_add_up_and_their_rows_are_their_gradients(kind, fig
     if sides is None or not sides.at.size:
         return
     total = np.bincount(sides.at, np.maximum(sides.value, 0) ** 2, samples.count)
-    if kind.startswith("contact") or kind in ("bend", "range", "overshoot"):
+    if kind.startswith(ONE_SIDED):
         np.testing.assert_allclose(total, penalty.evaluate(samples), rtol=1e-9, atol=1e-15)
     direction, h = rng.normal(size=samples.y.shape), 1e-7
     by = h * np.stack([direction, 0 * direction, 0 * direction])
@@ -288,7 +362,15 @@ def test_a_clip_that_is_played_slower_costs_less_by_a_power(
 
 
 PLACED = {"planted", "instants", "range", "overshoot", "tracking", "contact with a slope", "skate on a slope"}
-PLACED |= {"contact with a block", "contact with a step", "contact with a floor and a block", "rest", "support"}
+PLACED |= {
+    "contact with a block",
+    "contact with a step",
+    "contact with a floor and a block",
+    "rest",
+    "support",
+    "coupling",
+    "sum",
+}
 
 
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
@@ -306,3 +388,74 @@ def test_a_motion_moved_and_turned_about_the_vertical_costs_the_same(name, coord
                 part[:, columns] = quat.product(turn, part[:, columns])
     values = penalty.evaluate(Samples(samples.figure, *moved, t=samples.t))
     np.testing.assert_allclose(values, penalty.evaluate(samples), rtol=1e-7, atol=1e-10)
+
+
+AXIAL, POLAR = {"lateral"}, {"position", "spot", "landed", "point", "centre", "target", "normal", "long_axis", "axis"}
+GROWTH = dict.fromkeys(("position", "spot", "landed", "point", "centre", "target", "half", "radius", "length"), 1.0)
+GROWTH |= dict.fromkeys(("reach", "blend", "margin", "slack", "excess"), 1.0) | {"unit": 3.0}
+GROWTH |= dict.fromkeys(("first", "last", "time", "times", "intervals", "firm", "flights", "long", "settling"), 0.5)
+
+
+def image(part: Any, factor: float, name: str = "") -> Any:
+    """A part of a soft constraint in the mirror image, if the factor is 1, or else in a world so many times as large,
+    whose times are longer by its root."""
+    if isinstance(part, tuple):
+        return tuple(image(each, factor, name) for each in part)
+    if is_dataclass(part):
+        changes = {
+            field.name: image(getattr(part, field.name), factor, field.name) for field in fields(part) if field.init
+        }
+        return replace(part, **changes)
+    if factor != 1:
+        return part * factor ** GROWTH[name] if name in GROWTH and not isinstance(part, int | type(None)) else part
+    if name == "axes":
+        return MIRROR[:, None] * part * MIRROR
+    return part if part is None or name not in AXIAL | POLAR else (MIRROR if name in POLAR else -MIRROR) * part
+
+
+MIRROR = np.array([1.0, -1, 1])
+
+
+def imaged(figure: Figure, factor: float) -> tuple[Figure, Array]:
+    """The figure's image likewise, and the diagonal of the map of its states."""
+    model, along = copy(figure.model), np.ones(figure.width)
+    for name in ("body_pos", "body_ipos", "jnt_pos", "geom_pos"):
+        getattr(model, name)[:] *= MIRROR if factor == 1 else factor
+    if factor == 1:
+        model.jnt_axis[:] *= -MIRROR
+        for name in ("body_quat", "body_iquat", "geom_quat"):
+            getattr(model, name)[:, [1, 3]] *= -1
+        along[figure.tables.position_columns[1]] = -1
+        along[figure.tables.quaternion_columns[[1, 3]]] = -1
+    else:
+        model.geom_size[:] *= factor
+        model.body_mass[:] *= factor**3
+        model.body_inertia[:] *= factor**5
+        along[figure.tables.position_columns] = factor
+    model.qpos0[:] *= along
+    mujoco.mj_setConst(model, mujoco.MjData(model))
+    return Figure(model, figure.coordinates), along
+
+
+WITHOUT_IMAGE = {"range", "overshoot", "tracking", "coupling", "bend with an allowance"}  # kinds of single columns
+OF_FORCES = {"torque", "torque with armature", "speed", "sum"}  # kinds with units of their own
+SIMILAR = [
+    (name, factor)
+    for name in KINDS
+    if name not in WITHOUT_IMAGE
+    for factor in (1.0, 2.5)
+    if factor == 1 or name not in OF_FORCES
+]
+
+
+@pytest.mark.parametrize("coordinates", ["world", "joint"])
+@pytest.mark.parametrize(("name", "factor"), SIMILAR)
+def test_a_mirrored_motion_costs_the_same_and_one_of_a_larger_figure_as_much_more_as_specified(
+    name: str, factor: float, coordinates: str, rng: np.random.Generator
+) -> None:
+    penalty, samples = KINDS[name](figure_named(f"ball tree, {coordinates}"), rng)
+    figure, along = imaged(samples.figure, factor)
+    parts = (part * along / factor ** (order / 2) for order, part in enumerate((samples.y, samples.y_d, samples.y_dd)))
+    values = image(penalty, factor).evaluate(Samples(figure, *parts, t=np.sqrt(factor) * samples.t))
+    power = penalty.normalization.length_power - penalty.normalization.time_power / 2
+    np.testing.assert_allclose(values, factor**power * penalty.evaluate(samples), rtol=1e-6, atol=1e-9)

@@ -129,11 +129,6 @@ def test_floor_clearance_is_the_depth_of_the_lowest_sphere_beyond_the_permitted_
     np.testing.assert_allclose(floor.linearized(arm.model, data)[0], [0.4])
 
 
-def test_a_line_gives_no_support_polygon():
-    assert SupportPolygon.of(1, np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]])) is None
-    assert SupportPolygon.of(1, np.zeros((0, 3))) is None
-
-
 def test_a_restart_that_gains_little_leaves_the_pose_where_it_is(arm, rng):
     """Out of reach, restarts of the limb end in the same minimum, so the arm must not jump to another of its poses."""
     home, free, everything = 0.5 * rng.normal(size=3), np.ones(3, bool), np.ones(3, bool)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import mujoco
 import numpy as np
 import pytest
-from figures import EVERY_JOINT, LEG, MIXED, figure_of, link_named
+from figures import EVERY_JOINT, LEG, MIXED, figure_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracles import SiteGoal, kinematics
@@ -16,7 +16,6 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import Bend, BendLimits
 from dynsplines.solver.posing import MET, BodyGoal, Goal, LeastSquares, PointGoal, PoseSearch, Residuals, posed
 from dynsplines.solver.surface.points import Point, site_points
@@ -164,43 +163,6 @@ def test_a_pose_out_of_reach_tells_how_many_were_begun_with_and_one_in_reach_non
     seen = kinematics(figure.model, far.qpos).site("tip").xpos
     assert far.missed[0] == pytest.approx(np.linalg.norm(seen - near - 5.0))
     np.testing.assert_array_equal(far.qpos[:7], home[:7])
-
-
-def searching(figure: Figure, home: Array) -> PoseSearch:
-    goals = (SiteGoal("tip", np.ones(3)), SiteGoal("toe", np.zeros(3)))
-    return PoseSearch(figure, home, np.ones(figure.model.nq, bool), goals, None)
-
-
-@pytest.mark.parametrize("count", [0, 2, 7])
-def test_as_many_poses_to_begin_with_as_asked_for_all_inside_the_ranges_and_the_root_where_it_was(count, rng):
-    figure = figure_of(RANGED)
-    home = somewhere(figure.model, rng)
-    search = searching(figure, home)
-    starts = list(search.starts_around(count))
-    assert len(starts) == count
-    for start in starts:
-        np.testing.assert_array_equal(start[:3], home[:3])
-        assert search.ranges.linearised(start)[0][1:].max() <= 1e-9
-    if count > 0:
-        ball = figure.links[link_named(figure, "knee") or 0].columns
-        np.testing.assert_array_equal(starts[0][ball], figure.model.qpos0[ball])
-        np.testing.assert_array_equal(starts[0][3:7], home[3:7])
-    if count > 1:
-        middle = figure.model.joint("reach").qposadr[0]
-        assert starts[1][middle] == pytest.approx(-0.15)
-    different = {tuple(np.round(start, 9)) for start in starts}
-    assert len(different) == count
-    again = list(searching(figure, home).starts_around(count))
-    np.testing.assert_array_equal(again, starts)  # the same command finds the same pose
-
-
-def test_a_start_bends_hinges_that_bend_one_way_from_the_nearer_end_of_their_range():
-    figure = figure_of(RANGED)
-    goals = SiteGoal("tip", np.zeros(3)), SiteGoal("toe", np.zeros(3))
-    search = PoseSearch(figure, np.array(figure.model.qpos0), np.ones(figure.model.nq, bool), goals, None)
-    start = search.begun(figure.model.qpos0, 0.4)
-    for name, angle in (("elbow", -0.1 + 0.4), ("hip", 0.2 - 0.4), ("reach", 0.0), ("free", 0.0)):
-        assert start[figure.model.joint(name).qposadr[0]] == pytest.approx(angle, abs=1e-4)
 
 
 def moved(poses, step):

@@ -33,8 +33,8 @@ from dynsplines.solver.surface.heights import (
     heights,
     heights_nearby,
 )
-from dynsplines.solver.surface.static import DOWN, LEVEL
-from dynsplines.solver.surface.surface import GROUNDED, UPRIGHT
+from dynsplines.solver.surface.static import DOWN
+from dynsplines.solver.surface.surface import GROUNDED
 from dynsplines.solver.surface.touch import SCENERY, bolted, counts_all, grounds, movers, solids
 
 SCENE = """
@@ -152,26 +152,6 @@ def test_within_a_margin_spheres_outside_have_negative_depths(scene, name, rng):
     assert found > 20
 
 
-def test_a_sphere_beyond_an_edge_of_a_box_is_free_to_pass_the_nearer_face(scene):
-    _, surfaces = scene
-    step, radius = surfaces["step"], np.array([0.0])
-    edge = step.centre + step.half
-    depth, gradient = step.depth(np.add(edge, [0.02, -0.5, 0.005]).reshape(3, 1, 1), radius, 0.03)
-    np.testing.assert_allclose(depth[0, 0], -4 * 0.02)
-    np.testing.assert_allclose(gradient[:, 0, 0], [-4, 0, 0], atol=1e-12)
-    depth, gradient = step.depth(np.add(edge, [0.005, -0.5, 0.02]).reshape(3, 1, 1), radius, 0.03)
-    np.testing.assert_allclose(depth[0, 0], -0.02)
-    np.testing.assert_allclose(gradient[:, 0, 0], [0, 0, -1], atol=1e-12)
-
-
-def test_a_box_counts_as_up_the_face_that_looks_up_however_it_lies():
-    axes = Rotation.from_euler("x", 90, degrees=True).as_matrix()
-    box = Box("b", np.zeros(3), axes, np.array([1.0, 0.3, 1.0]), buried=False)
-    np.testing.assert_allclose(depth_at(box, np.array([0, 0, 0.29]), 0.0), 0.01, rtol=1e-2)
-    np.testing.assert_allclose(depth_at(box, np.array([0, 0, -0.29]), 0.0), 0.04, rtol=1e-2)
-    np.testing.assert_allclose(box.height(np.array([0, 0, 1.0])), 0.7, atol=1e-12)
-
-
 @pytest.mark.parametrize("buried", [True, False])
 def test_spheres_are_near_where_they_have_a_depth(buried, rng):
     axes = Rotation.from_euler("xyz", [0.2, -0.1, 1.0]).as_matrix()
@@ -227,41 +207,6 @@ def test_a_cylinder_that_stands_on_the_floor_continues_below_it(over, stands, si
     assert found.radius == 0.2
 
 
-@pytest.mark.parametrize(("rise", "stands"), [(UPRIGHT + HAIR, True), (UPRIGHT - HAIR, False)])
-def test_a_cylinder_that_leans_stands_as_long_as_its_end_looks_up_more_than_sideways(rise, stands):
-    lean = np.sqrt(1 - rise**2)
-    deep = 0.5 * rise + 0.2 * lean  # from its middle down to its rim
-    for over, reaches in ((GROUNDED - 1e-4, True), (GROUNDED + 1e-4, False)):
-        found = of(f'<geom type="cylinder" size=".2 .5" pos="0 0 {deep + over}" zaxis="{lean} 0 {rise}"/>')
-        assert isinstance(found, Cylinder)
-        assert (found.half > 1) == (stands and reaches)
-
-
-def test_the_floor_is_the_highest_of_the_planes_that_are_level():
-    tilt = np.sqrt(1 - (LEVEL - 1e-4) ** 2)
-    floor = (
-        '<geom type="plane" size="9 9 1" pos="0 0 -2"/><geom type="plane" size="9 9 1" pos="0 0 1"/>'
-        f'<geom type="plane" size="9 9 1" pos="0 0 5" zaxis="{tilt} 0 {LEVEL - 1e-4}"/>'
-    )
-    for z, buried in ((1.1, True), (1.2, False)):
-        box = of(f'<geom type="box" size=".1 .1 .1" pos="0 0 {z}"/>', floor=floor)
-        assert isinstance(box, Box) and box.buried == buried
-    bare = of('<geom type="box" size=".1 .1 .1" pos="0 0 -9"/>', floor="")
-    assert isinstance(bare, Box) and not bare.buried
-
-
-def test_planes_come_first_as_mujoco_has_them():
-    found = surfaces(
-        '<geom name="ball" size=".1" pos="0 0 1"/>',
-        '<geom name="ramp" type="plane" size="1 1 1" zaxis="0 .6 .8" pos="1 2 3"/>',
-    )
-    assert list(found) == ["floor", "ramp", "ball"]
-    plane = found["ramp"]
-    assert isinstance(plane, Plane)
-    np.testing.assert_allclose(plane.point, [1, 2, 3])
-    np.testing.assert_allclose(plane.normal, [0, 0.6, 0.8], atol=1e-12)
-
-
 def volume(hull: Hull) -> float:
     """By the divergence theorem: positive if triangles look outward."""
     a, b, c = (hull.corners[:, hull.faces[:, k]] for k in range(3))
@@ -282,18 +227,6 @@ def test_a_mesh_becomes_its_hull_where_it_is_with_all_triangles_outward_whether_
     assert volume(found) == pytest.approx(1 / 6, rel=1e-5)
     np.testing.assert_allclose(sorted(np.ptp(found.corners, axis=1)), [1, 1, 1], atol=1e-6)
     assert found.distance(found.corners.mean(axis=1)[:, None])[0] < 0
-
-
-def test_a_height_field_is_as_high_and_as_wide_as_mujoco_has_it():
-    found = of(
-        '<geom type="hfield" hfield="h" pos="1 2 3"/>',
-        assets='<hfield name="h" nrow="2" ncol="3" size="4 5 .6 .1" elevation="0 1 2 3 4 5"/>',
-    )
-    assert isinstance(found, HeightField)
-    np.testing.assert_allclose(found.half, [4, 5])
-    np.testing.assert_allclose(sorted(found.elevation.ravel()), 0.6 * np.arange(6) / 5, atol=1e-6)
-    assert found.elevation.shape == (2, 3)
-    np.testing.assert_allclose(found.centre, [1, 2, 3])
 
 
 def test_a_mesh_in_a_plane_is_no_surface():
@@ -343,56 +276,6 @@ def test_what_just_touches_is_not_in_it_and_what_is_any_nearer_is(name):
     if name != "height field":  # which tells a bound alone
         for radius, near in ((RADIUS, False), (RADIUS + DIGIT, True)):
             assert surface.near(where, np.array([radius])).all() == near
-
-
-EDGE = 1.0 + DIGIT
-
-
-OVER: dict[str, tuple[Surface, tuple[float, float], tuple[float, float], float]] = {
-    # two places over its edge, and how high it is there; every number is exact in binary
-    "box": (Box("b", np.zeros(3), np.eye(3), np.ones(3)), (1.0, -0.5), (0.25, 1.0), 1.0),
-    "sunk box": (Box("b", np.zeros(3), np.eye(3), np.ones(3), buried=True), (-1.0, 0.5), (0.25, -1.0), 1.0),
-    "hull": (Hull("h", *CORNERS), (1.0, -0.5), (0.25, -1.0), 1.0),
-    "upright cylinder": (Cylinder("y", np.zeros(3), np.array([0.0, 0, 1]), 1.0, 1.0), (1.0, 0.0), (0.0, -1.0), 1.0),
-    "height field": (
-        HeightField("f", np.array([0, 0, 1.0]), np.eye(3), np.ones(2), np.zeros((3, 3))), (1.0, 0.5), (-0.5, -1.0), 1.0,
-    ),
-    "upright capsule": (Capsule("c", np.zeros(3), np.array([0.0, 0, 1]), 1.0, 1.0), (1.0, 0.0), (0.0, -1.0), 1.0),
-    "sphere": (Sphere("s", np.zeros(3), 1.0), (1.0, 0.0), (0.0, -1.0), 0.0),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("name", OVER)
-def test_over_the_edge_of_a_surface_is_over_it_and_a_last_digit_farther_out_is_not(name):
-    surface, *places, top = OVER[name]
-    for place in places:
-        x, y = place
-        at = np.array([[[x]], [[y]], [[3.0]]])
-        np.testing.assert_allclose(surface.height(at), 3.0 - top, atol=1e-12)
-        beside = at.copy()
-        axis = int(np.argmax(np.abs(place)))
-        beside[axis] *= EDGE
-        assert np.isinf(surface.height(beside)).all()
-
-
-@pytest.mark.parametrize("buried", [False, True])
-def test_in_a_box_one_is_below_its_top_as_far_as_its_bottom_and_in_one_that_is_buried_however_deep(buried):
-    box = Box("b", np.array([0.0, 0, 3]), np.diag([1.0, -1.0, -1.0]), np.array([0.5, 0.75, 0.25]), buried=buried)
-    for z, over in ((3.5, True), (2.75 + DIGIT * 2, True), (2.75, buried), (2.0, buried)):
-        found = box.height(np.array([[[0.5]], [[-0.75]], [[z]]])).item()
-        assert found == (z - 3.25 if over else np.inf)
-
-
-def test_along_a_lying_bar_one_is_over_it_up_to_its_ends_and_across_it_up_to_its_radius():
-    for bar, end in (
-        (Cylinder("y", np.zeros(3), np.array([1.0, 0, 0]), 1.0, 0.5), (1.0, 0.5)),
-        (Capsule("c", np.zeros(3), np.array([1.0, 0, 0]), 1.0, 0.5), (1.5, 0.0)),
-    ):
-        for x, y, high in ((0.0, 0.0, 0.5), (1.0, 0.0, 0.5), (-1.0, 0.0, 0.5), (0.5, 0.5, 0.0), (0.5, -0.5, 0.0)):
-            np.testing.assert_allclose(bar.height(np.array([[[x]], [[y]], [[3.0]]])), 3 - high, atol=1e-7)
-        assert np.isfinite(bar.height(np.array([[[end[0]]], [[0.0]], [[3.0]]]))).all()
-        assert np.isinf(bar.height(np.array([[[end[0] + 1e-9]], [[0.0]], [[3.0]]]))).all()
-        assert np.isinf(bar.height(np.array([[[0.5]], [[0.5 + 1e-9]], [[3.0]]]))).all()
 
 
 def test_of_two_surfaces_as_high_as_each_other_the_first_is_the_nearest_and_deep_below_is_neither():
@@ -565,22 +448,6 @@ def test_within_reach_of_an_edge_it_is_the_nearer_of_both(rng):
     np.testing.assert_allclose(found[0, high], z[high] - 0.4, atol=1e-12)
     np.testing.assert_allclose(height_over([FLOOR, BOX], where, np.array([0.05]))[0], found, atol=1e-12)
     np.testing.assert_array_less(np.linalg.norm((where - points)[:, 0], axis=0), REACH + 1e-12)
-
-
-@pytest.mark.parametrize(("height", "is_on_top"), [(0.07, False), (0.08, True)])
-def test_the_ground_below_wins_unless_that_beside_is_nearer_by_5_cm(height, is_on_top):
-    low = Box("low", np.array([0.0, 0.0, 0.05]), np.eye(3), np.array([0.5, 0.5, 0.05]))
-    points = np.array([[[0.55, -0.55]], [[0.0, 0.0]], [[height + 0.05] * 2]])
-    found, _ = heights_nearby([FLOOR, low], points, np.array([0.05]), REACH)
-    np.testing.assert_allclose(found, height - 0.1 * is_on_top, atol=1e-12)
-
-
-def test_over_a_slope_it_is_that_of_the_slope_unless_it_is_far_off():
-    slope = Plane("slope", np.zeros(3), TILT)
-    points = np.array([[0.0, 0.3], [0.0, 0.0], [0.06, 0.0]])[:, None]
-    found, _ = heights_nearby([slope], points, np.array([0.05]), REACH)
-    np.testing.assert_allclose(found, height_over([slope], points, np.array([0.05]))[0], atol=0.06)
-    assert found[0, 0] == pytest.approx(0.06 * TILT[2] - 0.05)
 
 
 @pytest.mark.parametrize("normal", [UP, TILT])

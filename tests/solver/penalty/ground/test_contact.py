@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import itertools
-
 import mujoco
 import numpy as np
 import pytest
 from figures import BALL, FLOOR, figure_of, random_points, stance_of
-from gradients import clip, taylor_slope
+from gradients import clip
 from oracles import kinematics
-from random_models import TIMES, at_times, evenly, random_samples
+from random_models import TIMES, at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
@@ -21,7 +19,6 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
@@ -39,14 +36,8 @@ from dynsplines.solver.penalty import (
 )
 from dynsplines.solver.penalty.ground.rest import Rolling
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.subdivision import by_weak_form
-from dynsplines.solver.surface import Box, Plane, static_surfaces
-from dynsplines.solver.surface.points import Point, body_points
-
-BLOCK = Box("block", np.array([0.1, -0.2, 0.0]), np.eye(3), np.array([2.0, 1.5, 1.0]), buried=False)
-
-
-STEP = Box("step", np.array([0.0, 0, -0.5]), np.eye(3), np.array([2.0, 2.5, 1.0]), buried=True)
+from dynsplines.solver.surface import Plane
+from dynsplines.solver.surface.points import Point
 
 
 def test_it_is_the_sum_of_squared_depths_of_points_placed_by_mujoco(figure, rng):
@@ -66,28 +57,6 @@ def test_it_is_the_sum_of_squared_depths_of_points_placed_by_mujoco(figure, rng)
         expected.append(total)
     np.testing.assert_allclose(Contact(points, (FLOOR,), margin=0.05).evaluate(samples), expected, rtol=1e-10)
     assert np.count_nonzero(expected) > 4
-
-
-@pytest.mark.parametrize("surface", [FLOOR, BLOCK, STEP], ids=lambda s: s.name)
-def test_a_figure_outside_costs_exactly_nothing_and_has_no_gradient(figure, rng, surface):
-    samples = random_samples(figure, rng)
-    samples.y[:, 2] = 50
-    points = tuple(p for p in random_points(figure, rng) if figure.tables.path[p.link, 1])
-    cotangent = Cotangent(samples)
-    assert not Contact(points, (surface,)).evaluate(samples, cotangent).any()
-    assert not any(g.any() for g in cotangent.gradients())
-
-
-def test_a_capsule_across_the_edge_of_a_box_is_noticed():
-    model = mujoco.MjModel.from_xml_string(
-        '<mujoco><worldbody><body><freejoint/><geom type="capsule" size=".024" fromto="-.2 0 0 .2 0 0"/></body>'
-        '<geom name="beam" type="box" size=".01 .5 .1" pos="0 0 .1"/></worldbody></mujoco>'
-    )
-    figure = Figure(model)
-    contact = Contact(body_points(figure), static_surfaces(model))
-    for shift in np.linspace(-0.05, 0.05, 11):
-        state = np.array([[shift, 0, 0.2 + 0.024 - 0.004, 1, 0, 0, 0]])
-        assert contact.evaluate(Samples(figure, state, 0 * state, 0 * state))[0] > 0
 
 
 FOOT = Point("foot", 1, np.array([0.0, 0, -0.5]), 0.1)
@@ -133,13 +102,6 @@ def test_a_point_that_moved_or_left_the_surface_is_not_planted(places):
     assert found(places) == ()
 
 
-def test_no_points_or_no_surfaces_plant_nothing(figure, rng):
-    keys = [Frame.key(float(i), figure.to_qpos(figure.to_state(rng.normal(size=figure.width)))) for i in range(2)]
-    timeline = raw_timeline(figure, keys)
-    assert stances(KeyframePoints.of(figure, timeline, (), (FLOOR,))) == ()
-    assert stances(KeyframePoints.of(figure, timeline, (FOOT,))) == ()
-
-
 BOX = """<mujoco><worldbody><body name="box"><freejoint name="box"/><geom type="box" size=".1 .2 .3"/></body>
 </worldbody></mujoco>"""
 
@@ -152,20 +114,6 @@ def box_keys(figure: Figure, places: list[list[float]], told: list[bool]) -> Tim
         Frame.key(float(i), [*place, *turned], mask) for i, (place, mask) in enumerate(zip(places, masks, strict=True))
     ]
     return raw_timeline(figure, keys)
-
-
-def test_of_several_things_those_lie_still_that_do_not_move_whatever_the_others_do():
-    names = ("first", "second", "third")
-    bodies = "".join(f'<body name="{name}"><freejoint name="{name}"/><geom size=".1"/></body>' for name in names)
-    figure = figure_of(f"<mujoco><worldbody>{bodies}</worldbody></mujoco>")
-    for still in itertools.product([False, True], repeat=3):
-        poses = np.tile([0.0, 0, 1, 1, 0, 0, 0], (2, 3, 1))
-        poses[1, ~np.array(still), 0] += 0.3
-        keys = raw_timeline(figure, [Frame.key(float(i), pose.ravel()) for i, pose in enumerate(poses)])
-        found = resting_objects(KeyframePoints.of(figure, keys, ()), [1, 2, 3])
-        assert [stance.point.name for stance in found] == [
-            name for name, lies in zip(names, still, strict=True) for _ in range(3 * lies)
-        ]
 
 
 def test_a_thing_lies_still_between_keyframes_that_both_say_the_same_of_it():
@@ -228,26 +176,6 @@ def test_the_objective_holds_it_once_at_its_time_and_leaves_the_others_as_they_w
     np.testing.assert_allclose(found[:2], plain, rtol=1e-12)
     at = Samples(figure, *path.motion(np.array(instants)), t=np.array(instants))
     assert found[2] == pytest.approx(placement.evaluate(at).sum(), rel=1e-12)
-
-
-@pytest.mark.parametrize("ends", ["free", "clamped", "periodic"])
-def test_the_objectives_gradient_has_taylor_slope_two(figure, rng, ends):
-    timeline = evenly(clip(figure, rng, ends), 1)
-    placement = placement_of(figure, float(TIMES[0]), float(TIMES[1]), float(TIMES[2]))
-    problem = Objective.of(figure, [(placement, 2.0)]).on(timeline)
-    x = problem.unknowns.start + 0.1 * rng.normal(size=problem.unknowns.size)
-    found = problem(x)
-    assert found.parts["attach.placement"] > 0
-    assert taylor_slope(lambda z: problem(z).value, x, found.gradient, rng) > 1.95
-
-
-def test_frames_between_keyframes_promise_nothing_of_it(figure, rng):
-    """A frame's cardinal function is zero at all other frames, and so at the keyframe's time."""
-    timeline = clip(figure, rng)
-    others = [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 5.0)]
-    plain = by_weak_form(Objective.of(figure, others), timeline)
-    with_it = by_weak_form(Objective.of(figure, [*others, (placement_of(figure, float(TIMES[1])), 9.0)]), timeline)
-    np.testing.assert_allclose(with_it, plain, rtol=1e-12)
 
 
 BALL_WITH_SITE = (

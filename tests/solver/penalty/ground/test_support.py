@@ -15,10 +15,9 @@ from scipy.optimize import nnls
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.cone import projection
-from dynsplines.solver.contacts import Footing, within
+from dynsplines.solver.contacts import Footing
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.root_wrench import RootWrench, weight
@@ -71,53 +70,6 @@ def test_it_is_what_the_best_forces_in_the_friction_pyramids_leave(figure, rng):
         expected.append(0 if names is None else left)
     np.testing.assert_allclose(support.evaluate(samples), expected, rtol=1e-8)
     assert expected[0] > 0 < expected[2]
-
-
-def test_in_flight_it_is_all_of_the_wrench(figure, rng):
-    samples = random_samples(figure, rng, 6)
-    support = replace(standing(figure, rng), flights=((-1.0, 1.0),))
-    flight = Flight.of(figure, 1, ((-1.0, 1.0),), angular=1.0)
-    np.testing.assert_allclose(support.evaluate(samples), flight.evaluate(samples), rtol=1e-12)
-
-
-def resting(x: float, push: float, lift: float = 0.0) -> float:
-    """What is left of a body on two feet 0.2 m before and behind it when it is `x` m off their middle, accelerated
-    by `push` forward and `lift` upward [m/s²]."""
-    figure = figure_of(TABLE)
-    feet = [Footing(Point("foot", 1, np.array([side - x, 0, -1])), 0, 1, UP) for side in (-0.2, 0.2)]
-    support = replace(Support.of(figure, 1, feet, ()), softness=1e-10)
-    y = np.array([[0, 0, 1, 1, 0, 0, 0.0]])
-    y_dd = np.array([[push, 0, lift, 0, 0, 0, 0.0]])
-    return float(support.evaluate(Samples(figure, y, 0 * y, y_dd))[0])
-
-
-@pytest.mark.parametrize(("x", "push"), [(0.0, 0.0), (0.19, 0.0), (-0.19, 0.0), (0.19, 3.5), (0.0, 1.9)])
-def test_a_body_that_can_stand_costs_nothing(x, push):
-    assert resting(x, push) < 1e-8
-
-
-@pytest.mark.parametrize(
-    ("x", "push", "lift"),
-    [(0.25, 0.0, 0.0), (0.0, 2.5, 0.0), (0.0, -2.5, 0.0), (0.0, 9.0, 0.0), (0.0, 0.0, -10.5)],
-    ids=["beside its feet", "leaning back too far", "leaning too far", "beyond friction", "pulled down"],
-)
-def test_a_body_that_cannot_stand_like_that_costs_something(x, push, lift):
-    assert resting(x, push, lift) > 1e-4
-
-
-def test_moments_of_which_nothing_is_known_cost_nothing(figure, rng):
-    samples, cotangent = at_times(random_samples(figure, rng, 3), np.array([0.85, 0.9, 2.0])), None
-    support = standing(figure, rng)
-    cotangent = Cotangent(samples)
-    assert not support.known(samples.t).any()
-    assert not support.evaluate(samples, cotangent).any()
-    assert not any(g.any() for g in cotangent.gradients())
-    assert not support.rest(samples).any()
-    nothing = Support.of(figure, 1, (), ())
-    assert not nothing.has_intervals
-    assert Support.of(figure, 1, (), ((0.1, 0.2),)).has_intervals
-    assert standing(figure, rng).has_intervals
-    assert not nothing.evaluate(samples).any()
 
 
 @pytest.mark.parametrize("wood", [False, True])
@@ -241,13 +193,6 @@ def test_a_body_that_tumbles_freely_costs_nothing_and_one_that_hovers_one():
     assert flight.evaluate(samples).max() < 1e-20
     still = Samples(samples.figure, samples.y, 0 * samples.y, 0 * samples.y)
     np.testing.assert_allclose(flight.evaluate(still), 1.0, rtol=1e-12)
-
-
-def test_a_flight_lasts_from_its_first_moment_to_its_last():
-    t = np.array([0.0, 0.25, 0.5, 0.75, 1.0, 2.0])
-    assert within(((0.25, 0.5), (1.0, 1.0)), t).tolist() == [False, True, True, False, True, False]
-    assert within(((0.0, 0.75), (0.5, 2.0)), t).all()
-    assert not within((), t).any()
 
 
 def hop(*penalties: tuple[Penalty, float]) -> tuple[float, float]:

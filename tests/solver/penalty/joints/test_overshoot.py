@@ -6,15 +6,14 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
-from figures import BALL_TREE, EVERY_JOINT, ONE_BALL, figure_of
-from random_models import at_times, random_samples
+from figures import figure_of
 from scipy.spatial.transform import Rotation
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import (
@@ -22,7 +21,6 @@ from dynsplines.solver.penalty import (
     Holds,
     JointRange,
     OvershootPenalty,
-    Range,
     RootAcceleration,
     UnitMagnitude,
 )
@@ -106,42 +104,6 @@ def test_a_root_has_a_range_around_its_two_positions_except_in_flights() -> None
     np.testing.assert_allclose(bounds_of[0.0, 0], (-0.05, 0.35), atol=1e-9)
     np.testing.assert_allclose(bounds_of[0.0, 1], (-0.45, 0.05), atol=1e-9)
     assert {joint.home is None for joint in Holds.of(figure, keys, grasped=[1]).roots} == {False}
-
-
-@pytest.fixture(params=[(BALL_TREE, "world"), (BALL_TREE, "joint"), (EVERY_JOINT, "joint"), (ONE_BALL, "world")])
-def figure(request: pytest.FixtureRequest) -> Figure:
-    text, coordinates = request.param
-    return figure_of(text, coordinates)
-
-
-def bounded(figure: Figure, rng: np.random.Generator) -> tuple[Range, ...]:
-    """Every joint near a random value for a part of the time."""
-    out = []
-    for i, link in enumerate(figure.links[1:], start=1):
-        if link.kind in (JointKind.FREE, JointKind.BALL):
-            home = tuple(Rotation.random(random_state=rng).as_quat(scalar_first=True).tolist())
-            out.append(Range(link.name, i, JointKind.BALL, 0.0, 0.3, home=home, first=0.2, last=0.7))
-        if link.kind is JointKind.FREE:
-            out += [Range(link.name, i, JointKind.SLIDE, -0.1, 0.2, axis, first=0.1, last=0.8) for axis in range(3)]
-        elif link.kind is not JointKind.BALL:
-            out.append(Range(link.name, i, link.kind, -0.2, 0.1, last=0.5))
-    return tuple(out)
-
-
-def test_how_far_joints_are_off_is_what_scipy_computes(figure: Figure, rng: np.random.Generator) -> None:
-    samples, held = at_times(random_samples(figure, rng, 9), np.linspace(0, 1, 9)), bounded(figure, rng)
-    qpos, seen = figure.to_qpos(samples.y), OvershootPenalty(held, figure=figure).beyond(samples)
-    for joint, beyond in zip(held, seen, strict=True):
-        during, at = (joint.first <= samples.t) & (samples.t <= joint.last), figure.links[joint.link].qpos
-        if joint.home is None:
-            value = qpos[:, at + joint.column]
-            expected = np.maximum(joint.low - value, value - joint.high)
-        else:
-            at += 3 * (figure.links[joint.link].kind is JointKind.FREE)
-            own = Rotation.from_quat(qpos[:, at : at + 4], scalar_first=True)
-            expected = (Rotation.from_quat(joint.home, scalar_first=True).inv() * own).magnitude() - joint.high
-        np.testing.assert_allclose(beyond[during], expected[during], atol=1e-6)
-        assert np.all(beyond[~during] == -np.inf)
 
 
 def turned_off(home: Array, qpos: Array) -> Array:

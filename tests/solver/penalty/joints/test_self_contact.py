@@ -7,10 +7,7 @@ import io
 import mujoco
 import numpy as np
 import pytest
-from figures import EVERY_JOINT, figure_of
-from gradients import penalty_slope, scaled_like, sides_of
-from hypothesis import example, given, settings
-from hypothesis import strategies as st
+from figures import figure_of
 from oracles import geom_pairs, kinematics
 from paper.penetration import self_penetration
 from processes import quiet
@@ -25,7 +22,6 @@ from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import SelfContact
-from dynsplines.solver.penalty.joints.self_contact import NEAR, Bar, nearest_on_segments
 
 SPIDER = """
 <mujoco><worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/>
@@ -67,40 +63,6 @@ def test_the_penalty_is_the_sum_of_squared_depths_by_mujoco(coordinates, rng):
     assert np.count_nonzero(np.array(expected) > 1e-4) > 5
 
 
-@pytest.mark.parametrize("coordinates", COORDINATES)
-def test_the_gradient_has_taylor_slope_two(coordinates, rng):
-    figure = spider(coordinates)
-    samples, penalty = tangled(figure, rng), SelfContact.of(figure, 0.02)
-    assert np.count_nonzero(penalty.evaluate(samples)) > 5
-    assert penalty_slope(penalty, samples, rng) > 1.9
-    np.testing.assert_allclose(penalty.evaluate(scaled_like(samples, rng)), penalty.evaluate(samples), rtol=1e-9)
-
-
-OUTER = """<mujoco><worldbody><body name="trunk"><freejoint/>
-  <geom name="trunk" type="capsule" size=".1" fromto="0 0 -.2 0 0 .2"/>
-  <geom name="other" type="capsule" size=".{size}" fromto="{ends}"/></body></worldbody></mujoco>"""
-
-
-@pytest.mark.parametrize(
-    ("ends", "size", "kept"),
-    [
-        ("0 0 -.2 0 0 .2", "09", False),
-        ("0 0 -.2 0 0 .22", "09", False),  # by a centimetre
-        ("0 0 -.2 0 0 .23", "09", True),  # by two
-        ("0 0 -.23 0 0 .2", "09", True),
-        ("0 0 .2 0 0 -.23", "09", True),
-        (".02 0 -.2 .02 0 .2", "09", False),
-        (".03 0 -.2 .03 0 .2", "09", True),
-        ("0 0 0 .3 0 0", "05", True),
-        (".3 0 0 0 0 0", "05", True),
-    ],
-)
-def test_what_sticks_out_of_a_thicker_shape_of_its_link_by_less_than_15_millimetres_is_left_out(ends, size, kept):
-    figure = figure_of(OUTER.format(ends=ends, size=size))
-    names = {figure.model.geom(bar.geom).name for bar in SelfContact.of(figure).bars}
-    assert names == ({"trunk", "other"} if kept else {"trunk"})
-
-
 GIANT = """<mujoco><worldbody>
 <body name="one"><freejoint name="one"/>
   <geom name="elbow" size=".3" pos="0 0 3"/><geom name="toe" size=".3" pos="0 0 -1"/></body>
@@ -122,44 +84,6 @@ def test_shapes_that_overlap_at_rest_are_left_out_though_they_lie_far_from_their
     np.testing.assert_allclose(penalty.evaluate(Samples(figure, y, 0 * y, 0 * y)), [0, 0.1**2, 0.1**2], atol=1e-12)
 
 
-@pytest.mark.parametrize("margin", [0.0, 0.02, 0.2])
-def test_pairs_are_selected_within_the_distance_at_which_they_may_soon_meet_and_the_margin(margin):
-    """Two spheres of a tenth of a metre, apart along x: they meet at their radii and the margin."""
-    bars = (Bar(0, 1, np.zeros(3), np.eye(3)[2], 0.0, 0.1), Bar(1, 2, np.zeros(3), np.eye(3)[2], 0.0, 0.1))
-    text = '<body><freejoint/><geom size=".1"/></body>'
-    figure = figure_of(f"<mujoco><worldbody>{2 * text}</worldbody></mujoco>")
-    penalty, gaps = SelfContact(bars, np.array([[0], [1]]), margin), np.array([NEAR + 1e-6, NEAR - 1e-6, 1e-6, -0.01])
-    states = np.tile(np.array([0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0.0]), (4, 1))
-    states[:, 7] = 0.2 + margin + gaps
-    samples = Samples(figure, states, 0 * states, 0 * states)
-    sides = sides_of(penalty, samples)
-    assert sides.at.tolist() == [1, 2, 3]
-    np.testing.assert_allclose(sides.value, -gaps[1:], atol=1e-12)
-    np.testing.assert_allclose(penalty.evaluate(samples), [0, 0, 0, 1e-4], atol=1e-12)
-
-
-numbers = st.floats(-1, 1)
-vectors = st.tuples(numbers, numbers, numbers).filter(lambda v: np.linalg.norm(v) > 0.1)
-
-
-@pytest.mark.slow
-@settings(deadline=None, max_examples=60)
-@example((0.0, 1.0, 0.0), (0.0, 1.0, 2e-5), False, (0.0, 0.0, 0.5), 1.0, 1.0)
-@example((0.0, 1.0, 0.0), (0.0, 1.0, 2e-7), False, (0.3, 0.2, 0.5), 1.0, 1.0)
-@given(vectors, vectors, st.booleans(), vectors, st.floats(0, 1), st.floats(0, 1))
-def test_no_points_of_two_segments_are_nearer_than_the_nearest(u, v, parallel, d, h, g):
-    u = np.array(u) / np.linalg.norm(u)
-    v = u if parallel else np.array(v) / np.linalg.norm(v)
-    middle = np.array(d)
-    s, t = nearest_on_segments(middle[:, None], u[:, None], v[:, None], np.array([h]), np.array([g]))
-    assert abs(s[0]) <= h
-    assert abs(t[0]) <= g
-    found = np.linalg.norm(middle + s[0] * u - t[0] * v)
-    grid = np.linspace(-1, 1, 41)
-    every = middle[:, None, None] + u[:, None, None] * (h * grid[:, None]) - v[:, None, None] * (g * grid)
-    assert found <= np.linalg.norm(every, axis=0).min() + 1e-7
-
-
 def test_a_figure_at_rest_costs_nothing_and_nothing_to_meet_has_no_sides(figure, rng):
     rest = figure.to_state(figure.model.qpos0)[None]
     penalty = SelfContact.of(figure)
@@ -169,18 +93,6 @@ def test_a_figure_at_rest_costs_nothing_and_nothing_to_meet_has_no_sides(figure,
     assert none.one_sided_residuals(samples) is None
     assert not none.evaluate(samples, Cotangent(samples)).any()
     assert geom_pairs(none).shape == (2, 0)
-
-
-def test_joined_links_are_left_out_even_across_links_without_shapes():
-    figure = figure_of(EVERY_JOINT, "joint")
-    penalty = SelfContact.of(figure)
-    met = {
-        (figure.links[penalty.bars[a].link].name, figure.links[penalty.bars[b].link].name) for a, b in penalty.pairs.T
-    }
-    assert ("root", "pitch") not in met
-    assert ("pitch", "reach") not in met
-    assert ("root", "reach") in met
-    assert ("root", "turn") in met
 
 
 ARMS = """

@@ -1,4 +1,4 @@
-"""Spheres, capsules, cylinders, ellipsoids, meshes and height fields against MuJoCo's distances and rays."""
+"""Spheres, capsules, cylinders, ellipsoids, boxes, meshes and height fields against MuJoCo's distances and rays."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ import pytest
 from gradients import taylor_slope
 from oracles import kinematics, tells_height_fields
 from scipy.optimize import nnls
+from scipy.spatial.transform import Rotation
 
-from dynsplines import Keyframe, build, inbetween
-from dynsplines.solver.array import Array
-from dynsplines.solver.surface import HeightField, Surface, static_surfaces
+from dynsplines import Keyframe, build, solving
+from dynsplines.solver.array import Array, Index
+from dynsplines.solver.surface import Box, HeightField, Hull, Surface, hull, hull_of, static_surfaces
 from dynsplines.solver.surface.height_field import from_triangle
 from dynsplines.solver.surface.solid import Solid
 
@@ -33,12 +34,14 @@ SCENE = f"""
   <geom name="egg" type="ellipsoid" size=".5 .3 .2" pos="2 0 1" euler="20 30 40"/>
   <geom name="rock" type="mesh" mesh="rock" pos="-2 0 1" euler="20 30 40"/>
   <geom name="wedge" type="mesh" mesh="wedge" pos="-2 0 1" euler="0 0 30"/>
+  <geom name="crate" type="box" size=".5 .3 .2" pos="2 3 1" euler="20 30 40"/>
   <geom name="ground" type="hfield" hfield="ground" pos="-4 0 .3" euler="0 0 20"/>
   <body name="ball" pos="0 0 9"><freejoint/><geom name="ball" type="sphere" size=".15"/></body>
 </worldbody></mujoco>"""
 MODEL = mujoco.MjModel.from_xml_string(SCENE)
 SURFACES: dict[str, Surface] = {surface.name: surface for surface in static_surfaces(MODEL)}
 CONVEX = [name for name in SURFACES if name != "ground"]
+SOLIDS = [name for name in SURFACES if name != "crate"]
 GROUND = SURFACES["ground"]
 
 
@@ -71,17 +74,21 @@ def test_distances_inside_and_outside_are_mujocos_and_the_cheap_bound_is_no_long
     expected = np.array([distance_by_mujoco(name, p) for p in points[:, :, 0].T])
     assert expected.min() < -0.01
     assert expected.max() > 0.01
-    found, inside = signed(SURFACES[name], points), SURFACES[name].inside(points)[:, 0]
+    surface = SURFACES[name]
+    inside = surface.inside(points)[:, 0]
+    if name == "crate":  # whose depth counts sides four times
+        np.testing.assert_allclose(inside, np.maximum(-expected, 0), atol=2e-6)
+        return
+    found = signed(surface, points)
     shallow = expected > -0.1  # what MuJoCo says of the depth of an ellipsoid is good to millimetres
     np.testing.assert_allclose(found[shallow], expected[shallow], atol=2e-6)
     np.testing.assert_allclose(found, expected, atol=3e-3 if name == "egg" else 2e-6)
     np.testing.assert_allclose(inside, np.maximum(-found, 0), atol=1e-12)
-    surface = SURFACES[name]
     assert isinstance(surface, Solid)
     assert np.all(surface.least(points[:, :, 0]) <= found + 1e-12)
 
 
-@pytest.mark.parametrize("name", SURFACES)
+@pytest.mark.parametrize("name", SOLIDS)
 def test_the_gradient_of_depth_has_taylor_slope_two_and_length_one(name, rng):
     points = about(name, rng, 24)
     radius, surface = rng.uniform(0.2, 0.6, 24), SURFACES[name]
@@ -98,7 +105,7 @@ def test_the_gradient_of_depth_has_taylor_slope_two_and_length_one(name, rng):
         assert slope > 1.9
 
 
-@pytest.mark.parametrize("name", [name for name in SURFACES if name not in ("rock", "wedge")])
+@pytest.mark.parametrize("name", SOLIDS)
 def test_a_height_is_that_over_the_top_which_a_ray_finds(name, rng):
     points = about(name, rng, 200)
     found = SURFACES[name].height(points)[:, 0]
@@ -116,7 +123,7 @@ def test_a_height_is_that_over_the_top_which_a_ray_finds(name, rng):
     assert hits > 20
 
 
-@pytest.mark.parametrize("name", SURFACES)
+@pytest.mark.parametrize("name", SOLIDS)
 def test_the_way_up_is_the_gradient_of_the_height(name, rng):
     surface, h = SURFACES[name], 1e-6
     points = about(name, rng, 400)[:, :, 0]
@@ -145,6 +152,8 @@ def _ray(data: mujoco.MjData, geom: int, start: Array, side: float) -> float:
     kind = MODEL.geom_type[geom]
     if kind == mujoco.mjtGeom.mjGEOM_HFIELD:
         return mujoco.mj_rayHfield(MODEL, data, geom, start, direction)
+    if kind == mujoco.mjtGeom.mjGEOM_MESH:
+        return mujoco.mj_rayMesh(MODEL, data, geom, start, direction)
     return mujoco.mju_rayGeom(data.geom_xpos[geom], data.geom_xmat[geom], MODEL.geom_size[geom], start, direction, kind)
 
 
@@ -175,18 +184,6 @@ def test_under_a_height_field_the_nearest_triangle_or_wall_is_the_way_out(rng):
     assert not GROUND.inside(points)[~below].any()
 
 
-def test_a_point_of_radius_zero_is_deep_wherever_a_ray_hits_the_height_field_above_it(rng):
-    points, data, geom = about("ground", rng, 300), kinematics(MODEL), MODEL.geom("ground").id
-    drop = np.array([9.0 - _ray(data, geom, np.array([*p[:2], 9.0]), -1.0) for p in points[:, :, 0].T])
-    under = (drop < 9.0) & (points[2, :, 0] < drop)
-    depth, gradient = GROUND.depth(points, np.zeros(300))
-    np.testing.assert_array_equal(depth[:, 0] > 0, under)
-    np.testing.assert_array_equal(GROUND.near(points, np.zeros((300, 1)))[:, 0], under)
-    np.testing.assert_allclose(depth, GROUND.inside(points), atol=1e-12)
-    np.testing.assert_allclose(np.linalg.norm(gradient, axis=0), depth > 0, atol=1e-9)
-    assert 40 < np.count_nonzero(under) < 260
-
-
 HILL = """<mujoco><asset><hfield name="hill" nrow="9" ncol="9" size="2 2 .3 .1" elevation="{elevation}"/>
   <mesh name="cube" vertex="{corners}"/></asset><worldbody><geom name="hill" type="hfield" hfield="hill"/>
   <body name="cube" pos="0 0 1"><freejoint name="root"/><geom name="cube" {shape}/></body></worldbody></mujoco>"""
@@ -199,10 +196,10 @@ def test_a_cube_in_a_hill_is_a_violation_as_deep_as_the_hill_is_high_over_its_bo
     corners = 0.1 * np.array(np.meshgrid([-1, 1], [-1, 1], [-1, 1])).reshape(3, -1).T
     elevation, text = (" ".join(map(str, np.round(values, 4).ravel())) for values in (heights, corners))
     keyframes = [Keyframe(t, roots={"root": {"position": [x, 0, 0.2]}}) for t, x in ((0, -1.4), (0.5, 0), (1, 1.4))]
-    motion = inbetween(build(HILL.format(elevation=elevation, corners=text, shape=shape), keyframes))
-    model, data = motion.model, kinematics(motion.model)
+    clip = build(HILL.format(elevation=elevation, corners=text, shape=shape), keyframes)
+    model, data = clip.figure.model, kinematics(clip.figure.model)
     top = 1 - mujoco.mj_rayHfield(model, data, model.geom("hill").id, np.array([0, 0, 1.0]), np.array([0, 0, -1.0]))
-    violations = [violation for violation in motion.violations if violation.kind == "penetration"]
+    violations = [each for each in solving.unsolved(clip).violations if each.kind == "penetration"]
     assert [violation.name for violation in violations] == ["cube"]
     assert violations[0].amount == pytest.approx(top - 0.1, rel=0.05)
 
@@ -231,24 +228,6 @@ def test_a_sphere_whose_centre_is_on_level_ground_is_pushed_up_by_its_radius():
     np.testing.assert_allclose(gradient[:, 0, 0], [0, 0, -1])
 
 
-def test_the_depth_of_a_sphere_is_continuous_wherever_it_goes_through_a_height_field(rng):
-    for _ in range(6):
-        ends = about("ground", rng, 2)[:, :, 0]
-        share = np.linspace(0, 1, 4001)
-        path = ends[:, :1] + (ends[:, 1:] - ends[:, :1]) * share
-        depth, _ = GROUND.depth(path[:, :, None], np.full(share.size, 0.1))
-        assert np.abs(np.diff(depth[:, 0])).max() < 1.01 * np.linalg.norm(ends[:, 1] - ends[:, 0]) / 4000 + 1e-9
-
-
-def test_the_floor_under_a_table_is_not_below_the_table():
-    text = """<mujoco><worldbody><geom name="floor" type="plane" size="1 1 1"/>
-      <geom name="top" type="box" size="1 1 .02" pos="0 0 .8"/><geom name="bar" type="capsule" size=".02 1" pos="0 0 1"
-      euler="90 0 0"/></worldbody></mujoco>"""
-    point = np.array([[0.0], [0], [0.01]])
-    heights = {s.name: s.height(point)[0] for s in static_surfaces(mujoco.MjModel.from_xml_string(text))}
-    assert heights == {"floor": pytest.approx(0.01), "top": np.inf, "bar": np.inf}
-
-
 def test_the_way_from_a_triangle_is_that_from_the_nearest_mixture_of_its_corners(rng):
     corners, points = rng.normal(size=(3, 3, 200)), 2 * rng.normal(size=(3, 200))
     points[:, ::7] = corners[0][:, ::7]  # at a corner itself there is no way
@@ -260,3 +239,87 @@ def test_the_way_from_a_triangle_is_that_from_the_nearest_mixture_of_its_corners
         np.testing.assert_allclose(found[:, k], points[:, k] - sides @ shares / shares.sum(), atol=1e-5)
     kinds = [np.count_nonzero(np.abs(found[:, k] @ (corners[1] - corners[0])[:, k]) < 1e-9) for k in range(200)]
     assert 10 < sum(kinds) < 190  # some are over the inside, some beyond an edge
+
+
+CUBE_CORNERS = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)]).T
+
+
+def of_points(vertices: Array, buried: bool = False) -> Hull:
+    """The hull of points (n, 3)."""
+    found = hull_of(vertices)
+    assert found is not None
+    return Hull("rock", *found, buried)
+
+
+CUBE, SUNK = of_points(CUBE_CORNERS.T), of_points(CUBE_CORNERS.T, buried=True)
+
+
+def one(hull: Hull, *place: float) -> tuple[float, Array]:
+    distance, outward = hull.distance(np.reshape(place, (3, 1)).astype(float))
+    return float(distance[0]), outward[:, 0]
+
+
+def test_what_is_buried_has_no_way_out_below_but_has_them_at_the_sides():
+    for depth in (0.05, -0.5, -30.0):
+        distance, direction = one(SUNK, 0.5, 0.8, depth)
+        assert distance == pytest.approx(-0.2, abs=1e-7)
+        np.testing.assert_allclose(direction, [0, 1, 0], atol=1e-9)
+        assert SUNK.least(np.array([[0.5], [0.8], [depth]]))[0] == pytest.approx(-0.2, abs=1e-7)
+    assert one(SUNK, 0.5, 0.5, 0.9)[0] == pytest.approx(-0.1, abs=1e-7)
+    bottom, top = SUNK.span(np.array([[0.5], [0.5], [0.2]]))
+    assert (bottom[0], top[0]) == (-np.inf, pytest.approx(1))
+
+
+@pytest.mark.parametrize("lift", [0.0, 0.008, 0.012, 0.3])
+def test_only_a_face_that_lies_on_the_floor_is_buried_not_one_that_rises_from_it(lift):
+    corners = CUBE_CORNERS.copy()
+    corners[2, 0] += lift  # the bottom is two triangles from here on, one of which leaves the floor
+    found = of_points(corners.T, buried=True)
+    below, _ = one(found, 0.02, 0.02, 0.0)
+    assert (below > 0) == (lift > 0.01)
+
+
+def test_triangles_without_an_area_are_no_faces():
+    flat: Index = np.vstack([CUBE.faces, [[0, 0, 1], [2, 2, 2]]])
+    found = Hull("cube", CUBE.corners, flat)
+    assert one(found, 0.5, 0.5, 3)[0] == pytest.approx(2)
+    assert one(found, 2, 3, -2)[0] == pytest.approx(3)
+
+
+def test_a_crowd_of_points_is_measured_in_parts_and_all_the_same(monkeypatch, rng):
+    points = rng.normal(size=(3, 50)) * 3
+    distance, outward = CUBE.distance(points)
+    for most in (1, 100, 10**6):
+        monkeypatch.setattr(hull, "AT_ONCE", most)
+        again, direction = CUBE.distance(points)
+        np.testing.assert_array_equal(again, distance)
+        np.testing.assert_array_equal(direction, outward)
+
+
+def test_points_in_a_plane_have_no_hull_and_a_hull_of_few_corners_has_no_more():
+    assert hull_of(CUBE_CORNERS.T * [1, 1, 0]) is None
+    turn = np.linspace(0, 2 * np.pi, 40, endpoint=False)
+    drum = np.array([[np.cos(a), np.sin(a), z] for a in turn for z in (0, 1)])
+    whole, few = hull_of(drum), hull_of(drum, 12)
+    assert whole is not None and few is not None
+    assert whole[0].shape == (3, 80)
+    assert few[0].shape[1] <= 12
+
+
+HALF = np.array([0.3, 0.5, 0.2])
+
+
+@pytest.mark.parametrize("turn", [[0, 0, 0], [0.4, -0.3, 0.8], [np.pi / 2, 0, 0], [2.0, 1.0, -0.5]])
+def test_the_height_over_a_box_is_that_over_its_uppermost_face_along_its_normal(turn, rng):
+    for buried in (False, True):
+        box = Box("box", np.array([0.2, -0.1, 0.4]), Rotation.from_rotvec(turn).as_matrix(), HALF, buried)
+        top = int(np.argmax(np.abs(box.axes[2])))
+        sign = np.sign(box.axes[2, top])
+        share = rng.uniform(-1.2, 1.2, size=(3, 100))
+        share[top] = sign * rng.uniform(-2.9, 3.0, size=100)
+        points = box.centre[:, None] + box.axes @ (share * HALF[:, None])
+        over = np.abs(np.delete(share, top, axis=0)).max(axis=0) <= 1
+        over &= buried | (sign * share[top] > -1)
+        expected = np.where(over, HALF[top] * (sign * share[top] - 1), np.inf)
+        np.testing.assert_allclose(box.height(points), expected, atol=1e-12)
+        np.testing.assert_allclose(box.up(points), np.tile(sign * box.axes[:, [top]], 100))
