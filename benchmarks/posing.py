@@ -11,7 +11,6 @@ checked: soles, ankles and wrists, balance.
 from __future__ import annotations
 
 import importlib.util
-import sys
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -19,6 +18,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 from bench import Effort, Section, Target, median, seconds
+from drags import KINDS, Pulls, with_floor
 
 from dynsplines import models
 from dynsplines.clip.kinds import posing_limits
@@ -29,8 +29,6 @@ from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_column
 from dynsplines.solver.penalty import BendLimits
 from dynsplines.solver.posing import BodyGoal, Goal, PointGoal, limb, posed
 from dynsplines.solver.surface.points import Point, site_points
-
-sys.path.append(str(Path(__file__).resolve().parents[1] / "tests" / "support"))
 
 POSES, DRAGS = 200, 300
 MOST_SECONDS, FOUND = 0.1, 0.99
@@ -160,8 +158,6 @@ def measure(effort: Effort) -> Section:
 
 def add_drags(section: Section, effort: Effort, name: str, spec: mujoco.MjSpec) -> None:
     """Add the share of drags without violations, and the time of a move of the mouse."""
-    from problems import KINDS, Pulls, with_floor
-
     pulls, rng, count = Pulls(with_floor(spec), SOLES[name]), np.random.default_rng(5), effort.count(DRAGS, 20)
     results = []
     for number in range(count):

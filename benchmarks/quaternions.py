@@ -139,7 +139,7 @@ def measure(effort: Effort) -> Section:
         f"sets: {', '.join(f'{len(of_kind)} {kind}' for kind, of_kind in rows.items())}, seeds from {FIRST_SEED}; "
         "moderate: steps of 20-90°, random: uniformly random rotations; intrinsic form, free end slopes, "
         "weight of the unit term 0.05 × the covariant one",
-        "exact: multiple shooting (tests/support/oracles.py), which shares no code with the solver; energy by "
+        "exact: multiple shooting (benchmarks/exact_path.py), which shares no code with the solver; energy by "
         "8 Gauss points on panels of 50 ms",
         f"another winding class than the exact one (energy off by more than 5 %), left out above: {_listed(others)}",
         f"the exact solver did not converge, replaced by 15 frames a segment: {_listed(unclosed)}",

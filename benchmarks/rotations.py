@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import importlib
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache
 from itertools import pairwise
-from pathlib import Path as File
 from typing import Any
 
+import exact_path
 import numpy as np
 from numpy.typing import NDArray
 from paper.orientations import INTRINSIC, moderate, spinner
@@ -99,20 +96,11 @@ def sampled_energy(times: Array, orientation: Callable[[Array], Array], steps: i
     return total
 
 
-@cache
-def oracle() -> Any:
-    """The tests' exact minimiser by multiple shooting, which shares no code with the solver."""
-    folder = str(File(__file__).resolve().parents[1] / "tests" / "support")
-    if folder not in sys.path:
-        sys.path.append(folder)
-    return importlib.import_module("exact_path")
-
-
 def exact_energy(track: Track) -> float | None:
     """The exact minimiser's energy, or None where its Newton iteration does not close from the natural cubic."""
     keys = quat.aligned(track.orientations)
     with np.errstate(all="ignore"):
-        return _closed_energy(track.times, keys, oracle()._start(track.times, keys))
+        return _closed_energy(track.times, keys, exact_path._start(track.times, keys))
 
 
 def exact_energy_from(track: Track, path: Path) -> float | None:
@@ -123,29 +111,28 @@ def exact_energy_from(track: Track, path: Path) -> float | None:
 
 
 def _closed_energy(times: Array, keys: Array, states: Array) -> float | None:
-    """The oracle's Newton iteration with its line search; None where it does not close.
+    """The exact path's Newton iteration with its line search; None where it does not close.
 
     It is given up after 25 steps, or when two in succession leave more than half of the gap: those that close take
     about five, most of them whole.
     """
-    module = oracle()
-    gap = module._gaps(times, keys, states)
+    gap = exact_path._gaps(times, keys, states)
     wasted = 0
     for _ in range(NEWTON_STEPS):
         if np.linalg.norm(gap) < CLOSED or wasted == MOST_WASTED:
             break
         try:
-            step = np.linalg.solve(module._jacobian(times, keys, states), -gap).reshape(states.shape)
+            step = np.linalg.solve(exact_path._jacobian(times, keys, states), -gap).reshape(states.shape)
         except np.linalg.LinAlgError:
             return None
-        closer = module._shortened(times, keys, states, step)
+        closer = exact_path._shortened(times, keys, states, step)
         if closer is None:
             return None
         wasted = wasted + 1 if np.linalg.norm(closer[1]) > LEAST_GAIN * np.linalg.norm(gap) else 0
         states, gap = closer
     if np.linalg.norm(gap) >= CLOSED:
         return None
-    value = module.ExactPath(times, keys, states).energy
+    value = exact_path.ExactPath(times, keys, states).energy
     return float(value) if np.isfinite(value) else None
 
 

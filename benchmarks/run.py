@@ -29,8 +29,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 SECTIONS = (
     "evaluation", "runner39", "quaternions", "shooting", "uneven", "barr", "subdivision", "length", "clip", "perturbed",
-    "posing", "recordings", "framewise", "optimisers", "earning", "inbetweening", "rendering", "batch",
-    "studio", "soak",
+    "posing", "inbetweening", "rendering", "batch", "studio", "soak",
 )  # fmt: skip
 PACKAGES = ("numpy", "scipy", "mujoco", "nlopt", "imageio", "av", "interpolatepy", "casadi", "distributed")
 

@@ -9,15 +9,18 @@ import io
 import re
 import struct
 import zipfile
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
 Rng = np.random.Generator
 
-TOKEN = re.compile(r"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?|[A-Za-z_]\w*|\s+|.", re.DOTALL)
 NUMBER = re.compile(r"[-+]?\d+\.?\d*(?:[eE][-+]?\d+)?")
+WORD = re.compile(r"[A-Za-z_]\w*")
+LINES = re.compile(r"(?:[^\n]*\n){1,4}")
+TOKEN = re.compile(rf"{NUMBER.pattern}|{WORD.pattern}|\s+|.", re.DOTALL)
+PIECES = (NUMBER, NUMBER, NUMBER, WORD, LINES, TOKEN)
 NASTY_NUMBERS = (
     "nan", "inf", "-inf", "0", "-0", "-1", "1e308", "-1e308", "1e-320", "1e9", "1e400", "99999999999999999999",
     "2147483648", "0.1", "1e-9", "3", "0x10", "1_000", "", "1e", "--1", "9" * 400, "1,5", "true", '"1"', "[]", "{}",
@@ -39,100 +42,44 @@ def changes(rng: Rng) -> int:
 
 
 def mangled_bytes(data: bytes, rng: Rng) -> bytes:
+    """Bytes flipped, left out, doubled, exchanged for others or for a size, or cut off."""
     for _ in range(changes(rng)):
-        start = int(rng.integers(len(data) + 1))
+        start, other = (int(rng.integers(len(data) + 1)) for _ in range(2))
         stop = min(start + int(rng.integers(1, MOST_BYTES)), len(data))
-        other = int(rng.integers(len(data) + 1))
-        match int(rng.integers(8)):
-            case 0 if data:
-                at = min(start, len(data) - 1)
-                data = data[:at] + bytes([data[at] ^ (1 << int(rng.integers(8)))]) + data[at + 1 :]
-            case 1 if data:
-                at = min(start, len(data) - 1)
-                data = data[:at] + rng.bytes(1) + data[at + 1 :]
-            case 2:
-                data = data[:start] + data[stop:]
-            case 3:
-                data = data[:other] + data[start:stop] + data[other:]
-            case 4:
-                data = data[:start] + rng.bytes(stop - start) + data[stop:]
-            case 5:
-                data = data[:start] + bytes(stop - start) + data[stop:]
-            case 6:
-                data = data[:start]
-            case _:
-                size = struct.pack("<I", int(rng.choice([0, 1, 255, 2**16, 2**31 - 1, 2**32 - 1])))
-                data = data[:start] + size + data[start + 4 :]
+        piece, size = data[start:stop], struct.pack("<I", int(rng.choice([0, 1, 255, 2**16, 2**31 - 1, 2**32 - 1])))
+        flipped = bytes(each ^ (1 << int(rng.integers(8))) for each in data[start : start + 1])
+        data = (
+            data[:start] + flipped + data[start + 1 :],
+            data[:start] + data[stop:],
+            data[:other] + piece + data[other:],
+            data[:start] + rng.bytes(len(piece)) + data[stop:],
+            data[:start] + bytes(len(piece)) + data[stop:],
+            data[:start] + size + data[start + 4 :],
+            data[:start],
+        )[int(rng.integers(7))]
     return data
 
 
 def mangled_text(text: str, rng: Rng) -> bytes:
     """Text of numbers and words, UTF-8; now and then bytes that are none."""
     for _ in range(changes(rng)):
-        text = TEXT_CHANGES[int(rng.integers(len(TEXT_CHANGES)))](text, rng)
+        text = _other_text(text, rng)
     data = text.encode("utf-8", "surrogatepass")
     return mangled_bytes(data, rng) if rng.random() < 0.1 else data
 
 
-def _with_number(text: str, rng: Rng) -> str:
-    found = list(NUMBER.finditer(text))
-    if not found:
+def _other_text(text: str, rng: Rng) -> str:
+    """A number, a word, lines or anything at all left out, doubled, or exchanged for another or an odd one."""
+    pattern = PIECES[int(rng.integers(len(PIECES)))]
+    pieces = list(pattern.finditer(text))
+    if not pieces:
         return text
-    one = found[int(rng.integers(len(found)))]
-    return text[: one.start()] + str(rng.choice(NASTY_NUMBERS)) + text[one.end() :]
-
-
-def _moved_number(text: str, rng: Rng) -> str:
-    found = list(NUMBER.finditer(text))
-    if not found:
-        return text
-    one = found[int(rng.integers(len(found)))]
-    value = float(one[0]) * float(rng.choice([0.5, 0.9, 1.1, 2, -1])) + float(rng.choice([0, 0.01, -0.1, 1]))
-    return text[: one.start()] + f"{value:.6g}" + text[one.end() :]
-
-
-def _other_word(text: str, rng: Rng) -> str:
-    found = [one for one in TOKEN.finditer(text) if one[0][0].isalpha() or one[0][0] == "_"]
-    if not found:
-        return text
-    one = found[int(rng.integers(len(found)))]
-    other = found[int(rng.integers(len(found)))][0] if rng.random() < 0.6 else str(rng.choice(NASTY_WORDS))
-    return text[: one.start()] + other + text[one.end() :]
-
-
-def _lines(text: str, rng: Rng) -> str:
-    """Lines left out, doubled, exchanged."""
-    lines = text.splitlines(keepends=True) or [""]
-    a, b = sorted(int(rng.integers(len(lines))) for _ in range(2))
-    match int(rng.integers(4)):
-        case 0:
-            del lines[a]
-        case 1:
-            lines.insert(b, lines[a])
-        case 2:
-            lines[a], lines[b] = lines[b], lines[a]
-        case _:
-            lines[a : b + 1] = []
-    return "".join(lines)
-
-
-def _token(text: str, rng: Rng) -> str:
-    """Anything at all left out, doubled or exchanged for another piece of the text."""
-    found = list(TOKEN.finditer(text))
-    if not found:
-        return text
-    one, other = (found[int(rng.integers(len(found)))] for _ in range(2))
-    return text[: one.start()] + str(rng.choice(["", one[0] * 2, other[0]])) + text[one.end() :]
-
-
-def _letters(text: str, rng: Rng) -> str:
-    at = int(rng.integers(len(text) + 1))
-    return text[:at] + str(rng.choice(NASTY_WORDS)) + text[at + int(rng.integers(3)) :]
-
-
-TEXT_CHANGES: tuple[Callable[[str, Rng], str], ...] = (
-    _with_number, _with_number, _moved_number, _moved_number, _other_word, _lines, _token, _letters,
-)  # fmt: skip
+    one, other = (pieces[int(rng.integers(len(pieces)))] for _ in range(2))
+    new = ["", one[0] * 2, other[0], str(rng.choice(NASTY_WORDS))]
+    if pattern is NUMBER:
+        near = float(one[0]) * float(rng.choice([0.5, 0.9, 1.1, 2, -1])) + float(rng.choice([0, 0.01, -0.1, 1]))
+        new = [str(rng.choice(NASTY_NUMBERS)), f"{near:.6g}"]
+    return text[: one.start()] + new[int(rng.integers(len(new)))] + text[one.end() :]
 
 
 def mangled_arrays(arrays: Mapping[str, Any], rng: Rng) -> bytes:
@@ -155,36 +102,33 @@ def mangled_arrays(arrays: Mapping[str, Any], rng: Rng) -> bytes:
 
 
 def _other_array(array: Any, rng: Rng) -> Any:
-    kind = array.dtype.kind
-    if kind in "US" and array.size and rng.random() < 0.7:
-        texts = array.astype(str).ravel().tolist()
-        at = int(rng.integers(len(texts)))
-        texts[at] = mangled_text(texts[at], rng).decode("utf-8", "replace")
-        return np.array(texts).reshape(array.shape)
-    match int(rng.integers(10)):
-        case 0 | 1 | 2 if kind == "f" and array.size:
-            array = np.array(array)
-            array.flat[int(rng.integers(array.size))] = float(rng.choice(NASTY_VALUES))
-        case 3 if array.ndim and len(array):
-            array = array[: int(rng.integers(len(array)))]
-        case 4 if array.ndim and len(array):
-            array = np.concatenate([array, array[-1:]])
-        case 5:
-            array = array.T if array.ndim > 1 else array[None]
-        case 6 if kind in "fiub":
-            array = _as_kind(array, str(rng.choice(["f4", "i8", "u1", "c16", "U", "S", "?", "f2", ">f8", "M8[s]"])))
-        case 7:
-            array = np.asarray(rng.choice([0, 1, -1, 10**12]) if rng.random() < 0.5 else rng.choice(NASTY_VALUES))
-        case 8 if kind in "fiub" and array.size:
-            array = array * rng.choice([0.0, -1.0, 1e3, 1e-9, 1.001])
-        case _:
-            array = np.zeros(rng.integers(0, 4, size=int(rng.integers(4))))
-    return array
+    """An array with another value, size, shape or kind; zeros of any shape where that cannot be."""
+    kinds = ("f4", "i8", "u1", "c16", "U", "S", "?", "f2", ">f8", "M8[s]")
+    make = (
+        lambda: _with_other_value(array, rng),
+        lambda: _with_other_value(array, rng),
+        lambda: _with_other_value(array, rng),
+        lambda: array[: int(rng.integers(len(array)))],
+        lambda: np.concatenate([array, array[-1:]]),
+        lambda: array.T if array.ndim > 1 else array[None],
+        lambda: array.real.astype(str(rng.choice(kinds))),
+        lambda: np.asarray(rng.choice([*NASTY_VALUES, 10**12])),
+        lambda: array * rng.choice([0.0, -1.0, 1e3, 1e-9, 1.001]),
+    )[int(rng.integers(9))]
+    try:
+        with np.errstate(all="ignore"):
+            return make()
+    except (TypeError, ValueError, IndexError, OverflowError):
+        return np.zeros(rng.integers(0, 4, size=int(rng.integers(4))))
 
 
-def _as_kind(array: Any, kind: str) -> Any:
-    with np.errstate(all="ignore"):
-        return array.astype("i8").astype(kind) if kind == "M8[s]" else array.astype(kind)
+def _with_other_value(array: Any, rng: Rng) -> Any:
+    """A text in it changed as text, a number exchanged."""
+    values = array.astype(str).ravel().tolist() if array.dtype.kind in "US" else array.ravel().copy()
+    at = int(rng.integers(len(values)))
+    is_text = isinstance(values, list)
+    values[at] = mangled_text(values[at], rng).decode("utf-8", "replace") if is_text else rng.choice(NASTY_VALUES)
+    return np.array(values).reshape(array.shape)
 
 
 def _npz(entries: Mapping[str, Any], rng: Rng) -> bytes:
@@ -225,23 +169,9 @@ def _other_branch(value: Any, rng: Rng, depth: int) -> Any:
 
 
 def _instead(value: Any, rng: Rng) -> Any:
-    match int(rng.integers(8)):
-        case 0 if isinstance(value, int | float) and abs(value) < 1e300:
-            return float(value) * 1.1 + 0.01
-        case 1:
-            return float(rng.choice(NASTY_VALUES))
-        case 2:
-            return str(rng.choice(NASTY_WORDS))
-        case 3:
-            return None
-        case 4:
-            return [value, value]
-        case 5:
-            return {"a": value}
-        case 6:
-            return 10 ** int(rng.integers(1, 400))
-        case _:
-            deep: Any = value
-            for _ in range(int(rng.choice([1, 3, DEEPEST]))):
-                deep = [deep]
-            return deep
+    near = 1.1 * value + 0.01 if isinstance(value, int | float) and abs(value) < 1e300 else 0
+    deep: Any = value
+    for _ in range(int(rng.choice([1, 3, DEEPEST]))):
+        deep = [deep]
+    odd = (float(rng.choice(NASTY_VALUES)), str(rng.choice(NASTY_WORDS)), 10 ** int(rng.integers(1, 400)))
+    return (near, *odd, None, [value, value], {"a": value}, deep)[int(rng.integers(8))]

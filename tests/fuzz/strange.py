@@ -8,6 +8,7 @@ from __future__ import annotations
 import io
 import pickle
 import re
+import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache, partial
@@ -87,15 +88,24 @@ def _robot_keys() -> tuple[Any, Any]:
     return np.array([0.0, 0.3, 0.6]), qpos
 
 
+def _bytes_of(write: Callable[[Path], object], ending: str) -> bytes:
+    """The content of a file that is written."""
+    with tempfile.TemporaryDirectory() as folder:
+        target = Path(folder) / f"a{ending}"
+        write(target)
+        return target.read_bytes()
+
+
 @cache
 def _exported(kind: str, figure: str) -> bytes:
     """A good file of a format."""
-    import tempfile
+    write = partial(formats.export, _saved(figure), kind, fps=RATES.get(figure, 10.0))
+    return _bytes_of(lambda target: write(target=target), formats.writer(kind).ending)
 
-    with tempfile.TemporaryDirectory() as folder:
-        target = Path(folder) / f"a{formats.writer(kind).ending}"
-        formats.export(_saved(figure), kind, target, fps=RATES.get(figure, 10.0))
-        return target.read_bytes()
+
+@cache
+def _motion_file() -> bytes:
+    return _bytes_of(partial(motion.save, _saved("tiny")), ".npz")
 
 
 @cache
@@ -120,15 +130,6 @@ def _of_pickle(source: Callable[[], bytes], rng: Rng) -> bytes:
         return pickle.dumps(found, protocol=int(rng.integers(6)))
     except (RecursionError, OverflowError):
         return b"(" * 100_000
-
-
-@cache
-def _motion_file() -> bytes:
-    import tempfile
-
-    with tempfile.TemporaryDirectory() as folder:
-        motion.save(_saved("tiny"), Path(folder) / "a.npz")
-        return (Path(folder) / "a.npz").read_bytes()
 
 
 def _amass() -> bytes:

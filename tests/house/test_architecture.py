@@ -77,12 +77,6 @@ def written_imports(path: Path) -> frozenset[str]:
 
 
 @cache
-def imports_of_test(path: Path) -> set[str]:
-    """The modules that a test imports, in whatever function; read line by line, for tests are many."""
-    return set(re.findall(r"^ *(?:from|import) +([\w.]+)", (ROOT / path).read_text(encoding="utf-8"), re.MULTILINE))
-
-
-@cache
 def packages(path: Path) -> set[str]:
     return {name.split(".")[0] for name in imports(path)}
 
@@ -99,7 +93,8 @@ def test_everything_is_imported_by_its_name_in_the_package():
         written = {name.split(".")[0] for name in written_imports(path)}
         assert not written & set(HOUSE) - {path.parts[0]}, path
     for path in TESTS:
-        assert not {name.split(".")[0] for name in imports_of_test(path)} & set(HOUSE), path
+        modules = re.findall(r"^ *(?:from|import) +(\w+)", (ROOT / path).read_text(encoding="utf-8"), re.MULTILINE)
+        assert not {*modules} & set(HOUSE) and not [name for name in modules if name.startswith("test_")], path
 
 
 def test_imports_run_from_the_runner_to_solver_and_models_and_never_back():
@@ -189,11 +184,6 @@ def test_imports_inside_the_solver_make_no_circle():
 def test_no_folder_of_the_product_has_more_files_than_one_sees_at_a_glance():
     counts = Counter(path.parent for path in FILES if path.name != "__init__.py")
     assert {folder: count for folder, count in counts.items() if count > 15} == {}
-
-
-def test_what_tests_share_is_in_their_support_and_not_in_another_test():
-    for path in TESTS:
-        assert not {name for name in imports_of_test(path) if name.startswith("test_")}, path
 
 
 @pytest.mark.parametrize("top", ["solver", "runner"])

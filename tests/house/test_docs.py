@@ -124,14 +124,11 @@ def test_every_name_of_the_package_is_on_the_python_page() -> None:
         assert re.search(rf"`[^`]*\b{name}\b", page), name
 
 
-def test_every_page_is_in_the_index() -> None:
-    index = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
-    assert {page.name for page in PAGES} - {"index.md"} == set(re.findall(r"\]\((\w+\.md)\)", index))
-
-
-def test_every_page_is_in_the_sites_table_of_contents() -> None:
-    config = (ROOT / "docs" / "site" / "mkdocs.yml").read_text(encoding="utf-8")
-    assert {page.name for page in PAGES} == set(re.findall(r"(\w+\.md)$", config, re.MULTILINE))
+def test_every_page_is_in_the_index_and_in_the_sites_table_of_contents() -> None:
+    index, config = (ROOT / "docs" / "index.md").read_text(), (ROOT / "docs" / "site" / "mkdocs.yml").read_text()
+    pages = {page.name for page in PAGES}
+    assert pages - {"index.md"} == set(re.findall(r"\]\((\w+\.md)\)", index))
+    assert pages == set(re.findall(r"(\w+\.md)$", config, re.MULTILINE))
 
 
 def test_the_reference_is_what_the_schema_specifies(monkeypatch: pytest.MonkeyPatch) -> None:

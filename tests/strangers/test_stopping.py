@@ -13,11 +13,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from problems import changed, names, written
+from problems import ENDLESS, names, written
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
 
-LONG = changed("evaluations = 8\nframes = 2", "evaluations = 100000\nframes = 400\ntolerance = 1e-15\nthreshold = 0")
 DEFAULT = "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
 COMMAND = DEFAULT + "sys.argv = sys.argv[1:]; from dynsplines.__main__ import main; main()"
 INTERRUPTED = (
@@ -42,7 +41,7 @@ Start = Callable[..., "subprocess.Popen[str]"]
 def start(tmp_path: Path) -> Iterator[Start]:
     """Starts the command in the test's folder, beside the tiny clip and one that takes for ever."""
     written(tmp_path)
-    written(tmp_path, LONG, "long.toml")
+    written(tmp_path, ENDLESS, "long.toml")
     begun: list[subprocess.Popen[str]] = []
 
     def start(script: str, *words: object) -> subprocess.Popen[str]:

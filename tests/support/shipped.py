@@ -1,11 +1,10 @@
-"""Shipped clips, solved once a run, their variations, and measures of their motion by MuJoCo."""
+"""Shipped clips, solved once a run, and measures of their motion by MuJoCo."""
 
 from __future__ import annotations
 
 import hashlib
 import os
 import pickle
-import re
 import shutil
 import tempfile
 from collections.abc import Callable, Iterator
@@ -21,26 +20,20 @@ import pytest
 from oracles import kinematics
 from paper.penetration import Penetration, penetration, self_penetration
 from processes import quiet
-from rekeyed import with_keys
 
 from dynsplines import recordings, solving
-from dynsplines.clip import load as clips
 from dynsplines.clip.build import Clip
 from dynsplines.clip.parse import table_of
 from dynsplines.clip.text import tables
 from dynsplines.motion import Saved, continuous, sampled, samples_at
-from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Stance, grasped_links
-from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.figure.algebra import dot
-from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Attachment, BendLimits, JointRange, Sum, joint_ranges
+from dynsplines.solver.penalty import Attachment, BendLimits, Sum
 from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface.points import places_of
-from dynsplines.solver.surface.touch import movers, solids
+from dynsplines.solver.surface.touch import movers
 from dynsplines.solving import Solved
 from dynsplines.system.progress import Progress
 
@@ -121,61 +114,6 @@ def _locked(file: Path) -> Iterator[None]:
     with file.open("w") as stream:
         fcntl.flock(stream, fcntl.LOCK_EX)
         yield
-
-
-# Variations of a clip: every joint turned by up to 5°, another step height, keyframes lifted until they touch.
-
-TOUCH = 0.005
-REACH = 0.05
-
-
-def nearest(model: mujoco.MjModel, qpos: Array) -> float:
-    """Signed distance [m] of the figure's nearest geom to the scene, at most `REACH`."""
-    data = kinematics(model, qpos)
-    least, moving = REACH, np.array(movers(model))
-    for solid in solids(model):
-        away = np.maximum(np.abs(data.geom_xpos[moving] - data.geom_xpos[solid]) - model.geom_size[solid], 0)
-        if model.geom_type[solid] == mujoco.mjtGeom.mjGEOM_PLANE:
-            away = away[:, 2:]
-        for geom in moving[np.linalg.norm(away, axis=1) < model.geom_rbound[moving] + REACH].tolist():
-            least = min(least, mujoco.mj_geomDistance(model, data, geom, solid, REACH, None))
-    return least
-
-
-def lifted(model: mujoco.MjModel, qpos: Array, *, drop: bool) -> Array:
-    """The configuration raised until nothing penetrates; with `drop`, also lowered until something touches."""
-    out = np.array(qpos)
-    while nearest(model, out) < 0:
-        out[2] += 0.02
-    while drop and nearest(model, out) >= REACH:
-        out[2] -= 0.02
-    low, high = out[2] - 0.08, out[2]
-    if not drop and nearest(model, out - 0.02 * np.eye(out.size)[2]) >= 0:
-        return out
-    for _ in range(16):
-        out[2] = (low + high) / 2
-        low, high = (low, out[2]) if nearest(model, out) >= 0 else (out[2], high)
-    out[2] = high
-    return out
-
-
-def perturbed(text: str, seed: int, degrees: float = 5.0, heights: tuple[float, float] = (0.25, 0.40)) -> clips.Clip:
-    """The clip of a TOML text, varied by the seed."""
-    rng = np.random.default_rng(seed)
-    height = rng.uniform(*heights)
-    plain = recordings.from_text(text, name="plain")
-    other = recordings.from_text(re.sub(r"height = [\d.]+", f"height = {height:.4f}", text), name=f"perturbed {seed}")
-    model, keys = other.figure.model, []
-    grounded = [nearest(plain.figure.model, np.array(key.state)) < TOUCH for key in plain.keys]
-    for key, touching in zip(other.keys, grounded, strict=True):
-        qpos = np.array(key.state)
-        for link in other.figure.links[1:]:
-            if link.kind is JointKind.BALL:
-                columns = slice(link.qpos, link.qpos + 4)
-                turn = quat.from_rotation_vector(np.radians(rng.uniform(-degrees, degrees, 3)))
-                qpos[columns] = quat.product(qpos[columns], turn)
-        keys.append(replace(key, state=lifted(model, qpos, drop=touching)))
-    return with_keys(other, keys)
 
 
 # A clip and its motion, measured by MuJoCo's kinematics and geometry 500 times a second.
@@ -298,77 +236,3 @@ def in_carried(clip: Clip, time: Array, qpos: Array) -> dict[str, Any]:
     pairs = np.array(np.meshgrid(geoms[~is_carried], geoms[is_carried])).reshape(2, -1)
     deepest, where = self_penetration(model, pairs, time, qpos)
     return {"deepest": deepest, "where": where}
-
-
-# What is measured of squats, at 1 kHz: depth of the soles, how far they move, knees, ranges, angular acceleration.
-
-SQUAT_RATE = 1000.0  # [Hz]
-
-
-@dataclass(frozen=True)
-class Measured:
-    """The worst of a motion.
-
-    deep, moved  [m] of the sole points: below the ground, and away from where they begin
-    beyond       [degrees] beyond its range, by joint, of those that are
-    flexion      [degrees] least of the knees and elbows on ball joints; crooked: most sideways and twisted
-    acceleration [rad/s²] of a link relative to its parent
-    """
-
-    deep: float
-    moved: float
-    beyond: dict[str, float]
-    flexion: float
-    crooked: float
-    acceleration: float
-
-
-def solved_squat(problem: Clip, **settings: Any) -> solving.Solved:
-    problem = problem.with_problem(settings=replace(problem.settings, **settings))
-    return solving.solve(problem, quiet())
-
-
-def squat(height: float, *, contacts: bool, figure: str = "human") -> Clip:
-    """The simplest squat: at rest, the root at a height, at rest again."""
-    text = f"""figure = "{figure}"
-        [[keyframe]]
-        time = 0
-        others = "rest"
-        [[keyframe]]
-        time = 1
-        root.position = [0, 0, {height}]
-        [[keyframe]]
-        time = 2
-        others = "rest"
-        """
-    for point in ("left_heel", "right_heel", "left_toe", "right_toe") if contacts else ():
-        text += f'[[contact]]\npoint = "{point}"\nfrom = 0\nto = 2\n'
-    return recordings.from_text(text, name="squat")
-
-
-def measured(problem: Clip, timeline: Timeline) -> Measured:
-    path, figure = path_of(timeline), problem.figure
-    first, last = path.span
-    samples = samples_at(figure, path, np.linspace(first, last, round((last - first) * SQUAT_RATE) + 1))
-    centres, _ = places_of(problem.context.points, samples)
-    inside = np.max([surface.inside(centres) for surface in problem.context.surfaces], axis=0)
-    away = np.sqrt(dot(centres - centres[:, :, :1], centres - centres[:, :, :1]))
-    ranges = JointRange(joint_ranges(figure))
-    beyond = np.degrees(ranges.beyond(samples).max(axis=1)) if ranges.joints else np.zeros(0)
-    bends = next((penalty for penalty, _ in problem.penalties if isinstance(penalty, BendLimits)), None)
-    angles = np.zeros((3, 1, 1)) if bends is None else np.degrees(bends.angles(samples))
-    return Measured(
-        float(inside.max()),
-        float(away.max()),
-        {joint.name: float(over) for joint, over in zip(ranges.joints, beyond, strict=True) if over > 0},
-        float(angles[0].min()),
-        float(np.abs(angles[1:]).max()),
-        _acceleration(samples),
-    )
-
-
-def _acceleration(samples: Samples) -> float:
-    links, figure = samples.links, samples.figure
-    relative = np.linalg.norm(links.alpha - links.alpha[:, figure.tables.parents], axis=0)
-    turning = [i for i, link in enumerate(figure.links) if i and link.kind in (JointKind.BALL, JointKind.HINGE)]
-    return float(relative[turning].max())

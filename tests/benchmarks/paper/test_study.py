@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+import shipped
 from gradients import penalty_slope
 from paper.barr import Discrete
 from paper.equations import PaperAcceleration, covariant_residual
-from paper.orientations import PAPER, Case, spinner
+from paper.orientations import INTRINSIC, KEYFRAMES, PAPER, Case, Run, energy, spinner
 from paper.study import run
 from random_models import random_samples
 
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import UnitMagnitude
 from dynsplines.solver.refine import euler_lagrange
@@ -59,3 +62,15 @@ def test_the_closed_form_is_half_the_residual_of_the_sample_gradients(
     generic = residual(Objective.of(spinner(), [(PaperAcceleration(), 1.0), (UnitMagnitude(), 3.0)]), path)
     closed = covariant_residual(path, generic.t.ravel(), 3.0).reshape(generic.value.shape)
     np.testing.assert_allclose(closed, generic.value / 2, atol=close * abs(generic.value).max())
+
+
+@pytest.mark.slow
+def test_the_tumble_of_figure_7_turns_with_nearly_the_least_energy_and_less_than_its_raw_spline() -> None:
+    tumble = shipped.of("tumble")
+    keys = [Frame.key(key.time, key.state[3:7]) for key in tumble.clip.keys]
+    assert len(keys) == KEYFRAMES
+    least = energy(Run(keys).solved(INTRINSIC, 7).path)
+    paths = (tumble.motion.path, path_of(tumble.motion.raw))
+    solved, raw = (energy(Path(path.spline, path.rows[:, 3:7])) for path in paths)
+    assert solved < 1.001 * least
+    assert raw > 1.02 * least

@@ -6,8 +6,8 @@ import time
 
 import numpy as np
 import pytest
+from drags import Pull, Pulls, human_model
 from oracles import kinematics
-from problems import Pull, Pulls, human_model
 
 from dynsplines.clip import load as clips
 from dynsplines.clip.kinds import posing_limits

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import os
 import signal
 import stat
@@ -13,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from problems import names
 
 from dynsplines import motion
 from dynsplines.errors import UserError
@@ -53,47 +53,29 @@ def mode(path: Path) -> int:
     return stat.S_IMODE(path.stat().st_mode)
 
 
-def names(folder: Path) -> list[str]:
-    return sorted(path.name for path in folder.iterdir())
-
-
-@POSIX
-@pytest.mark.parametrize("ending", WRITERS)
-def test_a_link_stays_and_what_it_leads_to_is_replaced(saved, tmp_path, ending):
-    (tmp_path / "real").mkdir()
-    real, link = tmp_path / "real" / "file.old", tmp_path / f"link{ending}"
-    real.write_bytes(b"before")
-    link.symlink_to(real)
-    WRITERS[ending](saved, link)
-    assert link.is_symlink()
-    assert len(real.read_bytes()) > 20
-    assert names(tmp_path / "real") == ["file.old"]
-
-
-@POSIX
-@pytest.mark.parametrize("ending", WRITERS)
-def test_a_pipe_and_a_device_are_refused_and_stay(saved, tmp_path, ending):
-    pipe, device = tmp_path / f"pipe{ending}", tmp_path / f"device{ending}"
-    os.mkfifo(pipe)
-    device.symlink_to("/dev/null")
-    for target, words in ((pipe, "it is a pipe"), (device, "it is a device")):
-        with pytest.raises(UserError, match=words):
-            WRITERS[ending](saved, target)
-    assert stat.S_ISFIFO(pipe.stat().st_mode)
-    assert device.is_symlink()
-    assert names(tmp_path) == [device.name, pipe.name]
-
-
 @POSIX
 @pytest.mark.usefixtures("umask")
 @pytest.mark.parametrize("ending", WRITERS)
-def test_the_umask_counts_for_a_new_file_and_an_older_ones_mode_stays(saved, tmp_path, ending):
-    new, old = tmp_path / f"new{ending}", tmp_path / f"old{ending}"
-    old.write_bytes(b"before")
-    old.chmod(0o640)
-    WRITERS[ending](saved, new)
-    WRITERS[ending](saved, old)
-    assert (mode(new), mode(old)) == (0o600, 0o640)
+def test_links_and_modes_stay_and_pipes_and_devices_are_refused(saved, tmp_path, ending):
+    write = WRITERS[ending]
+    (tmp_path / "real").mkdir()
+    new, real, link = tmp_path / f"new{ending}", tmp_path / "real" / "file.old", tmp_path / f"link{ending}"
+    pipe, device = tmp_path / f"pipe{ending}", tmp_path / f"device{ending}"
+    real.write_bytes(b"before")
+    real.chmod(0o640)
+    link.symlink_to(real)
+    os.mkfifo(pipe)
+    device.symlink_to("/dev/null")
+    write(saved, link)
+    assert link.is_symlink() and len(real.read_bytes()) > 20
+    write(saved, new)
+    assert (mode(new), mode(real)) == (0o600, 0o640)
+    for target, words in ((pipe, "it is a pipe"), (device, "it is a device")):
+        with pytest.raises(UserError, match=words):
+            write(saved, target)
+    assert stat.S_ISFIFO(pipe.stat().st_mode) and device.is_symlink()
+    assert names(tmp_path) == sorted(["real", *(each.name for each in (new, link, pipe, device))])
+    assert names(tmp_path / "real") == ["file.old"]
 
 
 @POSIX
@@ -163,27 +145,3 @@ def test_what_a_killed_program_left_goes_with_the_next_writer_of_that_file_and_n
     left = names(tmp_path)
     assert [name.split(".")[1] for name in left if name.startswith(".")] == ["other", "other"]
     assert (tmp_path / "film.gif").read_bytes() == b"later"
-
-
-OWN_WAYS = {  # what writes without being an output: to a temporary file that it was given, or to a place of its own
-    "clean/command.py", "system/workers.py", "batch/manifest.py", "batch/solving.py",
-    "cli.py", "clip/file.py", "picture/film.py", "edit/files.py", "motion.py",
-    "system/output.py", "exchange/format/bvh.py", "exchange/format/csv_table.py",
-    "exchange/formats.py", "exchange/format/gltf.py", "exchange/format/html.py", "exchange/format/mjlab_csv.py",
-    "exchange/plain_pickle.py", "batch/dispatch.py", "studio/document.py",
-}  # fmt: skip
-
-
-@pytest.mark.slow
-def test_whoever_opens_a_file_to_write_is_known():
-    writing: set[str] = set()
-    for path in RUNNER.rglob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
-            if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Attribute):
-                continue
-            modes = [each.value for each in node.args if isinstance(each, ast.Constant)]
-            if node.func.attr in ("write_text", "write_bytes") or (
-                node.func.attr == "open" and any(str(mode).strip("bt+") in ("w", "a", "x") for mode in modes)
-            ):
-                writing.add(path.relative_to(RUNNER).as_posix())
-    assert {"motion.py", "exchange/format/gltf.py"} <= writing <= OWN_WAYS

@@ -11,8 +11,8 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 
 import pytest
+from problems import names
 
-from dynsplines.system import output
 from dynsplines.system import scratch as module
 from dynsplines.system.scratch import PREFIX, scratch
 
@@ -26,10 +26,6 @@ with scratch() as folder:
     print(folder, flush=True)
     sys.stdin.read()
 """
-
-
-def names(folder: Path) -> list[str]:
-    return sorted(path.name for path in folder.iterdir())
 
 
 @pytest.fixture
@@ -102,33 +98,3 @@ def test_what_is_another_users_or_no_folder_of_ours_stays(place: Path, monkeypat
     with scratch():
         pass
     assert names(place) == before
-
-
-@POSIX
-def test_a_folder_that_is_taken_for_a_leftover_before_it_is_locked_is_made_anew(
-    place: Path, monkeypatch: pytest.MonkeyPatch
-):
-    """Another program looks between the making of a folder and its lock, before and after it is opened."""
-    assert output.fcntl is not None
-    flock, opened, looks = output.fcntl.flock, os.open, [0, 0]
-
-    def before_it_is_opened(path, *args, **kwargs):
-        if not looks[0] and PREFIX in os.fspath(path):
-            looks[0] = 1
-            module._remove_leftover(Path(path))
-        return opened(path, *args, **kwargs)
-
-    def before_it_is_locked(handle, how):
-        if looks[0] and not looks[1] and how == output.fcntl.LOCK_EX:
-            looks[1] = 1
-            for name in names(place):
-                module._remove_leftover(place / name)
-        return flock(handle, how)
-
-    monkeypatch.setattr(module.os, "open", before_it_is_opened)
-    monkeypatch.setattr(output.fcntl, "flock", before_it_is_locked)
-    with scratch() as folder:
-        assert looks == [1, 1] and names(place) == [folder.name]
-        module._clear(place)
-        assert folder.exists()
-    assert not names(place)

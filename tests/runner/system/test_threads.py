@@ -31,13 +31,6 @@ def test_numpys_linear_algebra_has_one_thread_in_the_tests() -> None:
     assert counts == [1]
 
 
-def test_every_library_is_reported(monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in threads.THREADS:
-        monkeypatch.setenv(name, "7")
-    threads.use_one_thread()
-    assert {os.environ[name] for name in threads.THREADS} == {"1"}
-
-
 BUSY = """
 import json
 from dynsplines import load

@@ -51,15 +51,22 @@ def test_no_items_give_no_results():
     assert list(in_order(Bench, crew.squared, [], 2)) == []
 
 
-@pytest.mark.parametrize("workers", [1, 2])
-def test_an_error_of_the_work_is_raised_as_it_is(workers: int):
-    with pytest.raises(ValueError, match=r"^three is too many$"):
-        list(in_order(Bench, crew.fails_at_three, range(100), workers))
+ENDED = r"a worker process ended.* --workers 1 does without"
 
 
-def test_a_tool_that_does_not_open_is_reported():
-    with pytest.raises(ValueError, match="the bench is locked"):
-        list(in_order(crew.locked, crew.squared, range(3), 2))
+@pytest.mark.parametrize(
+    ("make", "work", "workers", "error", "words"),
+    [
+        (Bench, crew.fails_at_three, 1, ValueError, r"^three is too many$"),
+        (Bench, crew.fails_at_three, 2, ValueError, r"^three is too many$"),
+        (crew.locked, crew.squared, 2, ValueError, "the bench is locked"),
+        (Bench, crew.leaves, 2, UserError, ENDED),
+        pytest.param(Bench, crew.is_killed, 2, UserError, ENDED, marks=POSIX),
+    ],
+)
+def test_an_error_of_a_tool_or_of_its_work_is_raised_in_its_words(make, work, workers, error, words):
+    with pytest.raises(error, match=words):
+        list(in_order(make, work, range(100), workers))
 
 
 def test_an_error_of_the_items_ends_the_workers():
@@ -69,12 +76,6 @@ def test_an_error_of_the_items_ends_the_workers():
 
     with pytest.raises(KeyError, match="no more"):
         list(in_order(Bench, crew.squared, items(), 2))
-
-
-@pytest.mark.parametrize("work", [crew.leaves, pytest.param(crew.is_killed, marks=POSIX)])
-def test_a_worker_that_ends_is_reported(work):
-    with pytest.raises(UserError, match=r"a worker process ended.* --workers 1 does without"):
-        list(in_order(Bench, work, range(3), 2))
 
 
 def test_a_process_that_cannot_be_started_is_reported(monkeypatch: pytest.MonkeyPatch):
