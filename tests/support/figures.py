@@ -247,11 +247,7 @@ def scene(*bodies: str) -> str:
     return f'<mujoco model="scene"><worldbody>{floor}{"".join(bodies)}</worldbody></mujoco>'
 
 
-# A biped and a quadruped whose legs are hinges, straight and bent at rest, small enough to read.
-#
-# The biped's knees are straight at rest and its legs have six hinges each, as humanoid robots have. The quadruped
-# stands
-# on spheres with its knees bent backward, three hinges a leg.
+# A biped of six hinges a leg, with straight knees at rest, and a quadruped of three, with knees bent backward.
 
 WALKER_LEG = """
 <body name="{side}_thigh" pos="0 {y} -.05">
@@ -379,10 +375,7 @@ def stl(size: float) -> bytes:
     return bytes(80) + struct.pack("<I", len(faces)) + triangles
 
 
-# A figure of several trees, on which rows are compared with adjoint sweeps.
-
-# two figures of their own, a chain that hangs on the world, welded bodies, a link of two balls, and a joint with
-# another two behind it
+# Two figures, a chain that hangs on the world, welded bodies, and a joint with two joints on it.
 WOOD = """
 <mujoco><option gravity="0.3 0 -9.81"/>
 <worldbody>
@@ -411,7 +404,7 @@ def assert_near(actual: Array, expected: Array, rtol: float) -> None:
     np.testing.assert_allclose(actual, expected, rtol=0, atol=rtol * np.abs(expected).max())
 
 
-# Equal scenes and figures are built once in a process, so that a pose which several clips have is searched once.
+# Equal scenes and figures are built once in a process; then equal poses of several clips are found once, too.
 
 MOST = 50  # [1] scenes, and figures, that are kept
 BUILT = load.figure_of

@@ -6,10 +6,10 @@ from collections.abc import Callable
 
 import numpy as np
 from figures import TINY, figure_of, stance_of
-from random_models import TIMES, at_times, evenly, mask_without, random_keys, random_samples
+from random_models import at_times, closed, evenly, mask_without, partial_keys, random_keys, random_samples
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.quadrature import gauss_nodes
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
@@ -35,20 +35,9 @@ from dynsplines.solver.search.quadratic import POINTS, Layout, Model
 from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point, places_of
 
-# The matrix of a quadratic model by differences of gradients: an oracle, dense and slow.
+# The quadratic model of a step by differences of residuals, dense and slow.
 
 SMOOTH = ("covariant", "unit", "root", "torque")
-
-
-def tiny_clip(rng: np.random.Generator, ends: str, coordinates: str, *, partial: bool = False) -> Timeline:
-    """Four keyframes of two bodies; with `partial`, the second leaves the root's turn free, on which the knee hangs."""
-    figure = figure_of(TINY, coordinates)
-    masks = {1: mask_without(figure, "root turn", "root x"), 2: mask_without(figure, "knee")} if partial else {}
-    keys = random_keys(figure, rng, masks)
-    if ends == "periodic":
-        keys[-1] = Frame.key(TIMES[-1], keys[0].state)
-    slope = rng.normal(size=(2, figure.width)) if ends.startswith("clamped") else None
-    return raw_timeline(figure, keys, ends, slope)
 
 
 def discretised(timeline: Timeline, figure: Figure, penalties: list[Penalty], variable: int = 1) -> Discretised:
@@ -182,7 +171,7 @@ def scaled_like(samples: Samples, rng: np.random.Generator) -> Samples:
     return Samples(samples.figure, y, y_d, y_dd, samples.t)
 
 
-# Every soft constraint at once, and a random clip to see them on.
+# Every soft constraint at once, and random clips.
 
 SURFACES = (
     Plane("floor", np.zeros(3), np.array([0.0, 0, 1])),
@@ -206,16 +195,23 @@ def every_penalty(figure: Figure) -> list[tuple[Penalty, float]]:
     ]
 
 
-def clip(figure: Figure, rng: np.random.Generator, ends: str = "free") -> Timeline:
-    joint = figure.links[2].name
-    keys = random_keys(figure, rng, {1: mask_without(figure, joint, "root x"), 2: mask_without(figure, "root turn")})
-    if ends == "periodic":
-        keys[-1] = Frame.key(TIMES[-1], keys[0].state)
+def clip(
+    figure: Figure, rng: np.random.Generator, ends: str = "free", masks: dict[int, Array] | None = None
+) -> Timeline:
+    """Four random keyframes, by default two of them partial."""
+    keys = partial_keys(figure, rng) if masks is None else random_keys(figure, rng, masks)
     slope = rng.normal(size=(2, figure.width)) if ends.startswith("clamped") else None
-    return raw_timeline(figure, keys, ends, slope)
+    return raw_timeline(figure, closed(keys) if ends == "periodic" else keys, ends, slope)
 
 
-# Gauss-Newton curvature of soft constraints beside residuals that are written anew and differences of them.
+def tiny_clip(rng: np.random.Generator, ends: str, coordinates: str, *, partial: bool = False) -> Timeline:
+    """Of two bodies; with `partial`, a keyframe leaves the root's turn free, on which the knee hangs."""
+    figure = figure_of(TINY, coordinates)
+    masks = {1: mask_without(figure, "root turn", "root x"), 2: mask_without(figure, "knee")} if partial else {}
+    return clip(figure, rng, ends, masks)
+
+
+# Residuals of soft constraints, written independently, and Gauss-Newton matrices by their differences.
 
 STEP_SIZE = 1e-5
 PLANTED = Attachment((stance_of(1, 0.2, 1.0), stance_of(2, 0.5, 2.0), stance_of(2, 0.0, 0.6)))

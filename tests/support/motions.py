@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import mujoco
 import numpy as np
-from figures import figure_of
-from oracles import kinematics
-from scipy.spatial.transform import Rotation
+from figures import biped, figure_of
 
 from dynsplines import models, motion, solving
 from dynsplines.clip import load as clip
@@ -19,9 +16,6 @@ from dynsplines.clip import load as clips
 from dynsplines.clip.posing.places import sole_points
 from dynsplines.exchange import formats
 from dynsplines.exchange.motion_import import read_recording
-from dynsplines.exchange.skeleton.bvh_file import Joint, Skeleton
-from dynsplines.exchange.skeleton.hierarchy import euler_angles
-from dynsplines.exchange.trajectory import SampledTrajectory
 from dynsplines.motion import Sampled, Saved, sampled
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
@@ -185,79 +179,6 @@ def moved(fps: float = 24.0, text: str = FIGURE, name: str = "puppet", count: in
     spec = mujoco.MjSpec.from_string(text)
     found = clip.from_qpos(name, compose(spec), np.arange(count) / 12.0, qpos, fps, name)
     return solving.unsolved(found).saved(Progress(), with_report=False)
-
-
-# A motion of ours as other makers' skeletons would have it: other names, other zero poses, other axes and units.
-
-MIXAMO = {
-    "pelvis": "mixamorig:Hips", "chest": "mixamorig:Spine2", "left_upper_arm": "mixamorig:LeftArm",
-    "left_forearm": "mixamorig:LeftForeArm", "right_upper_arm": "mixamorig:RightArm",
-    "right_forearm": "mixamorig:RightForeArm", "left_thigh": "mixamorig:LeftUpLeg", "left_shin": "mixamorig:LeftLeg",
-    "left_foot": "mixamorig:LeftFoot", "right_thigh": "mixamorig:RightUpLeg", "right_shin": "mixamorig:RightLeg",
-    "right_foot": "mixamorig:RightFoot",
-}  # fmt: skip
-PLACES = ("Xposition", "Yposition", "Zposition")
-
-
-def t_pose() -> dict[str, np.ndarray]:
-    """How a T-pose turns the arms out of ours, in which they hang."""
-    out = {}
-    for side, sign in (("left", 1.0), ("right", -1.0)):
-        for part in ("upper_arm", "forearm"):
-            out[f"{side}_{part}"] = quat.from_rotation_vector(np.array([sign * np.pi / 2, 0, 0]))
-    return out
-
-
-def disguised(
-    take: SampledTrajectory,
-    *,
-    names: Mapping[str, str] = MIXAMO,
-    zero: Mapping[str, np.ndarray] | None = None,
-    unit: float = 0.01,
-    orders: Sequence[str] = ("ZXY", "YXZ", "XYZ", "ZYX", "YZX", "XZY"),
-    z_up: bool = False,
-    every_place: bool = False,
-    larger: float = 1.0,
-) -> Skeleton:
-    """The human's motion; zero: by body, its rotation (4,) in the pose where all angles are nought, from our rest.
-
-    unit [m]; orders, in turn; every_place: positions for all joints, not just the root; larger: all but the angles
-    """
-    model, zero = take.model, zero or {}
-
-    def theirs(vector):
-        return vector if z_up else np.roll(vector, -1, axis=-1)
-
-    def turned(q):
-        return np.concatenate([q[..., :1], theirs(q[..., 1:])], axis=-1)
-
-    bodies = [b for b in range(1, model.nbody) if model.body_weldid[b]]
-    zeros = {b: zero.get(model.body(b).name, np.array([1.0, 0, 0, 0])) for b in bodies}
-    world = {b: quat.product(take.bodies.rotation[:, b], quat.conjugate(zeros[b])) for b in bodies}
-    joints, columns = [], []
-    for i, body in enumerate(bodies):
-        order, parent = orders[i % len(orders)], int(model.body_parentid[body])
-        offset = (
-            larger / unit * theirs(quat.rotated(zeros.get(parent, zeros[body]), model.body_pos[body]))
-            if i
-            else np.zeros(3)
-        )
-        sites = np.flatnonzero(model.site_bodyid == body)
-        leaf = body not in model.body_parentid[bodies]
-        end = larger / unit * theirs(quat.rotated(zeros[body], model.site_pos[sites[-1]])) if leaf else None
-        places = PLACES if i == 0 or every_place else ()
-        name = names.get(model.body(body).name, model.body(body).name)
-        joints.append(
-            Joint(
-                name, bodies.index(parent) if i else -1, offset, (*places, *(f"{axis}rotation" for axis in order)), end
-            )
-        )
-        local = quat.product(quat.conjugate(world[parent]), world[body]) if i else world[body]
-        if places:
-            root = larger / unit * theirs(take.bodies.position[:, body])
-            columns.append(root if i == 0 else np.tile(offset, (len(root), 1)))
-        columns.append(np.degrees(euler_angles(turned(local)[:, None], order.lower())[:, 0]))
-    return Skeleton(tuple(joints), take.fps, np.concatenate(columns, axis=1))
 
 
 # A motion as a bad recording has it: it slides, sinks and hovers, shakes, and misses samples.
@@ -462,24 +383,10 @@ def gait(qpos: np.ndarray, every: float) -> Gait:
 
 # A biped of hinges that walks on the spot of the floor it stands on, with feet that rest while they stand.
 
-BIPED = """
-<mujoco model="biped"><compiler angle="radian"/><worldbody>
-  <body name="pelvis" pos="0 0 .8"><freejoint name="root"/><geom type="box" size=".08 .12 .08" mass="8"/>
-    <body name="waist" pos="0 0 .1"><joint name="waist_yaw" axis="0 0 1" range="-1 1"/>
-      <geom type="box" size=".08 .15 .15" pos="0 0 .2" mass="8"/></body>
-    {left}{right}
-  </body>
-</worldbody></mujoco>
-"""
-LEG = """
-<body name="{side}_thigh" pos="0 {y} -.05"><joint name="{side}_hip" axis="0 1 0" range="-1.5 1"/>
-  <geom type="capsule" fromto="0 0 0 0 0 -.33" size=".05" mass="3"/>
-  <body name="{side}_shin" pos="0 0 -.35"><joint name="{side}_knee" axis="0 1 0" range="0 2.2"/>
-    <geom type="capsule" fromto="0 0 0 0 0 -.32" size=".04" mass="2"/>
-    <body name="{side}_foot" pos="0 0 -.36"><joint name="{side}_ankle" axis="0 1 0" range="-.9 .8"/>
-      <geom type="box" size=".1 .04 .02" pos=".04 0 -.02" mass="1"/></body></body></body>
-"""
-TEXT = BIPED.format(left=LEG.format(side="left", y=0.1), right=LEG.format(side="right", y=-0.1))
+WAIST = """<body name="waist" pos="0 0 .1"><joint name="waist_yaw" axis="0 0 1" range="-57 57"/>
+  <geom type="box" size=".08 .15 .15" pos="0 0 .2" mass="8"/></body>"""
+PELVIS = biped().replace('mass="8"/>', f'mass="8"/>{WAIST}', 1)
+TEXT = f'<mujoco model="biped"><worldbody>{PELVIS}</worldbody></mujoco>'
 JOINTS = [f"{side}_{part}" for side in ("left", "right") for part in ("hip", "knee", "ankle")]
 BIPED_FPS = 50.0
 SPEED = 0.6  # [m/s]
@@ -514,24 +421,3 @@ def _leg(x: np.ndarray, z: np.ndarray) -> np.ndarray:
     toward = np.arctan2(-x, -z)
     hip = toward - np.arcsin(0.36 * np.sin(knee) / reach)
     return np.stack([hip, knee, -(hip + knee)], axis=1)
-
-
-def assert_same(found: np.ndarray, qpos: np.ndarray, tolerance: float = 1e-9) -> None:
-    """That configurations are equal up to the sign of the root's quaternion."""
-    sign = np.sign(np.sum(found[:, 3:7] * qpos[:, 3:7], axis=1, keepdims=True))
-    np.testing.assert_allclose(np.hstack([found[:, :3], sign * found[:, 3:7], found[:, 7:]]), qpos, atol=tolerance)
-
-
-def y_up(qpos: np.ndarray, *, with_frame: bool) -> np.ndarray:
-    """As programs with y up have it, the root's own axes turned with the world or not, by SciPy."""
-    turn = Rotation.from_euler("x", -90, degrees=True)
-    rotation = turn * Rotation.from_quat(qpos[:, 3:7], scalar_first=True)
-    rotation = rotation * turn.inv() if with_frame else rotation
-    return np.hstack([turn.apply(qpos[:, :3]), rotation.as_quat(scalar_first=True), qpos[:, 7:]])
-
-
-def biped_poses(qpos: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """MuJoCo's xpos (T, 9, 3) and xquat (T, 9, 4), the world first."""
-    figure = model()
-    seen = [kinematics(figure, row) for row in qpos]
-    return np.array([data.xpos for data in seen]), np.array([data.xquat for data in seen])

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 import shipped
 from gradients import penalty_slope
+from paper import study
 from paper.barr import Discrete
 from paper.equations import PaperAcceleration, covariant_residual
 from paper.orientations import INTRINSIC, KEYFRAMES, PAPER, Case, Run, energy, spinner
-from paper.study import run
 from random_models import random_samples
 
 from dynsplines.solver.curve.frame import Frame
@@ -19,10 +19,13 @@ from dynsplines.solver.penalty import UnitMagnitude
 from dynsplines.solver.refine import euler_lagrange
 from dynsplines.solver.refine.euler_lagrange import residual
 
+CHECKED = ("iterates", "unit magnitude")  # studies whose claims hold for every set of keyframes
+
 
 @pytest.mark.slow
-def test_what_holds_for_every_path_is_reproduced() -> None:
-    claims = run(seeds=1)
+def test_what_holds_for_every_path_is_reproduced(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(study, "STUDIES", tuple(each for each in study.STUDIES if each.name in CHECKED))
+    claims = study.run(seeds=1)
     for text in ("Keyframes are met", "E falls", "as the objective sees it", "10 : 1, 3 variable frames"):
         (claim,) = [claim for claim in claims if text in claim.text]
         assert claim.reproduced
