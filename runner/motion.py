@@ -15,10 +15,10 @@ from __future__ import annotations
 
 import json
 import zipfile
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any, TypedDict
+from typing import Any
 
 import numpy as np
 
@@ -68,21 +68,6 @@ class Sampled:
     qacc: Array
 
 
-# evaluations of a search, its duration [s], its stop reason by name and in words, its stances and custom penalties
-Search = TypedDict(
-    "Search",
-    {
-        "evaluations": int,
-        "seconds": float,
-        "stop": str,
-        "stopped because": str,
-        "stances": Sequence[Mapping[str, object]],
-        "custom penalties": list[str],
-    },
-    total=False,
-)
-
-
 @dataclass(frozen=True)
 class Saved:
     """A solved clip: both timelines, the figure, and its measurements.
@@ -92,7 +77,8 @@ class Saved:
         fps: Samples per second [1/s].
         trace: The evaluations that lowered E.
         report: The measurements; empty before they are made.
-        search: Data of the search, see `solving.Solved.search`; for a motion that was not searched, the reason.
+        search: Data of the search, see `solving.Solved.search`: "evaluations", "seconds", "stop" and "stopped because",
+            the reason by name and in words, "stances", "custom penalties"; only "stopped because" without a search.
     """
 
     name: str
@@ -105,7 +91,7 @@ class Saved:
     raw: Timeline
     trace: list[Any]
     report: dict[str, Any]
-    search: Search = field(default_factory=Search)
+    search: dict[str, Any] = field(default_factory=dict)
 
     @property
     def mjcf(self) -> str:

@@ -9,16 +9,17 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.problem import renormalised
-from dynsplines.solver.search.minimum import Stop, StopSearch
+from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.solution import Improvement, Solution
 
 from .clip.build import Clip
 from .clip.load import clip_from_motion
 from .measure.violation import Violation, is_recording, violations
-from .motion import Saved, Search
+from .motion import Saved
 from .system.progress import Progress
 
 
@@ -61,12 +62,12 @@ class Solved:
         return violations(self.clip, self.motion.timeline, self.motion.raw, self.motion.stop)
 
     @property
-    def search(self) -> Search:
+    def search(self) -> dict[str, Any]:
         """The data of a search that cannot be measured later; empty without a search."""
         motion = self.motion
         if motion.timeline is motion.raw and motion.stop is Stop.CONVERGED:
             return {}
-        search: Search = {"evaluations": motion.evaluations}
+        search: dict[str, Any] = {"evaluations": motion.evaluations}
         if self.seconds is not None:
             search["seconds"] = self.seconds
         search |= {"stop": motion.stop.name, "stopped because": motion.stop.value}
@@ -106,20 +107,14 @@ def measured(saved: Saved, progress: Progress, reason: str) -> Saved:
     return replace(saved, report=report | {"stopped because": saved.search.get("stopped because", reason)})
 
 
-def solve(clip: Clip, progress: Progress, *, stop_after: int | None = None) -> Solved:
-    """Solve a clip and report every improvement. Ctrl-C stops the search and returns the best path.
-
-    Args:
-        stop_after: The number of evaluations after which to stop; None: no limit.
-    """
+def solve(clip: Clip, progress: Progress) -> Solved:
+    """Solve a clip and report every improvement. Ctrl-C stops the search and returns the best path."""
     for note in clip.notes:
         progress.report(f"note: {note}")
 
     def improved(improvement: Improvement) -> None:
         note = f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}"
         progress.step("solving", None, note)
-        if stop_after is not None and improvement.evaluation >= stop_after:
-            raise StopSearch
 
     begin = time.perf_counter()
     solution = inbetween(clip.problem, improved=improved)

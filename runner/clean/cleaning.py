@@ -1,4 +1,4 @@
-"""The motion near a repaired recording that satisfies its stances."""
+"""The motion near a repaired recording that satisfies its stances, and its displacement from the recording."""
 
 from __future__ import annotations
 
@@ -21,15 +21,17 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.curve.spline import Path, natural_spline, path_of
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import continue_from, inbetween
-from dynsplines.solver.penalty import TrackingPenalty, UnitMagnitude
+from dynsplines.solver.penalty import Rolling, TrackingPenalty, UnitMagnitude
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.solution import Improvement, Solution
+from dynsplines.solver.surface.points import places_of
 
 from ..clip.tracking.penalties import LONGEST_PANEL, NEXT_TO, POINTS, Ground, loose, problem
 from ..measure.depths import bunches, depths
 from ..measure.measurement import RATE
-from ..motion import even_times, sample_runs
+from ..motion import even_times, sample_runs, samples_at
 from .repairs import Repaired
 
 SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # factors of all weights but the recording's, in first and later searches
@@ -40,6 +42,7 @@ SHARE = 0.25  # largest share of a stance at either end that is not sure
 OUTSIDE = 0.04  # [s] time from the end of a stance to another frame, outside of the stance
 ABOUT, AT_ONCE = 0.15, 2.0  # [s] interval around a new frame that is searched again, and longest such interval
 LONG = 60.0  # [s] shortest recording that is searched again in parts only
+SLIP, DEPTH = 0.005, 0.002  # [m] largest slip in a stance and depth in a surface, of a motion near its recording
 DEEP = 0.001  # [m] least depth that a search should prevent
 SHALLOW = LONGEST_PANEL / POINTS  # [s] between samples of a search, which so evaluates longer penetrations
 
@@ -265,3 +268,81 @@ def missed_edge_times(ground: Ground, path: Path, frames: Array) -> Array:
         wanted = [worst] if np.abs(frames - worst).min() > NEXT_TO else (0.5 * (about[1:] + about[:-1])).tolist()
         missed_times += [t for t in wanted if np.abs(frames - t).min() > NEXT_TO]
     return np.unique(missed_times)
+
+
+@dataclass(frozen=True)
+class Displacement:
+    """The 95th percentile and the maximum of a body's distance from the recording [m], with the latter's time [s]."""
+
+    name: str
+    percentile_95: float
+    maximum: float
+    time: float
+
+    @property
+    def line(self) -> str:
+        return f"{self.name} is up to {1000 * self.maximum:.0f} mm off the recording at {self.time:.2f} s"
+
+
+def displacements(cleaned: Cleaned) -> tuple[Displacement, ...]:
+    """Return the displacements of free roots and of the ends of limbs, largest first."""
+    figure, times = cleaned.figure, even_times(cleaned.after.span, RATE)
+    parents = figure.tables.parents
+    ends = [i for i in range(1, len(figure.links)) if not np.any(parents[1:] == i)]
+    links = [*(int(i) for i in figure.tables.free_links if i not in ends), *ends]
+    sides = (sample_runs(figure, path, times) for path in (cleaned.recorded.path, cleaned.after))
+    runs = [
+        np.linalg.norm(_centres(one, links) - _centres(other, links), axis=0) for one, other in zip(*sides, strict=True)
+    ]
+    rows = zip(links, np.concatenate(runs, axis=1), strict=True)
+    every = [
+        Displacement(
+            figure.body_name(link), float(np.percentile(row, 95)), float(row.max()), float(times[row.argmax()])
+        )
+        for link, row in rows
+    ]
+    return tuple(sorted(every, key=lambda one: -one.maximum))
+
+
+def _centres(samples: Samples, links: list[int]) -> Array:
+    """Return the centres of mass (3, n, T) [m] of links."""
+    centres = np.array([samples.figure.links[i].centre for i in links]).T
+    return samples.links.points(np.array(links), centres)[0]
+
+
+def closer(cleaned: Cleaned, max_displacement: float, improved: Callable[[Improvement], None] | None = None) -> Cleaned:
+    """Return a motion that is displaced by at most `max_displacement` [m] from its recording, as far as possible.
+
+    The recording's weight is doubled up to seven times while nothing slips or penetrates.
+    """
+    problem, best = cleaned.problem, cleaned
+    for _ in range(7):
+        largest = displacements(best)[0].maximum
+        if largest <= max_displacement:
+            break
+        weights = [(p, 2 * w if isinstance(p, TrackingPenalty) else w) for p, w in problem.penalties]
+        problem = replace(problem, penalties=tuple(weights))
+        tried = replace(cleaned, solution=inbetween(started_at(problem, best.solution), improved=improved))
+        if not is_sound(tried):
+            break
+        if displacements(tried)[0].maximum < largest:
+            best = tried
+    return best
+
+
+def is_sound(cleaned: Cleaned) -> bool:
+    """Return whether nothing slips or penetrates."""
+    figure, path = cleaned.figure, cleaned.after
+    slips = (slip(figure, path, rest) for rest in cleaned.rests)
+    return max(slips, default=0.0) <= SLIP and depth(cleaned.ground, path, even_times(path.span, RATE)).max() <= DEPTH
+
+
+def slip(figure: Figure, path: Path, rest: Rest) -> float:
+    """Return the largest distance [m] of a resting point from its mean position, without the part of rolling."""
+    samples = samples_at(
+        figure, path, np.linspace(rest.first, rest.last, max(2, round((rest.last - rest.first) * RATE)))
+    )
+    rotation = samples.links.Q[:, rest.point.link]
+    rolling = Rolling.of(rest, rotation[:, samples.count // 2])
+    places = places_of((rest.point,), samples)[0][:, 0] - rolling.displacement(rotation)
+    return float(np.linalg.norm(places - places.mean(axis=1, keepdims=True), axis=0).max())

@@ -31,8 +31,7 @@ from ..scene import file_access
 from ..solving import Solved
 from ..system.output import Replacement, check_target
 from ..system.progress import Progress, silent
-from .cleaning import Cleaned, cleaned
-from .displacement import closer, displacements
+from .cleaning import Cleaned, cleaned, closer, displacements
 from .repairs import repaired
 
 FAR = 0.05  # [m] displacement in 95 % of the time above which stances are in doubt: most for captured motion is 2.7 cm

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import zipfile
 from pathlib import Path
 from typing import Any
@@ -44,9 +43,6 @@ def changed(source: Path, target: Path, **changes: Any) -> Path:
 @pytest.mark.parametrize(("duration", "fps", "count"), [(0.3, 10, 4), (0.29, 100, 30), (0.29, 10, 3), (2.2, 30, 67)])
 def test_a_last_sample_on_the_last_keyframe_is_not_lost_to_rounding(duration, fps, count):
     assert motion.sample_count(duration, fps) == count
-
-
-def test_more_samples_than_memory_is_made_for_are_refused():
     with pytest.raises(UserError, match="lower the rate"):
         motion.sample_count(600.0, 1e5)
 
@@ -59,21 +55,14 @@ def test_times_shapes_and_names_fit_the_model_in_the_file(arrays):
     for prefix in ("", "raw_"):
         assert arrays[f"{prefix}qpos"].shape == (9, 11)
         assert arrays[f"{prefix}qvel"].shape == arrays[f"{prefix}qacc"].shape == (9, 9)
+        for columns in (slice(3, 7), slice(7, 11)):
+            q = arrays[f"{prefix}qpos"][:, columns]
+            np.testing.assert_allclose(np.linalg.norm(q, axis=1), 1, atol=1e-12)
+            assert np.all(np.sum(q[1:] * q[:-1], axis=1) > 0)  # no jumps to the other sign
     assert arrays["key_qpos"].shape == arrays["key_fixed"].shape == (3, 11)
-    assert arrays["key_fixed"].dtype == bool
     assert arrays["joint_names"].tolist() == ["root", "left_knee"]
     assert arrays["body_names"].tolist() == ["world", "pelvis", "left_shin"]
-    assert arrays["fps"] == 20
-    assert arrays["format_version"] == 2
     assert {array.dtype.kind for array in arrays.values()} <= set("fiubU")
-
-
-def test_quaternions_are_unit_and_never_jump_to_the_other_sign(arrays):
-    for name in ("qpos", "raw_qpos"):
-        for columns in (slice(3, 7), slice(7, 11)):
-            q = arrays[name][:, columns]
-            np.testing.assert_allclose(np.linalg.norm(q, axis=1), 1, atol=1e-12)
-            assert np.all(np.sum(q[1:] * q[:-1], axis=1) > 0)
 
 
 def test_velocities_and_accelerations_are_mujocos(saved: Saved):
@@ -93,21 +82,11 @@ def test_keyframes_are_met_with_the_paths_own_sign(arrays, solved: Solved):
     wanted = np.array([key.state for key in solved.clip.keys])
     reached, fixed = arrays["key_qpos"], arrays["key_fixed"]
     np.testing.assert_array_equal(fixed, [key.fixed for key in solved.clip.keys])
-    for columns in (slice(3, 7), slice(7, 11)):
-        np.testing.assert_allclose(np.linalg.norm(reached[:, columns], axis=1), 1, atol=1e-12)
     wanted = aligned(solved.clip.figure, wanted, reached)
     np.testing.assert_allclose(reached[fixed], wanted[fixed], atol=1e-9)
     on_path = motion.continuous(solved.clip.figure, sampled(solved.clip.figure, solved.motion.timeline, 1000.0).qpos)
     np.testing.assert_allclose(reached[1], on_path[200], atol=1e-9)
     np.testing.assert_allclose(reached[0], arrays["qpos"][0], atol=1e-12)
-
-
-def test_clip_trace_and_report_are_text_that_reads_back(arrays, solved: Solved):
-    assert str(arrays["clip"]) == solved.clip.text
-    trace = json.loads(str(arrays["trace"]))
-    assert [entry[0] for entry in trace] == [entry[0] for entry in solved.motion.trace]
-    assert trace[-1][2] < trace[0][2]
-    assert json.loads(str(arrays["report"]))["keyframes"] == 3
 
 
 def test_frames_in_the_file_rebuild_the_path_exactly(motion_file: Path, solved: Solved):
@@ -135,26 +114,19 @@ def test_a_loaded_motion_saves_to_the_same_arrays(motion_file: Path, tmp_path: P
     [
         ({"qacc": None}, "no 'qacc'"),
         ({"format_version": 3}, "format 3"),
-        ({"format_version": "one"}, "format_version"),
         ({"format_version": np.ones(3, int)}, "format_version"),
         ({"fps": 0.0}, "fps is 0"),
-        ({"fps": np.nan}, "'fps'"),
         ({"qpos": np.zeros((2, 11))}, "'qpos'"),
         ({"qpos": np.full((9, 11), np.nan)}, "'qpos'"),
-        ({"qvel": np.zeros((9, 11))}, "'qvel'"),
         ({"time": np.arange(4.0)}, "fit together"),
-        ({"key_time": np.arange(2.0)}, "fit together"),
         ({"key_time": np.array([0.0, 0.25, 0.41])}, "a keyframe has no frame"),
         ({"key_fixed": np.ones((3, 3), bool)}, "fit together"),
         ({"frame_state": np.zeros((5, 11))}, "zero"),
-        ({"frame_state": np.zeros((5, 3))}, "fit together"),
         ({"frame_state": np.zeros((5, 11), complex)}, "complex"),
         ({"frame_time": np.arange(5.0)[::-1].copy()}, "fit together"),
         ({"end_slope": np.zeros((2, 3))}, "end_slope"),
         ({"mjcf": "<mujoco"}, "fit together"),
-        ({"mjcf": 3}, "mjcf"),
         ({"coordinates": "polar"}, "polar"),
-        ({"ends": "loose"}, "loose"),
         ({"trace": "{"}, "fit together"),
         ({"report": "[1]"}, "fit together"),
         ({"report": np.array([{}], object)}, "pickled"),

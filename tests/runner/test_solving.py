@@ -75,12 +75,6 @@ def test_an_interrupted_solve_keeps_the_best_path(problem):
     assert value(solved) < solved.motion.objective.value(path_of(solved.motion.raw))
 
 
-def test_a_solve_can_be_stopped_after_so_many_evaluations(problem):
-    solved = solving.solve(problem, Listening(), stop_after=3)
-    assert solved.motion.stop is Stop.INTERRUPTED
-    assert solved.motion.evaluations <= 5
-
-
 def test_unsolved_is_the_raw_spline_through_the_keyframes(problem):
     solved = solving.unsolved(problem)
     assert solved.motion.timeline is solved.motion.raw
@@ -88,9 +82,3 @@ def test_unsolved_is_the_raw_spline_through_the_keyframes(problem):
     kept = solved.saved(quiet(), with_report=False)
     assert kept.report == {}
     assert kept.timeline.times.tolist() == [0, 0.2, 0.41]
-
-
-def test_what_is_saved_is_what_was_solved(solved, saved):
-    assert saved.timeline is solved.motion.timeline
-    assert saved.mjcf == solved.clip.mjcf
-    assert saved.report["evaluations"] == solved.motion.evaluations

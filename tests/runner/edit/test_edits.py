@@ -23,11 +23,11 @@ from dynsplines.clip import text as clip_text
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
 from dynsplines.clip.table import RotationTable
-from dynsplines.clip.text import keyframe_tables, rotation, tables, written
+from dynsplines.clip.text import rotation, tables, written
 from dynsplines.edit import edits
 from dynsplines.edit import files as edit_files
 from dynsplines.errors import UserError
-from dynsplines.motion import Saved, sampled
+from dynsplines.motion import Saved
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.mirror import Mirror
@@ -185,18 +185,6 @@ def test_a_repeated_loop_has_the_samples_and_keyframes_of_every_period(motions, 
     assert max(seam[name] for name in ("state", "first derivative", "second derivative")) < 1e-9
 
 
-def test_what_is_played_on_has_no_doubled_image(motions):
-    run = sampled(motions["loop"].figure, edits.repeated(motions["loop"], 3).timeline, 97.0)
-    assert len(run.time) == int(3 * 0.41 * 97 + 1e-9) + 1
-    assert np.abs(np.diff(run.qpos[:, 0])).min() > 0
-
-
-def test_a_trimmed_recording_at_1_khz_has_all_its_samples():
-    clip = build("human", [Keyframe(i / 1000, others="rest") for i in range(20)])
-    recorded = solving.unsolved(clip).saved(quiet(), with_report=False)
-    assert len(edits.trimmed(recorded, 0.008, 0.017).keys) == 10
-
-
 # what cannot be
 
 REFUSED: dict[str, tuple[Callable[[Saved], object], str]] = {
@@ -266,15 +254,6 @@ def test_rotations_are_written_as_one_would_write_them(rng):
     assert rotation(quat.from_rotation_vector(np.radians([30.000013, 0, 0]))) == RotationTable(
         rotvec=(30.000013, 0.0, 0.0)
     )
-
-
-def test_hinges_and_slides_come_back_in_degrees_and_metres(tmp_path):
-    keyframes = "".join(f"[[keyframe]]\ntime = {i}\njoints = {{slide = 0.1, swing = {30 * i}}}\n" for i in range(2))
-    path = problems.written(tmp_path, f'figure = "hinge.xml"\n{keyframes}')
-    found = clip.load(str(path))
-    assert [row.joints for row in keyframe_tables(found.figure, found.keys)] == [
-        {"slide": 0.1, "swing": pytest.approx(30 * i)} for i in range(2)
-    ]
 
 
 ROUND = """
@@ -366,26 +345,6 @@ def test_a_retimed_clip_has_other_times_also_of_contacts_flights_and_cycles_and_
     assert (table.contact[0].start, table.contact[0].end) == (0.3, 0.5)
     assert table.penalty[0].options["intervals"] == [[0.1, 0.2]]
     assert table.penalty[2].options["period"] == 1.0
-
-
-def test_nothing_is_written_over_what_is_edited_unasked(tmp_path, saved):
-    source = tmp_path / "tiny.npz"
-    motion.save(saved, source)
-    was = source.read_bytes()
-
-    def trim(first: float, target: Path, *, overwrite: bool = False) -> None:
-        edit_files.trim(str(source), first, None, target, overwrite=overwrite, progress=quiet())
-
-    with pytest.raises(UserError, match="already exists; give another -o, or --overwrite"):
-        trim(0.1, source)
-    with pytest.raises(UserError, match=r"as a motion, \.npz, or as a clip, \.toml"):
-        trim(0.1, tmp_path / "out.mp4")
-    with pytest.raises(UserError, match="not inside"):
-        trim(-7, source, overwrite=True)
-    assert source.read_bytes() == was
-    assert problems.names(tmp_path) == ["tiny.npz"]
-    trim(0.1, source, overwrite=True)
-    assert motion.load(source).keys[0].time == 0.1
 
 
 @pytest.mark.parametrize("name", ["tiny.toml", "own.npz", "following.toml"])

@@ -5,7 +5,6 @@ from __future__ import annotations
 import io
 import json
 import math
-from dataclasses import replace
 
 import mujoco
 import numpy as np
@@ -114,17 +113,7 @@ def test_skate_of_round_feet_is_measured_at_their_lowest_points(tmp_path):
     solved = solving.unsolved(clip.load(str(tmp_path / "ball.toml")))
     skate = side(solved)["skate"]
     assert skate and all(one["path, m"] == pytest.approx(1) for one in skate.values())
-
-
-@pytest.mark.slow
-def test_skate_is_the_path_along_the_floor_while_near_it(tmp_path):
-    data = side(unsolved(tmp_path, [(0, 0, 0, 0.1), (2, 3, 4, 0.1)]))
-    for name in ("heel", "toe"):
-        skate = data["skate"][name]
-        assert skate["path, m"] == pytest.approx(5, rel=1e-6)
-        assert skate["speed, m/s"] == pytest.approx(2.5, rel=1e-6)
-        assert skate["rest, s"] == pytest.approx(2)
-    assert side(unsolved(tmp_path, [(0, 0, 0, 0.2), (2, 3, 4, 0.2)]))["skate"]["toe"]["path, m"] == 0
+    assert all(one["speed, m/s"] == pytest.approx(1) == one["rest, s"] for one in skate.values())
 
 
 @pytest.mark.slow
@@ -186,16 +175,6 @@ def test_a_recording_is_reported_once_and_nothing_is_said_of_a_search(tmp_path):
     told = [line for line in shown.splitlines() if line.startswith("violation:")]
     assert len(told) < 5
     assert any(line.rstrip().endswith("samples in all") for line in told)
-
-
-def test_a_recording_is_measured_as_what_was_searched_is(solved: Solved):
-    """The raw spline of a clip: once as a recording, and once beside what the search made of it."""
-    raw = solving.unsolved(solved.clip)
-    assert raw.motion.is_raw and not solved.motion.is_raw
-    assert not replace(raw.motion, evaluations=1).is_raw
-    alone, beside = report(raw.clip, raw.motion, 0.0)["after"], report(solved.clip, solved.motion, 0.0)["before"]
-    for name in ("penetration, m", "bends, degrees", "torque, N m", "skate", "angular acceleration, rad/s²"):
-        assert alone[name] == beside[name], name
 
 
 def test_totals_are_of_the_search_in_strict_json_and_on_the_screen(solved: Solved):
@@ -267,6 +246,8 @@ def test_every_swing_is_reported_with_its_height(tmp_path):
     model, qpos = problem.figure.model, problem.figure.to_qpos(path.at(time))
     height = np.array([kinematics(model, row).site("left_heel").xpos[2] for row in qpos])
     assert list(found) == ["leg", "toes"]
+    still = samples_at(problem.figure, path, np.full(20, 0.0))
+    assert swings(problem, still) == {"leg": [], "toes": []}
     for own in found.values():
         assert len(own) == 2
         for swing, (first, last) in zip(own, ((0, 1), (1.3, 2.5)), strict=True):
@@ -274,12 +255,6 @@ def test_every_swing_is_reported_with_its_height(tmp_path):
             assert swing["height, m"] == pytest.approx(height[inside].max(), abs=1e-9)
             up = time[inside & (height > Thresholds.of(problem.figure).swings)]
             assert (swing["from, s"], swing["to, s"]) == pytest.approx((up[0], up[-1]))
-
-
-def test_a_foot_that_is_never_up_has_no_swings(tmp_path):
-    problem, path = hopper(tmp_path)
-    still = samples_at(problem.figure, path, np.full(20, 0.0))
-    assert swings(problem, still) == {"leg": [], "toes": []}
 
 
 def test_swings_are_reported_in_words():

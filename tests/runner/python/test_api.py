@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-from dataclasses import FrozenInstanceError, replace
 from pathlib import Path
 from typing import Any
 
@@ -103,13 +102,6 @@ def test_a_clip_is_loaded_from_a_path_and_from_text(tmp_path):
         load("x.npz")
 
 
-@pytest.mark.slow
-def test_a_clip_takes_other_settings():
-    clip = load("tumble")
-    settings = replace(clip.settings, tolerance=0.5)
-    assert clip.with_problem(settings=settings).settings is settings
-
-
 def test_the_verb_takes_what_load_takes(tmp_path):
     path = written(tmp_path)
     expected = inbetween(load(path)).at(0.3)
@@ -191,9 +183,11 @@ def test_scipys_rotations_and_whole_configurations_are_keyframes(motion):
     half = np.radians(60) / 2
     np.testing.assert_allclose(motion.at(0.5), [np.cos(half), 0, -np.sin(half), 0, -np.pi / 4], atol=1e-9)
     np.testing.assert_allclose(motion.at(0.0), [1, 0, 0, 0, 0.2], atol=1e-9)
-    over = build(mujoco.MjSpec.from_string(ARM), [Keyframe(0, qpos=[1, 0, 0, 0, 0.2], joints={"elbow": 90.0}), WAVE[1]])
+    spec = mujoco.MjSpec.from_string(ARM)
+    over = build(spec, [Keyframe(0, qpos=[1, 0, 0, 0, 0.2], joints={"elbow": 90.0}), WAVE[1]])
     assert over.keys[0].state[-1] == pytest.approx(np.pi / 2)
     assert over.keys[0].fixed.all()
+    assert [body.name for body in spec.bodies] == ["world", "upper", "lower"]  # as it was
 
 
 def test_a_whole_configuration_says_all_of_further_free_bodies_and_what_is_given_goes_over_it():
@@ -217,13 +211,6 @@ def test_any_kind_of_joint_is_built(rng):
     np.testing.assert_allclose(made.keys[1].state, qpos[1], atol=1e-12)
 
 
-def test_the_figure_given_is_not_changed():
-    spec = mujoco.MjSpec.from_string(ARM)
-    build(spec, WAVE)
-    build(spec, WAVE)
-    assert [body.name for body in spec.bodies] == ["world", "upper", "lower"]
-
-
 @pytest.mark.parametrize(
     ("keyframes", "complaint"),
     [
@@ -243,13 +230,6 @@ def test_what_does_not_fit_is_reported_in_one_line(keyframes, complaint):
     assert "\n" not in str(raised.value)
 
 
-def test_unknown_figures_and_penalties_are_reported():
-    with pytest.raises(UserError, match="no figure 'humn'; did you mean 'human'"):
-        build("humn", WAVE)
-    with pytest.raises(UserError, match="no penalty 'torqe'; did you mean 'torque'"):
-        wave(penalties={"torqe": 1})
-
-
 def test_a_motion_says_what_it_is(motion, loop):
     assert repr(motion) == "<Motion wave: 1.00 s, 3 keyframes, 8 variable frames, 4 DOF>"
     assert ", loop," in repr(loop)
@@ -262,12 +242,9 @@ def test_a_motion_says_what_it_is(motion, loop):
 
 
 def test_times_are_one_or_several(motion):
-    assert motion.at(0.3).shape == (5,)
-    assert motion.at([0.3]).shape == (1, 5)
-    assert motion.at(np.linspace(0, 1, 7)).shape == (7, 5)
-    assert motion.at([]).shape == (0, 5)
-    np.testing.assert_array_equal(motion.at(0.3), motion.at([0.3])[0])
-    np.testing.assert_allclose(np.linalg.norm(motion.at(np.linspace(0, 1, 7))[:, :4], axis=1), 1)
+    for times, shape in ((0.3, (5,)), ([0.3], (1, 5)), (np.linspace(0, 1, 7), (7, 5)), ([], (0, 5))):
+        assert motion.at(times).shape == shape
+        np.testing.assert_allclose(np.linalg.norm(motion.at(times)[..., :4], axis=-1), 1)
     for outside in (-0.1, 1.1, [0.5, 2.0], np.nan):
         with pytest.raises(UserError, match="runs from 0 to 1 s"):
             motion.at(outside)
@@ -284,15 +261,6 @@ def test_samples_are_at_equal_times(motion):
     for rate in (0, -1, np.inf, np.nan):
         with pytest.raises(UserError, match="above 0"):
             motion.sampled(rate)
-
-
-def test_nothing_is_changed_in_place(motion):
-    for thing, name in ((motion, "saved"), (motion.clip, "name"), (WAVE[0], "time")):
-        with pytest.raises(FrozenInstanceError):
-            setattr(thing, name, None)
-    qpos = motion.at(0.5)
-    qpos[:] = 9
-    assert motion.at(0.5).max() < 2
 
 
 def test_before_is_the_raw_spline(motion):
@@ -346,17 +314,11 @@ def test_edits_give_new_motions(motion, loop):
         (lambda m: m.save("m.txt"), r"\.npz, or as a clip, \.toml"),
         (lambda m: m.export("m.txt"), "its ending is of no known format"),
         (lambda m: m.export("m.csv", fps=0), "fps = 0: give a finite number above 0"),
-        (lambda m: m.export("m.csv", fps=float("nan")), "fps = nan: give"),
-        (lambda m: m.export("m.csv", "bvh"), r"'m\.csv': the name of a file of the format bvh ends in \.bvh"),
-        (lambda m: m.render("m.mp4", camera="sde"), "no camera 'sde'; did you mean 'side'"),
         (lambda m: m.render("m.mp4", only="middle"), "not one of before, after, keys"),
-        (lambda m: m.render("m.png", at=7), "nothing is at 7"),
         (lambda m: m.render("m.gif", fps=-1), "fps -1: give a finite number above 0"),
-        (lambda m: m.render("m.gif", fps=0), "fps 0: give"),
         (lambda m: m.render("m.gif", slow=float("nan")), "slow nan: give"),
         (lambda m: m.render("m.png", size=(64,)), r"size = \(64,\): give width and height"),
         (lambda m: m.render("m.png", size=(0, 0)), "size 0x0: give whole numbers of pixels from 16 on"),
-        (lambda m: m.render("m.png", size=(64.5, 48)), "size 64.5x48: give whole numbers"),
     ],
 )
 def test_what_cannot_be_done_is_reported(motion, attempt, complaint, tmp_path, monkeypatch):
