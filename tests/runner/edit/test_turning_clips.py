@@ -29,9 +29,8 @@ from dynsplines.solver.figure.figure import Figure
 
 ENDS = 'frames = 2\nends = "periodic"\n'
 LAST = "root.position = [0.3, 0, 1]\nroot.rotation = {rotvec = [0, 10, 170]}"
-TOLD = problems.changed("frames = 2\n", ENDS).replace(
-    LAST, "root.position = [0.3, 0.1, 1]\nroot.rotation = {heading = 45}"
-)
+LAST_TURNED = "root.position = [0.3, 0.1, 1]\nroot.rotation = {heading = 45}"
+TOLD = problems.changed("frames = 2\n", ENDS).replace(LAST, LAST_TURNED)
 GIVEN = problems.changed("frames = 2\n", ENDS + "travel = [0.3, 0.1, 0]\nturn = 45\n").replace(LAST, "")
 
 
@@ -87,42 +86,28 @@ def test_a_body_and_an_obstacle_take_a_heading(tmp_path):
     assert 0.9 < abs(shins[0][0]) < 0.999
 
 
-def refused(folder: Path, text: str, words: str) -> None:
+KNEE, ROTATION = "joints.left_knee = {rotvec = [0, 0, 0]}", "root.rotation = {rotvec = [0, 0, 0]}"
+REFUSED = {  # words: the changes of a clip
+    r"keyframe 1 \(t = 0 s\): joints.left_knee: a heading is of the root, of bodies and of obstacles": [
+        (KNEE, KNEE.replace("}", ", heading = 3}"))],
+    "give flat or a rotation, not both": [
+        (KNEE, f"{KNEE}\nbodies.left_shin = {{flat = true, euler = [0], order = 'x', heading = 3}}")],
+    "root.rotation.heading must be a number, not 'north'": [(ROTATION, 'root.rotation = {heading = "north"}')],
+    "turn is for ends = 'periodic', not 'free'": [("frames = 2", "frames = 2\nturn = 45")],
+    "solve.turn must be at most 360, not 400": [("frames = 2\n", ENDS + "turn = 400\n")],
+    r"'root' \(a loop may travel, and turn about the vertical, here by 40 degrees\)": [
+        ("frames = 2\n", ENDS + "turn = 40\n"), (LAST, LAST_TURNED)],
+    "by 0.99": [("frames = 2\n", ENDS), (LAST, LAST.replace("0.3, 0, 1", "0, 0, 1"))],
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("words", REFUSED)
+def test_headings_and_turns_that_make_no_sense_are_refused_where_they_stand(tmp_path, words):
+    text = problems.CLIP
+    for change in REFUSED[words]:
+        text = problems.changed(*change, text)
     with pytest.raises(UserError, match=words):
-        clips.load(str(problems.written(folder, text)))
-
-
-def test_headings_and_turns_that_make_no_sense_are_refused_where_they_stand(tmp_path):
-    knee = "joints.left_knee = {rotvec = [0, 0, 0]}"
-    refused(
-        tmp_path,
-        problems.changed(knee, "joints.left_knee = {rotvec = [0, 0, 0], heading = 3}"),
-        r"keyframe 1 \(t = 0 s\): joints.left_knee: a heading is of the root, of bodies and of obstacles",
-    )
-    refused(
-        tmp_path,
-        problems.changed(knee, f"{knee}\nbodies.left_shin = {{flat = true, euler = [0], order = 'x', heading = 3}}"),
-        "give flat or a rotation, not both",
-    )
-    refused(
-        tmp_path,
-        problems.changed("root.rotation = {rotvec = [0, 0, 0]}", 'root.rotation = {heading = "north"}'),
-        "root.rotation.heading must be a number, not 'north'",
-    )
-    refused(
-        tmp_path, problems.changed("frames = 2", "frames = 2\nturn = 45"), "turn is for ends = 'periodic', not 'free'"
-    )
-    refused(
-        tmp_path, problems.changed("frames = 2\n", ENDS + "turn = 400\n"), "solve.turn must be at most 360, not 400"
-    )
-    refused(
-        tmp_path,
-        TOLD.replace(ENDS, ENDS + "turn = 40\n"),
-        r"'root' \(a loop may travel, and turn about the vertical, here by 40 degrees\)",
-    )
-    refused(
-        tmp_path, problems.changed("frames = 2\n", ENDS).replace(LAST, LAST.replace("0.3, 0, 1", "0, 0, 1")), "by 0.99"
-    )
+        clips.load(str(problems.written(tmp_path, text)))
 
 
 @pytest.mark.slow
