@@ -320,7 +320,7 @@ def thin(
 ) -> None:
     """Reduce a motion to a few keyframes within an error bound.
     The extension of -o selects a clip (.toml) or a motion (.npz)."""
-    bound = thinning.bound_of(max_error, max_angle)
+    bound = thinning.bound_of(max_error, max_angle, ("--max-error", "--max-angle"))
     with terminal.Progress() as progress:
         thinning.run(
             source,
@@ -349,7 +349,9 @@ def report(
     It also estimates how far the cost is above the local optimum."""
     from rich.console import Console
 
-    measured = _measured(source, model, keys).report
+    _name(source, model, keys)
+    with terminal.Progress() as progress:
+        measured = inputs.measured(inputs.load(source, model=model, keys=keys), progress).report
     if as_json:
         print(json.dumps(measured, indent=2))
     else:
@@ -533,12 +535,6 @@ def _name(source: str, model: str | None, keys: str | None) -> str:
     if not source and keys is None and model is None:
         raise UserError("name a clip (see `dynsplines clips`), a file, or --model with --keys")
     return Path(source if keys is None else keys).stem or "motion"
-
-
-def _measured(source: str, model: str | None, keys: str | None) -> "motion.Saved":
-    _name(source, model, keys)
-    with terminal.Progress() as progress:
-        return inputs.measured(inputs.load(source, model=model, keys=keys), progress)
 
 
 def _edit(edit: Any, *arguments: object, output: Path | None, overwrite: bool) -> None:

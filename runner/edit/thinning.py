@@ -120,11 +120,11 @@ def _instants(saved: Saved, keys: Array) -> Array:
     return np.sort(np.concatenate([keys, grid[apart > SHORTEST]]))
 
 
-def bound_of(error: str, angle: float) -> tuple[float, float]:
-    """Return the two options of the command in metres and radians. Raises UserError for invalid bounds."""
+def bound_of(error: float | str, angle: float, names: tuple[str, str]) -> tuple[float, float]:
+    """Return bounds, a length and an angle [degrees], in metres and radians. Raises UserError for invalid ones."""
     if not 0 < angle <= 180:
-        raise UserError(f"--max-angle {angle:g}: give degrees, above 0 and up to 180")
-    return length(error, "--max-error"), float(np.radians(angle))
+        raise UserError(f"{names[1]} {angle:g}: give degrees, above 0 and up to 180")
+    return length(error, names[0]), float(np.radians(angle))
 
 
 def run(

@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 
-from dynsplines.solver.array import runs
 from dynsplines.solver.contacts import within
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
@@ -23,7 +22,7 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.naming import geom_name
 from dynsplines.solver.figure.root_wrench import RootWrench
 from dynsplines.solver.objective import Objective
-from dynsplines.solver.surface.heights import FAR, height_above, heights
+from dynsplines.solver.surface.heights import height_above
 from dynsplines.solver.surface.points import displacements, places_of
 from dynsplines.solver.surface.touch import counts_all, movers
 
@@ -60,7 +59,6 @@ def quantities(clip: Clip, objective: Objective, measurement: Measurement, sampl
         "equality constraints": _equalities(worst("coupled"), worst("torn")),
         "skate": _skate(clip, samples),
         "stances": _rests(measurement, "stance"),
-        "swings": swings(clip, samples),
         "contacts": _rests(measurement, "contact"),
         "grasps": _grasps(clip, measurement),
         "penetration of held objects, m": _deepest(in_grasped) if clip.context.schedule.grasps else {},
@@ -159,27 +157,6 @@ def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
         length, rest = float(steps[i, together[i]].sum()), float(pace[together[i]].sum())
         out[point.name] = {"path, m": length, "speed, m/s": length / rest if rest > 0 else 0.0, "rest, s": rest}
     return out
-
-
-def swings(clip: Clip, samples: Samples) -> dict[str, list[dict[str, float]]]:
-    """Return the swings of each foot: start and end [s], and height [m] of its lowest point above the surface below.
-
-    A swing begins when all points of a foot have left the ground and ends when one touches it again.
-    """
-    if not clip.context.points or not clip.context.surfaces:
-        return {}
-    limits = Thresholds.of(clip.figure)
-    by_foot: dict[str, list[dict[str, float]]] = {}
-    for link in sorted({point.link for point in clip.context.points}):
-        points = tuple(point for point in clip.context.points if point.link == link)
-        over, _ = heights(clip.context.surfaces, *places_of(points, samples))
-        lowest = over.min(axis=0)
-        by_foot[clip.figure.body_name(link)] = [
-            {"from, s": float(samples.t[a]), "to, s": float(samples.t[b - 1]), "height, m": float(lowest[a:b].max())}
-            for a, b in runs(lowest > limits.swings)
-            if samples.t[b - 1] - samples.t[a] >= limits.brief_swing and lowest[a:b].max() < FAR
-        ]
-    return by_foot
 
 
 def keyframe_error(clip: Clip, timeline: Timeline) -> float:

@@ -151,9 +151,7 @@ def rows(before: dict[str, Any], after: dict[str, Any]) -> Iterator[Line]:
 
 def _rows(name: str, before: Any, after: Any, unit: str = "") -> Iterator[Line]:
     label, unit = _label_and_unit(name, unit)
-    if isinstance(after, list) and label.startswith("swings"):
-        yield label, swing_text(before or []), swing_text(after)
-    elif any(isinstance(entry, dict) for side in (before, after) if isinstance(side, list) for entry in side):
+    if any(isinstance(entry, dict) for side in (before, after) if isinstance(side, list) for entry in side):
         for one, two in zip(before or [], after, strict=False):
             texts = " on ".join(value for value in two.values() if isinstance(value, str))
             place = f"{label}: {texts} {two['from, s']:.2f} - {two['to, s']:.2f} s"
@@ -172,16 +170,6 @@ def _rows(name: str, before: Any, after: Any, unit: str = "") -> Iterator[Line]:
             yield from _rows(f"{label}, {key}", before.get(key), after[key], unit)
     else:
         yield label, _value(name, before, unit), _value(name, after, unit)
-
-
-def swing_text(foot_swings: list[dict[str, float]]) -> str:
-    """Return a foot's swings for a table, by their heights."""
-    high = [1000 * swing["height, m"] for swing in foot_swings]
-    if not high:
-        return "never"
-    if len(high) > 6:
-        return f"{len(high)} times, {min(high):.0f} to {max(high):.0f} mm"
-    return ", ".join(f"{height:.0f}" for height in high) + " mm"
 
 
 def _label_and_unit(name: str, unit: str) -> tuple[str, str]:

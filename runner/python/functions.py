@@ -122,11 +122,10 @@ def build(
         spec, called = spec_of(figure)
         posed = _figure(spec, called) if any(key.qpos is not None for key in keyframes) else None
         raw: TomlTable = {"figure": called, "fps": float(fps)}
-        tables_of_clip = {"scene": scene, "solve": solve, "recording": recording, "mirror": mirror}
-        raw |= {key: _plain(value) for key, value in tables_of_clip.items() if value}
-        raw |= {"contact": [_plain(row) for row in contacts]} if contacts else {}
-        raw |= {"grasp": [_plain(row) for row in grasps]} if grasps else {}
-        raw |= {"penalty": [_penalty(*entry) for entry in penalties.items()]} if penalties else {}
+        rows = [_penalty(*entry) for entry in (penalties or {}).items()]
+        more = {"scene": scene, "solve": solve, "recording": recording, "mirror": mirror}
+        more |= {"contact": list(contacts), "grasp": list(grasps), "penalty": rows}
+        raw |= {key: _plain(value) for key, value in more.items() if value}
         raw |= {"keyframe": [_table(key, posed) for key in keyframes]}
         return with_custom_penalties(
             recordings.from_text(written(raw), name=name, where=name, spec=spec), custom_penalties
@@ -289,7 +288,7 @@ def _roots(entries: TomlTable, table: TomlTable) -> TomlTable:
 
 
 def _penalty(kind: str, table: float | Table) -> TomlTable:
-    return {"kind": kind} | (_plain(table) if isinstance(table, Mapping) else {"weight": float(table)})
+    return {"kind": kind} | (dict(table) if isinstance(table, Mapping) else {"weight": float(table)})
 
 
 def _plain(value: Any) -> Any:

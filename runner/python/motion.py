@@ -457,9 +457,7 @@ class Motion:
         Raises:
             UserError: For invalid bounds.
         """
-        if not 0 < max_angle <= 180:
-            raise UserError(f"max_angle = {max_angle:g}: give degrees, above 0 and up to 180")
-        bound = length(max_error, "max_error ="), float(np.radians(max_angle))
+        bound = thinning.bound_of(max_error, max_angle, ("max_error =", "max_angle ="))
         return Motion(thinning.thinned(self.saved, *bound, solve=solve, progress=silent()))
 
     @as_python_warnings()

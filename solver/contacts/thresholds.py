@@ -113,7 +113,6 @@ class Thresholds:
     swings: float = _metres(0.01)  # height of a foot that is off the ground
     brushes: float = _metres(0.005)  # height of a heel or toe that drags
     dragged: float = _of(0.5, 1, -1)  # speed of a foot that does not swing although it is above the ground
-    brief_swing: float = _seconds(0.05)  # a shorter swing is a bounce
     push_off: float = _seconds(0.32)  # longest time between contact and free fall, before and after a jump together
     brief_stance: float = _seconds(0.05)  # a shorter stance lies between two samples of a recording
 

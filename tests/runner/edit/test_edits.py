@@ -247,13 +247,12 @@ def test_rotations_are_written_as_one_would_write_them(rng):
         again = quat.from_rotation_vector(np.radians(rotvec))
         assert quat.angle_between(q, again) < 1e-10
         assert all(x == 0 or abs(x) >= 1e-9 for x in rotvec)
-    assert rotation(quat.from_rotation_vector([np.radians(30), 1e-18, -1e-18])) == RotationTable(
-        rotvec=(30.0, 0.0, 0.0)
-    )
+    for q, rotvec in (
+        (quat.from_rotation_vector([np.radians(30), 1e-18, -1e-18]), (30.0, 0.0, 0.0)),
+        (quat.from_rotation_vector(np.radians([30.000013, 0, 0])), (30.000013, 0.0, 0.0)),
+    ):
+        assert rotation(q) == RotationTable(rotvec=rotvec)
     assert str(rotation([1, 0, -1e-17, 0]).rotvec) == "(0.0, 0.0, 0.0)"
-    assert rotation(quat.from_rotation_vector(np.radians([30.000013, 0, 0]))) == RotationTable(
-        rotvec=(30.000013, 0.0, 0.0)
-    )
 
 
 ROUND = """

@@ -13,10 +13,9 @@ from processes import largest_file
 
 from dynsplines.errors import UserError
 from dynsplines.measure import chart
-from dynsplines.measure.chart import ENDINGS, draw
+from dynsplines.measure.chart import draw
 from dynsplines.measure.measurement import Measurement
 from dynsplines.solving import Solved
-from dynsplines.system.output import check_target
 
 
 @pytest.fixture(scope="module")
@@ -53,12 +52,6 @@ def test_the_chart_is_of_the_largest_amount_of_each_kind(sides, tmp_path, kept, 
         assert time in after.get_xdata()[np.asarray(after.get_ydata()) == np.max(after.get_ydata())]
     upright = {float(line.get_xdata()[0]) for line in axes.get_lines() if len(set(line.get_xdata())) == 1}
     assert upright == {0, 0.2, 0.41}
-
-
-@pytest.mark.parametrize("name", ["c.jpg", "c", "c.npz", ".png"])
-def test_other_endings_are_refused(tmp_path, name):
-    with pytest.raises(UserError, match=r"endings: \.png, \.svg, \.pdf"):
-        check_target(tmp_path / name, endings=ENDINGS)
 
 
 def test_a_chart_that_breaks_off_leaves_what_was_there(sides, tmp_path):
