@@ -522,12 +522,7 @@ def test_the_report_begins_with_what_is_wrong(run, tmp_path):
     assert run("solve", "sinks.toml").code == 0
     for source in ("sinks.toml", "sinks.npz"):
         done = run("report", source, "--strict")
-        assert done.code == 3
-        assert done.out.startswith(SUNK)
-    told = json.loads(run("report", "sinks.npz", "--json").out)
-    assert SUNK.endswith(told["violations"][0]["text"])
-    assert told["evaluations"] > 0
-    assert "seconds" not in told  # a file knows no clock
+        assert (done.code, done.out.startswith(SUNK)) == (3, True)
 
 
 def flat(data: Any, place: str = "") -> dict[str, Any]:

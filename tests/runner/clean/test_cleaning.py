@@ -123,26 +123,6 @@ def test_a_foot_that_goes_through_an_edge_between_two_frames_is_seen():
     assert not cleaning.missed_edge_times(Ground(figure, ground.points, ()), path, frames).size
 
 
-def test_a_long_recording_is_searched_again_about_what_was_unseen_alone(part, bad, monkeypatch):
-    take, bad = part, bad[:80]
-    ground, whole = ground_of(take.figure, bad), repaired(take.figure, take.time, bad, "bad")
-    monkeypatch.setattr(cleaning, "LONG", 0.0)
-    monkeypatch.setattr(cleaning, "missed_edge_times", lambda *_: np.zeros(0))
-    before = cleaned(ground, whole).solution.timeline
-    at = 0.5 * (before.times[3] + before.times[4])
-    found = [np.array([at]), np.zeros(0)]
-    monkeypatch.setattr(cleaning, "missed_edge_times", lambda *_: found.pop(0))
-    after = cleaned(ground, whole).solution.timeline
-    assert not found
-    assert at in after.times
-    far, near = before.times > at + 0.6, np.abs(before.times - at) < 0.1
-    assert far.sum() > 3
-    poses, same = take.figure.to_qpos(before.states), np.isin(after.times, before.times)
-    off = np.abs(take.figure.to_qpos(after.states)[same] - poses).max(axis=1)
-    assert off[far].max() < 1e-9
-    assert off[near].max() > 1e-6
-
-
 def test_what_is_asked_to_stay_near_does_as_far_as_its_stances_let_it(part, bad):
     """Held by one stance it comes nearer; by all of them it cannot, and stays as sound as it was."""
     repair = repaired(part.figure, part.time, bad[:80], "bad")
