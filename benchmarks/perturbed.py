@@ -27,7 +27,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty.motion.peak import relative_accelerations
+from dynsplines.solver.penalty.motion.acceleration import relative_accelerations
 
 SETS = (100, 2)  # of every clip
 TURN, SHIFT = np.radians(5.0), 0.03  # [rad] of every ball joint, [m] of the root

@@ -12,7 +12,7 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, JointKind, Link, quaternion_columns
 from dynsplines.solver.figure.root import Root, sliding_joints
 from dynsplines.solver.penalty import Placed, couplings
-from dynsplines.solver.penalty.joints.coupling import Coupling, in_order
+from dynsplines.solver.penalty.joints.equality import Coupling, in_order
 from dynsplines.solver.posing import Goal, rest_rotation
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import Point

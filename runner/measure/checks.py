@@ -30,7 +30,7 @@ from dynsplines.solver.penalty import (
     couplings,
     slipped,
 )
-from dynsplines.solver.penalty.motion.peak import relative_accelerations
+from dynsplines.solver.penalty.motion.acceleration import relative_accelerations
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import FAR, heights
 from dynsplines.solver.surface.points import Point, placed, places_of

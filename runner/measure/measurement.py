@@ -29,7 +29,7 @@ from dynsplines.solver.penalty import (
     joint_ranges,
     slipped,
 )
-from dynsplines.solver.penalty.motion.peak import relative_accelerations
+from dynsplines.solver.penalty.motion.acceleration import relative_accelerations
 from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface.points import Point, places_of
 

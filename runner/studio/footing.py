@@ -14,8 +14,8 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.posing import FloorClearance, PointGoal, limb
 from dynsplines.solver.surface import Surface
-from dynsplines.solver.surface.plane import Plane
 from dynsplines.solver.surface.points import Point, body_points
+from dynsplines.solver.surface.surface import Plane
 from dynsplines.solver.surface.touch import LEVEL
 
 CONTACT = 0.004  # [m] height over the lowest point of a foot up to which its points touch the ground

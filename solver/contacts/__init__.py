@@ -1,10 +1,9 @@
 """Inference of when and where figures touch their surroundings, from keyframes, clips and recordings.
 
-schedule          all contacts of one clip: stances, grasps, flights, gait
+schedule          all contacts of one clip: stances, grasps, flights, gait, intervals near the ground
 stance            points that stay in one place
 grasp             points that hold another body, and bodies at rest between holds
 footing           points that carry
-grounded          intervals near the ground
 steps             legs that swing while another one stands
 footsteps         the steps of two feet between keyframes in which both stand
 flight            free fall between contacts

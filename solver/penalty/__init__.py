@@ -1,10 +1,8 @@
-"""The soft constraints. Each file has one.
+"""The soft constraints.
 
-penalty    the base class
+penalty    the base class, and sums of several penalties
 block      the residuals of a penalty, from which value, gradient and curvature are computed
-curvature  Gauss-Newton second derivatives
-one_sided  one-sided residuals
-sum        several penalties as one
+curvature  Gauss-Newton second derivatives, and one-sided residuals
 check      a consistency check of values and gradient
 allowance  tolerance of violations in keyframes
 motion, ground, joints  the soft constraints
@@ -28,32 +26,32 @@ from .ground.skate import SwingSegments as SwingSegments
 from .ground.support import Support as Support
 from .joints.bend import Bend as Bend
 from .joints.bend import BendLimits as BendLimits
-from .joints.coupling import Coupling as Coupling
-from .joints.coupling import CouplingPenalty as CouplingPenalty
-from .joints.coupling import couplings as couplings
+from .joints.equality import Coupling as Coupling
+from .joints.equality import CouplingPenalty as CouplingPenalty
+from .joints.equality import closures as closures
+from .joints.equality import couplings as couplings
 from .joints.joint_range import JointRange as JointRange
 from .joints.joint_range import Range as Range
+from .joints.joint_range import Speed as Speed
 from .joints.joint_range import joint_ranges as joint_ranges
-from .joints.loop_closure import closures as closures
 from .joints.overshoot import Holds as Holds
 from .joints.overshoot import OvershootPenalty as OvershootPenalty
 from .joints.overshoot import root_limits as root_limits
 from .joints.self_contact import SelfContact as SelfContact
-from .joints.speed import Speed as Speed
 from .joints.upright import Lean as Lean
 from .joints.upright import Upright as Upright
 from .joints.upright import leans as leans
-from .motion.covariant import CovariantAcceleration as CovariantAcceleration
+from .motion.acceleration import CovariantAcceleration as CovariantAcceleration
+from .motion.acceleration import PeakAcceleration as PeakAcceleration
+from .motion.acceleration import RootAcceleration as RootAcceleration
+from .motion.acceleration import UnitMagnitude as UnitMagnitude
 from .motion.cycle import Cycle as Cycle
-from .motion.peak import PeakAcceleration as PeakAcceleration
 from .motion.posture import Between as Between
 from .motion.posture import Posture as Posture
-from .motion.root import RootAcceleration as RootAcceleration
 from .motion.torque import Torque as Torque
 from .motion.tracking import TrackingPenalty as TrackingPenalty
-from .motion.unit import UnitMagnitude as UnitMagnitude
 from .penalty import Guide as Guide
 from .penalty import Normalization as Normalization
 from .penalty import Penalty as Penalty
 from .penalty import Role as Role
-from .sum import Sum as Sum
+from .penalty import Sum as Sum

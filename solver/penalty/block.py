@@ -18,8 +18,7 @@ from ..array import Array, Index, add_rows_at
 from ..figure.adjoint import OF_THE_STATE, Cotangent
 from ..figure.kinematics import Samples
 from ..figure.wrenches import Wrenches
-from .curvature import Curvature
-from .one_sided import OneSidedResiduals
+from .curvature import Curvature, OneSidedResiduals
 
 
 @dataclass(frozen=True, eq=False)

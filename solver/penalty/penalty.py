@@ -8,7 +8,7 @@ Taylor test, and one row in the runner's table of penalties.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from typing import ClassVar
@@ -21,8 +21,7 @@ from ..curve.spline import Path
 from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
 from .block import Block, Dense, summed
-from .curvature import Curvature, jacobian
-from .one_sided import OneSidedResiduals
+from .curvature import Curvature, OneSidedResiduals, jacobian
 
 
 @dataclass(frozen=True)
@@ -219,3 +218,35 @@ class Guide(Penalty):
     def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
         """Return the timeline with its variable frames on the initial path, extended to at most `most` frames."""
         ...
+
+
+@dataclass(frozen=True)
+class Sum(Penalty):
+    """The sum of at least one soft constraint, all of the same unit."""
+
+    parts: tuple[Penalty, ...]
+    term_name: str
+
+    @property
+    def name(self) -> str:
+        return self.term_name
+
+    @property
+    def role(self) -> Role:
+        return self.parts[0].role
+
+    @property
+    def obstructs(self) -> bool:
+        return any(part.obstructs for part in self.parts)
+
+    @property
+    def normalization(self) -> Normalization:
+        return self.parts[0].normalization
+
+    def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
+        for part in self.parts:
+            yield from part.residuals(samples)
+
+    def nearby(self, samples: Samples) -> Iterator[Block | Dense]:
+        for part in self.parts:
+            yield from part.nearby(samples)

@@ -35,8 +35,7 @@ from ..curve.seam import Seam
 from ..curve.spline import DEGREE, Path, Piece, Sampling
 from ..figure.kinematics import Samples
 from ..objective import Discretised, EvaluatedRun, Term
-from ..penalty.curvature import Curvature
-from ..penalty.one_sided import OneSidedResiduals
+from ..penalty.curvature import Curvature, OneSidedResiduals
 
 POINTS = 2  # nodes per span for the curvature of smooth terms, which needs fewer nodes than E
 SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000  # spans in a run: at least 32, else 2000 / columns, to stay in cache

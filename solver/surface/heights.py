@@ -8,8 +8,7 @@ import numpy as np
 
 from ..array import Array, Index
 from .box import Box
-from .plane import Plane
-from .surface import Surface
+from .surface import Plane, Surface
 
 DEEP = 0.15  # [m] depth below its top from which a point is beside or below a surface
 FAR = 1e3  # [m] height where there is no surface

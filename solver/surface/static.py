@@ -11,13 +11,10 @@ from ..array import Array, Index
 from ..figure.forward import kinematics
 from ..figure.naming import geom_name
 from .box import Box
-from .capsule import Capsule, Sphere
-from .cylinder import Cylinder
-from .ellipsoid import Ellipsoid
 from .height_field import HeightField
 from .hull import Hull
-from .plane import Plane
-from .surface import GROUNDED, UPRIGHT, Surface
+from .round import Capsule, Cylinder, Ellipsoid, Sphere
+from .surface import GROUNDED, UPRIGHT, Plane, Surface
 from .touch import LEVEL, solids
 
 DOWN = 10.0  # [m] extension of cylinders below the floor, so that there is no exit downwards

@@ -1,7 +1,8 @@
-"""The interface of surfaces: solids fixed in the world, and the depth of spheres in them (eq. 12)."""
+"""The interface of surfaces: solids fixed in the world, and the depth of spheres in them (eq. 12); and planes."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -50,3 +51,34 @@ class Surface(Protocol):
     def up(self, points: Array) -> Array:
         """Return the gradient of `height` at points (3, p) where it is finite, (3, p)."""
         ...
+
+
+@dataclass(frozen=True)
+class Plane:
+    """The half space below an infinite plane through `point` (3,) [m] with the unit `normal` (3,)."""
+
+    name: str
+    point: Array
+    normal: Array
+
+    def depth(self, points: Array, radius: Array, margin: float = 0.0) -> tuple[Array, Array]:
+        depth = radius[:, None] - self._over(points)
+        near = depth > -margin
+        return np.where(near, depth, FAR if margin else 0.0), np.multiply.outer(-self.normal, near)
+
+    def near(self, points: Array, radius: Array) -> NDArray[np.bool_]:
+        return self._over(points) < radius
+
+    def height(self, points: Array) -> Array:
+        over = self._over(points)
+        return over if self.normal[2] > UPRIGHT else np.full_like(over, np.inf)
+
+    def up(self, points: Array) -> Array:
+        return np.repeat(self.normal[:, None], points.shape[1], axis=1)
+
+    def inside(self, points: Array) -> Array:
+        return np.maximum(-self._over(points), 0)
+
+    def _over(self, points: Array) -> Array:
+        """Return the signed distance of points (3, ...) from the plane [m]."""
+        return np.einsum("i,i...->...", self.normal, points) - self.normal @ self.point

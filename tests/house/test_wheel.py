@@ -44,7 +44,7 @@ def test_the_wheel_holds_exactly_the_packages_their_data_the_command_and_the_lic
     with zipfile.ZipFile(wheel) as archive:
         contents = {name: archive.read(name) for name in archive.namelist()}
     assert {name for name in contents if ".dist-info/" not in name} == wanted
-    named = ("py.typed", "models/human.xml", "models/clips/run_and_step.toml", "solver/penalty/motion/unit.py")
+    named = ("py.typed", "models/human.xml", "models/clips/run_and_step.toml", "solver/penalty/motion/acceleration.py")
     assert {f"dynsplines/{name}" for name in named} <= wanted
     about = {name.split(".dist-info/")[1]: data.decode() for name, data in contents.items() if ".dist-info/" in name}
     assert about["top_level.txt"].split() == ["dynsplines"]

@@ -29,8 +29,7 @@ from dynsplines.solver.penalty import (
     Torque,
     UnitMagnitude,
 )
-from dynsplines.solver.penalty.curvature import Curvature
-from dynsplines.solver.penalty.one_sided import OneSidedResiduals
+from dynsplines.solver.penalty.curvature import Curvature, OneSidedResiduals
 from dynsplines.solver.search.quadratic import POINTS, Layout, Model
 from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point, places_of

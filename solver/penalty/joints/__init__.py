@@ -1,11 +1,9 @@
 """Soft constraints on joints and on orientations of bodies.
 
 bend          knees and elbows
-joint_range   the model's joint ranges
-speed         maximum speeds
+joint_range   the model's joint ranges, and maximum speeds
 overshoot     joints with the same value in two neighbouring keyframes
-coupling      joints coupled by equality constraints
-loop_closure  loops closed by equality constraints
+equality      joints coupled and loops closed by equality constraints
 upright       bodies that stay upright, a trunk at its posed tilt
 self_contact  collisions of a figure with itself
 """

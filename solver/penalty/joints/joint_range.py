@@ -1,4 +1,4 @@
-"""Joint ranges of the model: hinges and slides between their bounds, ball joints up to a maximum angle.
+"""Joint ranges of the model: hinges and slides between their bounds, ball joints up to a maximum angle; and speeds.
 
 As in MuJoCo, a ball joint's angle is that of D = Q_child (Q_parent turn)⁻¹: θ = 2 atan2(|vec D|, |D_w|). A small
 rotation δφ of the child relative to the parent changes it by axis · δφ. At half a turn the axis changes sign. There π −
@@ -19,7 +19,7 @@ from ...curve.frame import Timeline
 from ...figure.algebra import cross, dot, hamilton, vector_product
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
-from ...figure.wrenches import of_turn
+from ...figure.wrenches import Wrenches, of_turn
 from ..allowance import Allowance
 from ..block import Block, Entries
 from ..penalty import Normalization, Penalty, Role
@@ -269,3 +269,43 @@ def joint_ranges(figure: Figure) -> tuple[Range, ...]:
                 continue
         result.append(Range(link.name, i, link.kind, low, high))
     return tuple(result)
+
+
+@dataclass(frozen=True, eq=False)
+class Speed(Penalty):
+    """Σ over hinges and ball joints of max(0, |ω − ω_parent| − limit)² [rad²/s²].
+
+    Attributes:
+        links: The links that the joints rotate, (J,).
+        limits: The maximum speeds, (J,) [rad/s].
+    """
+
+    links: Index
+    limits: Array
+
+    name = "limits.speed"
+    role = Role.LIMIT
+    normalization = Normalization(1.0, is_violation=True, time_power=2, is_sharp=True)
+
+    @classmethod
+    def of(cls, figure: Figure, limit: float) -> Speed:
+        """Return the penalty of all hinges and ball joints with one limit [rad/s]."""
+        links = figure.tables.rotary_links
+        return cls(links, np.full(links.size, limit))
+
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        relative = self._relative(samples)
+        size = np.linalg.norm(relative, axis=0)
+        at, joint = np.nonzero((size > self.limits[:, None]).T)
+        fast, link = size[joint, at], self.links[joint]
+        axis = relative[:, joint, at] / np.maximum(fast, TINY)
+        parent = samples.figure.tables.parents[link]
+        changes = Wrenches(at, link, torque_d=axis), Wrenches(at, parent, torque_d=-axis)
+        yield Block(at, fast - self.limits[joint], changes)
+
+    def speeds(self, samples: Samples) -> Array:
+        return np.linalg.norm(self._relative(samples), axis=0)
+
+    def _relative(self, samples: Samples) -> Array:
+        omega, parents = samples.links.omega, samples.figure.tables.parents
+        return omega[:, self.links] - omega[:, parents[self.links]]

@@ -20,7 +20,7 @@ from dynsplines.solver.curve.spline import Path, natural_spline
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import JointRange, Support, joint_ranges
-from dynsplines.solver.penalty.motion.peak import relative_accelerations
+from dynsplines.solver.penalty.motion.acceleration import relative_accelerations
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import body_points, places_of

@@ -37,10 +37,9 @@ from dynsplines.solver.penalty import (
     Penalty,
     RootAcceleration,
 )
-from dynsplines.solver.penalty import one_sided as one_sided_module
+from dynsplines.solver.penalty import curvature as curvature_module
 from dynsplines.solver.penalty.block import Block, Dense, every
-from dynsplines.solver.penalty.curvature import Curvature
-from dynsplines.solver.penalty.one_sided import OneSidedResiduals
+from dynsplines.solver.penalty.curvature import Curvature, OneSidedResiduals
 from dynsplines.solver.refine import euler_lagrange
 from dynsplines.solver.refine.euler_lagrange import WeakForm
 from dynsplines.solver.refine.subdivision import midpoints, split
@@ -172,7 +171,7 @@ def residuals_at(rng: np.random.Generator, at: list[int]) -> OneSidedResiduals:
 @pytest.mark.parametrize("at_once", [2 * WIDTH, 10**6])
 @pytest.mark.parametrize("at", [[0, 0, 3, 4], [4, 1, 1, 0, 4], []])
 def test_what_a_change_moves_and_forces_pull_back_are_the_matrix_and_its_transpose(at_once, at, rng, monkeypatch):
-    monkeypatch.setattr(one_sided_module, "ENTRIES_AT_ONCE", at_once)
+    monkeypatch.setattr(curvature_module, "ENTRIES_AT_ONCE", at_once)
     change, sides = rng.normal(size=(SAMPLES, WIDTH)), residuals_at(rng, at)
     np.testing.assert_allclose(sides.moved(change), np.sum(sides.rows * change[sides.at], axis=1), rtol=1e-12)
     forces = rng.normal(size=len(at))

@@ -11,8 +11,8 @@ from figures import BALL, figure_of
 from gradients import assembled, curvature_of
 from random_models import at_times, random_samples
 
-from dynsplines.solver.contacts.grounded import grounded_intervals, open_intervals
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
+from dynsplines.solver.contacts.schedule import grounded_intervals, open_intervals
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
