@@ -71,7 +71,7 @@ FORMATS = (
            "mjlab_csv", reads=True),
     Format("locomujoco", ".loco.npz", "LocoMuJoCo: trajectory", "locomujoco", reads=True),
     Format("gmr", ".gmr.pkl", "GMR: root pose (xyzw), hinge angles, body positions", "gmr", reads=True,
-           containers=(".pickle", ".joblib")),
+           containers=(".pickle",)),
     Format("mimickit", ".mimickit.pkl", "MimicKit: rotation vectors of root and ball joints", "mimickit", reads=True),
     Format("amass", ".amass.npz", "AMASS: motion capture of an SMPL body", "amass", writes=False, reads=True),
     Format("bvh", ".bvh", "skeleton and joint angles, y up, in centimetres", "bvh", reads=True),

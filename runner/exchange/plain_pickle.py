@@ -9,22 +9,23 @@ types from the pickle. Instructions that set attributes or need extensions are n
 from __future__ import annotations
 
 import io
-import math
 import pickle
 import pickletools
 import re
-import zlib
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any, BinaryIO, Literal
+from typing import Any, Literal
 
 import numpy as np
 
-from ..errors import UserError, listed, words_of
+from ..errors import UserError, words_of
 from ..system import size_limit
 from .array_reader import ArrayReader
 
-TENSORS = ": save its tensors as arrays in Python, with .numpy(), and dump it again"
+ADVICE = {  # by the first word of a name
+    "torch": ": save its tensors as arrays in Python, with .numpy(), and dump it again",
+    "joblib": ": load it in Python with joblib, and dump it again with pickle",
+}
 STEP_BYTES = 100  # most memory of an instruction without data: an empty dict and its entry
 LARGEST_INTEGER = 64  # [bits]
 INSTRUCTIONS = """
@@ -33,8 +34,7 @@ INSTRUCTIONS = """
     BYTEARRAY8 EMPTY_LIST LIST APPEND APPENDS EMPTY_DICT DICT SETITEM SETITEMS EMPTY_TUPLE TUPLE TUPLE1 TUPLE2 TUPLE3
     PUT BINPUT LONG_BINPUT MEMOIZE GET BINGET LONG_BINGET PROTO FRAME GLOBAL STACK_GLOBAL REDUCE NEWOBJ BUILD
 """
-ZLIB = (b"\x78\x01", b"\x78\x5e", b"\x78\x9c", b"\x78\xda", b"\x1f\x8b")  # first bytes of zlib and gzip
-OTHERS = (b"BZh", b"\xfd7zXZ", b"\x5d\x00\x00")  # of bz2, xz and lzma
+COMPRESSED = (b"\x78", b"\x1f\x8b", b"BZh", b"\xfd7z")  # first bytes of zlib, gzip, bz2 and xz
 FIXED = re.compile(r"b1|[iu][1248]|f[248]|[SU][1-9][0-9]{0,5}|O8?")
 ORDERS: dict[str, Literal["<", ">", "|"]] = {"<": "<", ">": ">", "|": "|"}
 LAST_CHARACTER = 0x10FFFF  # of Unicode
@@ -79,29 +79,6 @@ class _Array(np.ndarray[Any, Any]):
 def _array(*_: Any) -> _Array:
     """Replace numpy._reconstruct(ndarray, (0,), b"b"); the state contains the array."""
     return _Array((0,), object)
-
-
-class _JoblibArray:
-    """Replaces joblib.numpy_pickle.NumpyArrayWrapper: its state has type and shape; the bytes follow in the stream."""
-
-    state: dict[str, Any]
-
-    def __setstate__(self, state: Any) -> None:
-        if type(state) is not dict or not isinstance(state.get("dtype"), _Type):
-            raise Refused("an array of joblib without its state")
-        self.state = state
-
-    def read(self, stream: BinaryIO, inner: Callable[[], Any]) -> Any:
-        """Return the array at the current position: a nested pickle, by `inner`, for objects, else padded bytes."""
-        kind, shape = self.state["dtype"].dtype, self.state.get("shape")
-        if kind is not None and kind.kind == "O":
-            return inner()
-        if type(self.state.get("numpy_array_alignment_bytes")) is int:
-            stream.read(stream.read(1)[0])
-        if kind is None or type(shape) is not tuple or not all(type(n) is int and n >= 0 for n in shape):
-            raise Refused("an array without its shape")
-        data = stream.read(math.prod(shape) * kind.itemsize)
-        return _items(self.state["dtype"], data, shape, "F" if self.state.get("order") == "F" else "C")
 
 
 def _items(kind: Any, data: Any, shape: Any, order: Any = "C") -> Any:
@@ -150,7 +127,6 @@ def _latin(text: Any, encoding: Any) -> bytes:
 CONSTRUCTORS: Mapping[tuple[str, str], Callable[..., Any]] = {
     ("numpy", "dtype"): _Type,
     ("numpy", "ndarray"): _class,
-    ("joblib.numpy_pickle", "NumpyArrayWrapper"): _JoblibArray,
     ("_codecs", "encode"): _latin,
     ("__builtin__", "bytes"): lambda: b"",  # as protocol 2 writes empty bytes
     ("builtins", "bytes"): lambda: b"",
@@ -167,25 +143,7 @@ CONSTRUCTORS: Mapping[tuple[str, str], Callable[..., Any]] = {
 }
 
 
-def content(source: Path) -> bytes:
-    """Return a pickle's bytes, decompressed if joblib compressed them; raises UserError above the size limit."""
-    data = source.read_bytes()
-    if data.startswith(OTHERS):
-        raise UserError(f"{source}: compressed by bz2 or lzma; dump it again without compression or with zlib")
-    if not data.startswith(ZLIB):
-        return data
-    stream = zlib.decompressobj(zlib.MAX_WBITS + 32)  # of zlib or gzip
-    try:
-        out = stream.decompress(data, size_limit.bound() + 1)
-    except zlib.error as error:
-        raise UserError(f"{source}: damaged compressed file: {error}") from None
-    size_limit.check(source, len(out), "it, decompressed,")
-    if not stream.eof:
-        raise UserError(f"{source}: damaged compressed file: cut short")
-    return out
-
-
-InPython: Any = pickle._Unpickler  # the one joblib uses, as it can pause where an array's bytes follow
+InPython: Any = pickle._Unpickler  # whose instructions can be replaced
 
 
 class _Unpickler(InPython):
@@ -193,7 +151,7 @@ class _Unpickler(InPython):
 
     def __init__(self, stream: io.BytesIO, size: int, where: object) -> None:
         super().__init__(stream, encoding="latin1")
-        self.stream, self.size, self.where, self.most = stream, size, where, size_limit.bound()
+        self.size, self.where, self.most = size, where, size_limit.bound()
 
     def find_class(self, module: str, name: str) -> Any:
         constructor = CONSTRUCTORS.get((module, name))
@@ -217,11 +175,9 @@ class _Unpickler(InPython):
         """Complete an array or a type by its state; no other object has one."""
         state = self.stack.pop()
         blank = self.stack[-1]
-        if not isinstance(blank, _Type | _Array | _JoblibArray):
+        if not isinstance(blank, _Type | _Array):
             raise Refused("a state of an object without one")
         blank.__setstate__(state)
-        if isinstance(blank, _JoblibArray):
-            self.stack[-1] = blank.read(self.stream, _Unpickler(self.stream, self.size, self.where).load)
 
     def load_bytearray8(self) -> None:
         """Load as in Python, but allocate no memory for missing bytes."""
@@ -241,30 +197,30 @@ def _checked(name: str) -> tuple[int, Callable[[_Unpickler], None]]:
     return code, checked
 
 
-class _Instructions(dict[int, Callable[[_Unpickler], None]]):
-    """The instructions of plain data."""
-
-    def __missing__(self, code: int) -> Any:
-        name = next((opcode.name for opcode in pickletools.opcodes if opcode.code == chr(code)), None)
-        if name is None:
-            raise ValueError(f"no instruction {code}")
+def _refused(name: str) -> Callable[[_Unpickler], None]:
+    def refuse(unpickler: _Unpickler) -> None:
         raise Refused(name)
 
+    return refuse
 
-_Unpickler.dispatch = _Instructions(map(_checked, INSTRUCTIONS.split()))
+
+_Unpickler.dispatch = {ord(opcode.code): _refused(opcode.name) for opcode in pickletools.opcodes}
+_Unpickler.dispatch |= map(_checked, INSTRUCTIONS.split())
 
 
 def load(source: Path) -> ArrayReader:
     """Return the dict in a pickle; raises UserError if it is damaged or contains more than plain data."""
     try:
-        data = content(source)
+        data = source.read_bytes()
+        if data.startswith(COMPRESSED):
+            raise UserError(f"{source}: a compressed file; load it in Python and dump it again with pickle")
         entries = _Unpickler(io.BytesIO(data), len(data), source).load()
     except (UserError, OSError, MemoryError):
         raise
     except Refused as error:
         raise UserError(
             f"{source}: it holds '{error}'; only numbers, texts, lists and numpy arrays are loaded"
-            + (TENSORS if str(error).startswith("torch") else "")
+            + next((advice for name, advice in ADVICE.items() if str(error).startswith(name)), "")
         ) from None
     except Exception as error:  # a damaged pickle raises nearly anything
         raise UserError(f"{source}: not a readable pickle: {words_of(error) or 'cut short'}") from None
@@ -274,18 +230,6 @@ def load(source: Path) -> ArrayReader:
     if foreign is not None:
         raise UserError(f"{source}: a key in it is a {type(foreign).__name__}, not a text")
     return ArrayReader(source, entries)
-
-
-def one_motion(reader: ArrayReader) -> ArrayReader:
-    """Return the one motion of a file that stores motions by name, as PHC and ASAP do; raises UserError for several."""
-    entries = reader.entries
-    if not entries or not all(isinstance(entry, dict) for entry in entries.values()):
-        return reader
-    if len(entries) > 1:
-        raise UserError(
-            f"{reader.where}: it holds {len(entries)} motions: {listed(entries, 5)}; save one of them alone"
-        )
-    return ArrayReader(reader.where, {str(key): value for key, value in next(iter(entries.values())).items()})
 
 
 def dump(entries: Mapping[str, object], target: Path) -> None:
