@@ -21,7 +21,6 @@ from dynsplines.solver.array import Array
 
 from ...errors import UserError, listed
 from .. import gaps
-from .roles import lineage, roles
 
 AXES = "XYZ"
 KINDS = tuple(f"{axis}{kind}" for kind in ("position", "rotation") for axis in AXES)
@@ -43,15 +42,11 @@ class Joint:
 
 @dataclass(frozen=True)
 class Skeleton:
-    """Joints, parents first, and their motion: fps [1/s], values (T, channels) in the file's units and degrees.
-
-    notes: lines on data that the file lacks
-    """
+    """Joints, parents first, and their motion: fps [1/s], values (T, channels) in the file's units and degrees."""
 
     joints: tuple[Joint, ...]
     fps: float
     values: Array
-    notes: tuple[str, ...] = ()
 
     @property
     def parents(self) -> list[int]:
@@ -174,8 +169,7 @@ def read(path: Path) -> Skeleton:
     joints = _hierarchy(lines)
     width = sum(len(joint.channels) for joint in joints)
     count, fps = _heading(lines)
-    values, notes = _with_numbers(lines, joints, _values(lines, count, width))
-    return Skeleton(tuple(joints), fps, values, notes)
+    return Skeleton(tuple(joints), fps, _finite(lines, joints, _values(lines, count, width)))
 
 
 def _text(content: bytes) -> str:
@@ -294,41 +288,22 @@ def _number(word: str) -> float | None:
         return float("nan") if NO_NUMBER.fullmatch(word) else None
 
 
-def _with_numbers(lines: _Lines, joints: Sequence[Joint], values: Array) -> tuple[Array, tuple[str, ...]]:
-    """Return finite values, and a note; samples with a missing number of a part of the body are marked as gaps. A joint
-    that carries no part of the body gets the pose of the sample before, or of rest. Raises UserError for entries that
-    are not finite unless gaps are allowed."""
+def _finite(lines: _Lines, joints: Sequence[Joint], values: Array) -> Array:
+    """Return finite values; samples with missing numbers are marked as gaps. Raises UserError for such samples unless
+    gaps are allowed, and for joints without any numbers."""
     values = np.where(np.isfinite(values), values, np.nan)
-    bad = ~np.isfinite(values)
+    bad = np.isnan(values)
     if not bad.any():
-        return values, ()
+        return values
     if not gaps.are_allowed():
         lines.number = [number for number, _ in lines.rest()][int(bad.any(axis=1).argmax())]
         raise lines.wrong("a number that is not finite")
-    parents = [joint.parent for joint in joints]
-    parts = roles([joint.name for joint in joints], parents)
-    needed = {i for part in parts.values() for i in lineage(part, parents)} or set(range(len(joints)))
-    of_joint = [(i, channel) for i, joint in enumerate(joints) for channel in joint.channels]
-    unused = [column for column, (i, _) in enumerate(of_joint) if i not in needed and bad[:, column].any()]
-    for column in unused:
-        i, channel = of_joint[column]
-        rest = float(joints[i].offset[AXES.index(channel[0])]) if channel.endswith("position") else 0.0
-        values[:, column] = _held(values[:, column], rest)
-    names = list(dict.fromkeys(joints[of_joint[column][0]].name for column in unused))
-    notes = (f"without numbers, held where they are or at rest: {listed(names, LISTED)}",) if names else ()
-    if np.all(np.isfinite(values)):
-        return values, notes
     mended = gaps.bridged(values)
     if mended is None:
-        without = next(of_joint[column][0] for column in np.flatnonzero(~np.isfinite(values).all(axis=0)))
-        raise lines.wrong(f"no sample has numbers for all parts of the body; '{joints[without].name}' lacks some")
-    return mended, notes
-
-
-def _held(track: Array, rest: float) -> Array:
-    """Return a track (T,) with gaps filled by the last number before, else the first number, else the rest value."""
-    is_good = np.isfinite(track)
-    return gaps.held(track, is_good) if is_good.any() else np.full(track.shape, rest)
+        of_column = [joint.name for joint in joints for _ in joint.channels]
+        lacking = dict.fromkeys(name for name, column in zip(of_column, bad.T, strict=True) if column.any())
+        raise lines.wrong(f"no sample has all numbers; write zeros for joints without numbers: {listed(lacking)}")
+    return mended
 
 
 def written(skeleton: Skeleton) -> str:

@@ -66,13 +66,13 @@ class CapturedSkeleton:
         bone_map: Mapping[str, str] | None = None,
     ) -> CapturedSkeleton:
         """Convert from a file's unit and axes; scale [m] its unit, inferred if None; bone_map, names by role."""
-        bone_map, notes_of_file = bone_map or {}, skeleton.notes
+        bone_map = bone_map or {}
         skeleton, folded = _from_body_root(skeleton, bone_map)
         place, turn = skeleton.local
         offset = np.where(np.ptp(place, axis=0) > 0, np.median(place, axis=0), place[0])
         ends = {i: joint.end for i, joint in enumerate(skeleton.joints) if joint.end is not None}
         unit, notes = _unit(skeleton.parents, offset, ends, scale)
-        notes = (*notes_of_file, *notes, *folded)
+        notes += folded
         drift = np.abs(place[:, 1:] - offset[1:]).max(axis=(0, 2), initial=0.0)
         stretched = [skeleton.names[1 + i] for i in np.flatnonzero(unit * drift > DRIFT * REACH)]
         if stretched:
@@ -168,24 +168,20 @@ def _unit(
     ends: dict[int, Array],
     scale: float | None,
 ) -> tuple[float, tuple[str, ...]]:
-    """Return the file's unit [m], by the length of its longest limb from the root, and notes."""
-    reach = np.zeros(len(parents))
-    for i, parent in enumerate(parents):
-        if parent >= 0:
-            reach[i] = reach[parent] + np.linalg.norm(offset[i])
-    longest = max([*reach, *(reach[i] + np.linalg.norm(end) for i, end in ends.items())])
+    """Return the file's unit [m], by the length of its longest limb from the root, and a note."""
     if scale is not None:
         return scale, ()
-    if longest <= 0:
-        return 0.01, (f"a skeleton without size: taken for centimetres; {GIVE_UNIT}",)
+    reach = np.zeros(len(parents))
+    for i, parent in enumerate(parents):
+        reach[i] = reach[parent] + np.linalg.norm(offset[i]) if parent >= 0 else 0.0
+    longest = max([*reach, *(reach[i] + np.linalg.norm(end) for i, end in ends.items())])
     for units in (UNITS, ODD_UNITS):
         likely = {name: unit for name, unit in units.items() if LIKELY[0] <= longest * unit <= LIKELY[1]}
         if likely:
             name = min(likely, key=lambda each: abs(np.log(longest * likely[each] / REACH)))
             length = f"the longest limb reaches {longest * likely[name]:.2f} m"
             return likely[name], (f"taken for {name}: {length}; if not, {GIVE_UNIT}",)
-    unit = REACH / longest
-    return unit, (f"of no unit that fits a person: made {REACH:g} m from hips to toes; {GIVE_UNIT}",)
+    return 0.01, (f"of no unit that fits a person: taken for centimetres; {GIVE_UNIT}",)
 
 
 def _placed_upright(captured: CapturedSkeleton) -> CapturedSkeleton:

@@ -590,31 +590,16 @@ def test_a_complete_file_needs_no_end_of_line(lines, tmp_path):
 
 
 @pytest.mark.parametrize("word", ["nan", "1.#QNAN", "null"])
-def test_a_joint_without_numbers_that_no_part_of_the_body_needs_stays_at_rest(word, tmp_path):
-    without = [" ".join([*row.split()[:-3], word, word, word]) for row in rows()]
-    skeleton = lenient(tmp_path / "nan.bvh", text(without))
-    expected = np.array([[float(value) for value in row.split()] for row in rows()])
-    expected[:, -3:] = 0
-    np.testing.assert_allclose(skeleton.values, expected)
-    assert skeleton.notes == ("without numbers, held where they are or at rest: LeftHandThumb1",)
-
-
-def test_a_joint_that_lacks_some_numbers_stays_where_it_was(tmp_path):
+def test_a_sample_without_numbers_is_a_gap_and_a_joint_without_any_is_refused(word, tmp_path):
     some = rows()
-    some[3] = " ".join([*some[3].split()[:-1], "nan"])
-    assert lenient(tmp_path / "nan.bvh", text(some)).values[:5, -1].tolist() == [17, 18, 19, 19, 21]
-
-
-def test_a_leg_without_numbers_makes_a_gap_and_one_without_any_is_refused(tmp_path):
-    some = rows()
-    some[3] = some[3].replace("80", "nan")
-    with gaps.allowed():
-        (tmp_path / "a.bvh").write_text(text(some))
-        assert len(bvh_file.read(tmp_path / "a.bvh").values) == 8
-        none = [" ".join([*row.split()[:6], "nan", *row.split()[7:]]) for row in rows()]
-        (tmp_path / "b.bvh").write_text(text(none))
-        with pytest.raises(UserError, match="no sample has numbers for all parts of the body; 'LeftUpLeg' lacks some"):
-            bvh_file.read(tmp_path / "b.bvh")
+    some[3] = some[3].replace("80", word)
+    assert len(lenient(tmp_path / "a.bvh", text(some)).values) == 8
+    (tmp_path / "b.bvh").write_text(text([" ".join([*row.split()[:-1], word]) for row in rows()]))
+    with (
+        gaps.allowed(),
+        pytest.raises(UserError, match="no sample has all numbers; write zeros for joints without numbers: LeftH"),
+    ):
+        bvh_file.read(tmp_path / "b.bvh")
 
 
 def test_names_in_shift_jis_are_read(tmp_path):
