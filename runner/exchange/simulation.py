@@ -5,7 +5,7 @@ collide with them. A figure without colliding geoms in the model does not collid
 the limits of their forces on joints are replaced:
     force = kp (ctrl − q) − kv q'            hinges and slides; a ball joint has three, about its x, y and z
 with q the joint's coordinate, for a ball joint its rotation vector. The `ctrl` of a key is q + (kv q' + τ) / kp of the
-motion. Its torque τ is `mj_inverse` of this scene without contacts, minus the ground reactions (`forces`). So on the
+motion. Its torque τ is `mj_inverse` of this scene without contacts, minus the ground reactions. So on the
 motion the actuators exert exactly τ, and off it they pull back. The gains:
     kp = m ω², ω = 2π · 8 Hz, m the joint's inertia at rest (of a ball joint the largest). It is at least
          0.7 / rad of weight times height for joints of limbs with soles, as one limb may support the whole figure (for
@@ -39,7 +39,7 @@ from ..errors import listed
 from ..scene.framing import size_of
 from ..scene.mujoco_versions import geoms_by_number, portable_text, remove
 from ..system.mujoco_warnings import quietly
-from .forces import Forces
+from .quantities import Forces
 from .skeleton import hierarchy
 from .skeleton.roles import unique
 from .trajectory import SampledTrajectory

@@ -6,5 +6,4 @@ roles            which part of the body a joint is, by its name and its position
 captured_skeleton  a captured skeleton in metres, z up, facing x where it stands straight
 captured_figure  a captured skeleton as a new figure
 retarget         a captured skeleton's motion on another figure
-recorded_poses   the poses of a figure that follow recorded rotations, hands and feet
 """

@@ -13,8 +13,8 @@ from random_models import motion_of
 from dynsplines import recordings, solving
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats, quantities
-from dynsplines.exchange.forces import Forces
 from dynsplines.exchange.motion_import import import_recording
+from dynsplines.exchange.quantities import Forces
 from dynsplines.exchange.trajectory import SampledTrajectory
 from dynsplines.system.progress import Progress
 

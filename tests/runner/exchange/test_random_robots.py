@@ -19,7 +19,7 @@ from random_models import motion_of
 
 from dynsplines.errors import UserError
 from dynsplines.exchange import quantities
-from dynsplines.exchange.forces import Forces
+from dynsplines.exchange.quantities import Forces
 from dynsplines.exchange.trajectory import SampledTrajectory
 from dynsplines.motion import Saved
 from dynsplines.solver import quaternion as quat

@@ -1,0 +1,320 @@
+"""Forces of a motion, and groups of further columns of a table, named after joints and bodies, with their units.
+
+Torques and wrench are MuJoCo's `mj_inverse` of qpos, qvel and qacc without contacts. They include the model's springs,
+dampers, friction loss, gravity compensation, fluid, tendons and constraints. The ground reactions are those of
+`support`: forces within friction cones at the points in contact that supply as much of the root's wrench as possible.
+Where neither a stance nor a flight determines them, they and the torques that depend on them are nan. Columns:
+
+velocities  left_hip.wx [rad/s]: MuJoCo's qvel; free joints in world axes, their rotation and ball joints in body axes
+torques     left_hip.tx [N m]: joint torques, qfrc_inverse minus the ground reactions, in body axes
+wrench      root.fx [N], root.mx [N m], com.x [m]: qfrc_inverse at the free root, moment about the centre of mass
+ground      left_foot.fx [N], left_foot.cop.x [m], left_foot.mx [N m]: ground reaction on each foot, its centre of
+            pressure and moment about that; unsupplied.fx [N], unsupplied.mx [N m]: the remaining wrench
+
+Forces and moments are in world axes unless stated otherwise. Unknown values are nan, and so is the
+centre of pressure without contact.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import mujoco
+import numpy as np
+
+from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.figure.algebra import applied, cross
+from dynsplines.solver.figure.dynamics import inverse_dynamics
+from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.figure.forward import set_qpos
+from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.root_wrench import RootWrench
+from dynsplines.solver.penalty import Support
+from dynsplines.solver.penalty.ground.support import Reactions
+
+from ..clip import load as clip
+from ..errors import UserError, unknown
+from ..motion import samples_at
+from .trajectory import SampledTrajectory
+
+Columns = dict[str, Array]
+ALL = "all"
+AXES = "xyz"
+LARGE = 0.01  # fraction of the largest torque above which constraint forces are reported
+EQUALITIES_AND_LIMITS = int(mujoco.mjtDisableBit.mjDSBL_EQUALITY | mujoco.mjtDisableBit.mjDSBL_LIMIT)
+CONSTRAINT_NOTE = (
+    "torques include forces of joint limits and equality constraints: up to {size:.3g} {unit} at {joint}, {time:.2f} s"
+)
+UNKNOWN_NOTE = "the support of the figure is unknown in {share:.0%} of the instants: forces there are nan"
+
+
+@dataclass(frozen=True)
+class Foot:
+    """The ground reaction on a body, in world axes.
+
+    force   (3, T) [N], zero without contact
+    centre  (3, T) [m] of pressure: mean of the points in contact, weighted by normal force; nan without contact
+    moment  (3, T) [N m] about the centre, about the normal alone on level ground; nan without contact
+    """
+
+    name: str
+    force: Array
+    centre: Array
+    moment: Array
+
+
+@dataclass(frozen=True)
+class Forces:
+    """The forces of a trajectory.
+
+    samples  the motion; support  None for a figure without a free root
+    model    the trajectory's model, or one with the same joints whose forces are evaluated
+    """
+
+    trajectory: SampledTrajectory
+    samples: Samples
+    support: Support | None
+    model: mujoco.MjModel
+
+    @classmethod
+    def of(cls, trajectory: SampledTrajectory, model: mujoco.MjModel | None = None) -> Forces:
+        """Return the forces of a motion in its model, or in another one with the same joints."""
+        saved = trajectory.saved
+        support = clip.clip_from_motion(saved).context.support
+        samples = samples_at(saved.figure, path_of(saved.timeline), trajectory.time)
+        return cls(
+            trajectory,
+            samples,
+            None if support is None else support.stiff,
+            trajectory.model if model is None else model,
+        )
+
+    @cached_property
+    def has_known_support(self) -> Mask:
+        """(T,) whether the forces that carry the figure are known; always, for a figure without stances and flights."""
+        if self.support is None or not self.support.has_intervals:
+            return np.ones(self.samples.count, bool)
+        return self.support.known(self.samples.t)
+
+    @cached_property
+    def inverse(self) -> Array:
+        """(T, nv) MuJoCo's qfrc_inverse without contacts: the joint forces as if the ground exerted none."""
+        return inverse_dynamics(self.model, self.trajectory.qpos, self.trajectory.qvel, self.trajectory.qacc)
+
+    @cached_property
+    def wrench(self) -> RootWrench | None:
+        """Force and moment at the free root, and the centre of mass; all forces of the model are included."""
+        if self.support is None:
+            return None
+        out, root = RootWrench(self.samples, self.support.root), self.support.root
+        dof = self.trajectory.figure.links[root].dof
+        links = self.samples.links
+        out.force = np.ascontiguousarray(self.inverse[:, dof : dof + 3].T)
+        moment = applied(links.rotation[:, :, [root]], self.inverse[:, dof + 3 : dof + 6].T[:, None])[:, 0]
+        out.moment = moment - cross(out.centre - links.anchor[:, root], out.force)
+        return out
+
+    @cached_property
+    def _reactions(self) -> Reactions | None:
+        return None if self.support is None else self.support.reactions(self.samples, self.wrench)
+
+    @cached_property
+    def rest(self) -> Array:
+        """(6, T) [N, N m] force and moment at the root that the ground does not supply; nan where unknown."""
+        support = self.support
+        if support is None:
+            return np.zeros((6, self.samples.count))
+        units = np.repeat([support.unit, support.unit * support.length], 3)[:, None]
+        return np.where(self.has_known_support, support.rest(self.samples, self.wrench) * units, np.nan)
+
+    @cached_property
+    def feet(self) -> tuple[Foot, ...]:
+        """The ground reactions of all bodies with a stance."""
+        if self.support is None or self._reactions is None:
+            return ()
+        links = self._links
+        return tuple(self._foot(int(link)) for link in np.unique(links))
+
+    @property
+    def _links(self) -> Index:
+        assert self.support is not None
+        return np.array([footing.point.link for footing in self.support.footings], np.intp)
+
+    def _foot(self, link: int) -> Foot:
+        assert self.support is not None and self._reactions is not None
+        reactions, count, figure = self._reactions, self.samples.count, self.trajectory.figure
+        indices = np.flatnonzero(self._links[reactions.footing] == link)
+        at, place, force = reactions.at[indices], reactions.place[:, indices], reactions.force[:, indices]
+        normals = np.array([self.support.footings[i].normal for i in reactions.footing[indices]]).reshape(-1, 3).T
+        press = np.maximum(np.sum(normals * force, axis=0), 0)
+        total = np.bincount(at, press, count)
+        whole = np.array([np.bincount(at, part, count) for part in force])
+        with np.errstate(invalid="ignore", divide="ignore"):
+            centre = np.array([np.bincount(at, press * part, count) for part in place]) / total
+        away = place - centre[:, at]
+        moment = np.array([np.bincount(at, part, count) for part in cross(away, force)])
+        loaded = total > 0
+        name = figure.body_name(link)
+        return Foot(
+            name,
+            np.where(self.has_known_support, whole, np.nan),
+            np.where(self.has_known_support & loaded, centre, np.nan),
+            np.where(self.has_known_support & loaded, moment, np.nan),
+        )
+
+    @cached_property
+    def torques(self) -> Array:
+        """(T, nv) MuJoCo's qfrc_inverse minus the ground reactions; at a free root, the remaining wrench."""
+        out = self.inverse.copy()
+        reactions, model = self._reactions, self.trajectory.model
+        if self.support is None or reactions is None:
+            return out
+        data, jacobian = mujoco.MjData(model), np.zeros((3, model.nv))
+        bodies = [self.trajectory.figure.links[link].body for link in self._links]
+        order = np.argsort(reactions.at, kind="stable")
+        posed = -1
+        for i in order:
+            t = int(reactions.at[i])
+            if t != posed:
+                set_qpos(model, data, self.trajectory.qpos[t])
+                posed = t
+            mujoco.mj_jac(model, data, jacobian, None, reactions.place[:, i], bodies[reactions.footing[i]])
+            out[t] -= reactions.force[:, i] @ jacobian
+        return np.where(self.has_known_support[:, None], out, np.nan)
+
+
+def velocities(trajectory: SampledTrajectory, forces: Forces) -> Columns:
+    """Return MuJoCo's qvel."""
+    units = ("m/s", "rad/s")
+    return _by_dof(trajectory.model, trajectory.qvel, {"free": "v w", "ball": "w", "hinge": "v", "slide": "v"}, units)
+
+
+def torques(trajectory: SampledTrajectory, forces: Forces) -> Columns:
+    """Return the torques of all joints except free ones."""
+    units = ("N", "N m")
+    return _by_dof(trajectory.model, forces.torques, {"ball": "t", "hinge": "t", "slide": "f"}, units)
+
+
+class Unavailable(Exception):
+    """A group that a motion has no values for: the reason, and what to do."""
+
+
+def wrench(trajectory: SampledTrajectory, forces: Forces) -> Columns:
+    """Return the external wrench at the free root; raises Unavailable without a free root."""
+    root_wrench, root = forces.wrench, trajectory.figure.root
+    if root_wrench is None or root is None:
+        raise Unavailable("the figure has no free root, so no wrench moves it from outside", "omit `wrench`")
+    name = trajectory.figure.links[root_wrench.root].name
+    return (
+        _vector(f"{name}.f", "N", root_wrench.force)
+        | _vector(f"{name}.m", "N m", root_wrench.moment)
+        | _vector("com.", "m", root_wrench.centre)
+    )
+
+
+def ground(trajectory: SampledTrajectory, forces: Forces) -> Columns:
+    """Return the ground reactions of every foot with a stance; raises Unavailable if there is none."""
+    if not forces.feet:
+        raise Unavailable(
+            "no stance is known, so the ground reaction force is unknown", "add a [[contact]], or omit `ground`"
+        )
+    out: Columns = {}
+    for foot in forces.feet:
+        out |= _vector(f"{foot.name}.f", "N", foot.force)
+        out |= _vector(f"{foot.name}.cop.", "m", foot.centre)
+        out |= _vector(f"{foot.name}.m", "N m", foot.moment)
+    return out | _vector("unsupplied.f", "N", forces.rest[:3]) | _vector("unsupplied.m", "N m", forces.rest[3:])
+
+
+GROUPS: dict[str, Callable[[SampledTrajectory, Forces], Columns]] = {
+    "velocities": velocities,
+    "torques": torques,
+    "wrench": wrench,
+    "ground": ground,
+}
+
+
+def named(text: str) -> tuple[str, ...]:
+    """Return the groups in a comma-separated list, or "all" alone; raises UserError with the list of groups."""
+    words = tuple(word.strip() for word in text.split(",") if word.strip())
+    for word in words:
+        if word != ALL and word not in GROUPS:
+            raise UserError(unknown("column group", word, (*GROUPS, ALL)))
+    return (ALL,) if ALL in words else tuple(dict.fromkeys(words))
+
+
+def table(trajectory: SampledTrajectory, groups: Sequence[str]) -> Columns:
+    """Return the columns (T,) of groups, by heading, and add a note on unknown forces.
+
+    A note lists the groups of "all" that the motion has no values for.
+
+    Raises:
+        UserError: The motion has no values for another group.
+    """
+    if not groups:
+        return {}
+    wanted = [group for group in GROUPS if ALL in groups or group in groups]
+    forces = Forces.of(trajectory)
+    out: Columns = {}
+    for group in wanted:
+        try:
+            out |= GROUPS[group](trajectory, forces)
+        except Unavailable as missing:
+            reason, remedy = missing.args
+            if ALL not in groups:
+                raise UserError(f"{trajectory.name}: {reason}; {remedy}") from None
+            trajectory.notes.append(f"no columns `{group}`: {reason}")
+    if {"torques", "ground"} & set(wanted) and not forces.has_known_support.all():
+        trajectory.notes.append(UNKNOWN_NOTE.format(share=1 - float(forces.has_known_support.mean())))
+    if "torques" in wanted:
+        trajectory.notes.extend(constraint_notes(trajectory, forces))
+    return out
+
+
+def constraint_notes(trajectory: SampledTrajectory, forces: Forces) -> list[str]:
+    """Return a note on forces of joint limits and equality constraints, if they are a large part of the torques."""
+    model = trajectory.model
+    if not (model.neq or model.jnt_limited.any() or model.tendon_limited.any()):
+        return []
+    free = inverse_dynamics(model, trajectory.qpos, trajectory.qvel, trajectory.qacc, disabled=EQUALITIES_AND_LIMITS)
+    size = np.abs(forces.inverse - free)
+    at, dof = np.unravel_index(int(size.argmax()), size.shape)
+    if size[at, dof] <= LARGE * np.abs(forces.inverse).max():
+        return []
+    joint = int(model.dof_jntid[dof])
+    first = dof - model.jnt_dofadr[joint]
+    is_force = model.jnt_type[joint] == JointKind.SLIDE
+    is_force |= model.jnt_type[joint] == JointKind.FREE and first < 3
+    return [
+        CONSTRAINT_NOTE.format(
+            size=size[at, dof],
+            unit="N" if is_force else "N m",
+            joint=model.joint(joint).name or f"joint{joint}",
+            time=trajectory.time[at],
+        )
+    ]
+
+
+def _vector(name: str, unit: str, values: Array) -> Columns:
+    """Return three columns for an array (3, T)."""
+    return {f"{name}{axis} [{unit}]": row for axis, row in zip(AXES, values, strict=True)}
+
+
+def _by_dof(model: mujoco.MjModel, values: Array, letters: dict[str, str], units: tuple[str, str]) -> Columns:
+    """Return columns for (T, nv); `letters` by kind of joint, `units` of translations and rotations."""
+    kinds, out = ("free", "ball", "slide", "hinge"), {}
+    for joint in range(model.njnt):
+        kind, dof = kinds[int(model.jnt_type[joint])], int(model.jnt_dofadr[joint])
+        name = model.joint(joint).name or f"joint{joint}"
+        if kind not in letters:
+            continue
+        if kind in ("slide", "hinge"):
+            out[f"{name}.{letters[kind]} [{units[kind == 'hinge']}]"] = values[:, dof]
+            continue
+        for part, letter in enumerate(letters[kind].split()):
+            unit = units[0] if kind == "free" and part == 0 else units[1]
+            out |= _vector(f"{name}.{letter}", unit, np.asarray(values[:, dof + 3 * part : dof + 3 * part + 3]).T)
+    return out
