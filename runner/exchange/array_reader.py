@@ -130,25 +130,12 @@ def unit_quaternions(array: Array, name: str, where: object) -> Array:
 
 
 def read_npz(source: Path) -> ArrayReader:
-    """Return the arrays of an .npz file, or that of an .npy file as qpos.
+    """Return the arrays of an .npz file.
 
     Pickles are never loaded: entries that are pickled objects count as missing.
     """
-    if source.suffix.lower() == ".npy":
-        return _single(source)
     entries = read_entries(source)
     return ArrayReader(source, {name: entry for name, entry in entries.items() if isinstance(entry, np.ndarray)})
-
-
-def _single(source: Path) -> ArrayReader:
-    try:
-        array = np.load(source, allow_pickle=False)
-    except ValueError as error:
-        what = "pickled objects" if "allow_pickle" in str(error) else "no array, or half of one"
-        raise UserError(f"{source}: it holds {what}; an .npy file of qpos (T, nq) is read") from None
-    if not isinstance(array, np.ndarray):
-        raise UserError(f"{source}: not an .npy file; name it .npz")
-    return ArrayReader(source, {"qpos": array})
 
 
 def names_in(source: Path) -> set[str]:

@@ -62,8 +62,7 @@ class Format:
 FORMATS = (
     Format("csv", ".csv", "table: time and qpos, a column per joint coordinate", "csv_table", reads=True,
            containers=(".tsv", ".txt")),
-    Format("npz", ".qpos.npz", "plain arrays: time, qpos, qvel, qacc, names, figure", "arrays", reads=True,
-           containers=(".npy",)),
+    Format("npz", ".qpos.npz", "plain arrays: time, qpos, qvel, qacc, names, figure", "arrays", reads=True),
     Format("mjcf", ".keys.xml", "MJCF of figure and scene, a <key> per sample", "mjcf_keys", reads=True),
     Format("simulate", ".simulate.xml", "the same with actuators that follow the motion, for mj_step", "simulate"),
     Format("mjlab", ".mjlab.npz", "mjlab, BeyondMimic: hinge angles and body poses", "mjlab", reads=True),
@@ -231,6 +230,8 @@ def _recognised(source: Path) -> Format:
     Raises UserError for a file that none or several recognise, and for tables and arrays without names.
     """
     name, available = source.name.lower(), readers().values()
+    if name.endswith(".npy"):
+        raise UserError(f"'{source}': .npy is not read; save qpos and time in an .npz, numpy.savez(FILE, qpos=, time=)")
     if name.endswith(CONVERTIBLE):
         raise UserError(f"'{source}': {source.suffix.lower()} is not read; convert it to BVH, for example with Blender")
     selected = by_ending(source)

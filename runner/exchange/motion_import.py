@@ -10,7 +10,6 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.curve.frame import TimelineError
 from dynsplines.solver.figure.figure import JointKind
 
 from ..clip import load as clips
@@ -33,7 +32,6 @@ class ImportedMotion:
     """A recording of a figure in its scene.
 
     time  (T,) [s]; qpos  (T, nq), hinges without wraps; fps  [1/s]
-    loops  whether the file declares its last sample to be the first again, translated
     """
 
     name: str
@@ -41,7 +39,6 @@ class ImportedMotion:
     time: Array
     qpos: Array
     fps: float
-    loops: bool = False
 
 
 def read_recording(
@@ -83,7 +80,7 @@ def read_recording(
     step = gaps.median_step(record.time)
     rate = record.fps or (float(np.round(1 / step, 6)) if step else 30.0)
     scene = compose(spec, obstacles, bare=model)
-    return ImportedMotion(stem(source), scene, record.time, qpos, rate, record.loops)
+    return ImportedMotion(stem(source), scene, record.time, qpos, rate)
 
 
 def import_recording(
@@ -97,8 +94,7 @@ def import_recording(
 ) -> Saved:
     """Return the motion in a file of another program: the spline through all its samples.
 
-    The arguments are those of `read_recording`. A file that declares a loop becomes one if its last pose is its first,
-    translated. Raises UserError.
+    The arguments are those of `read_recording`. Raises UserError.
     """
     progress = progress or Progress()
     record = read_recording(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
@@ -106,11 +102,6 @@ def import_recording(
     if pose := gaps.initial_pose(clip.figure.model, record.time, record.qpos):
         start = np.ceil(1000 * record.time[pose] - 1e-6) / 1000
         progress.report(f"note: {gaps.POSE} {record.time[pose]:.3f} s: `dynsplines trim --from {start:g}` removes it")
-    if record.loops:
-        try:
-            return unsolved(clip.with_problem(ends="periodic")).saved(progress, with_report=False)
-        except TimelineError:
-            progress.report("note: marked as a loop, but its last pose differs from its first: read without a loop")
     return unsolved(clip).saved(progress, with_report=False)
 
 

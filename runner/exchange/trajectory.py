@@ -114,7 +114,6 @@ class Recording:
         mjcf: The figure that the file contains, such as the hierarchy of a BVH file; None for the caller's figure.
         fps: The sampling rate [1/s], if the file states it more exactly than its times.
         notes: Lines for the user on how the file was read.
-        loops: Whether the file is marked as a loop: its last sample is the first again, translated.
         assets: The files that `mjcf` refers to, by name.
         assumed_layout: The root's quaternions and vertical axis, if only the format's documentation states them.
     """
@@ -124,6 +123,5 @@ class Recording:
     mjcf: str | None = None
     fps: float | None = None
     notes: tuple[str, ...] = ()
-    loops: bool = False
     assets: Assets = field(default_factory=dict)
     assumed_layout: str | None = None

@@ -6,7 +6,7 @@ joint_names (njnt,), body_names (nbody,)
 mjcf ()                          the whole scene: mujoco.MjModel.from_xml_string(str(numpy.load(FILE)["mjcf"]))
 
 On import, `qpos` and `time` or `fps` are read, and `mjcf` where the user names no figure. `joint_names` must be the
-figure's if present. Body poses `xpos`, `xquat` verify qpos. If the user names the format, an .npy file is read as qpos.
+figure's if present. Body poses `xpos`, `xquat` verify qpos.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 
-from ...errors import EXPORT_SKELETON, GIVE_FIGURE, GIVE_FORMAT, GIVE_RATE, UserError
+from ...errors import EXPORT_SKELETON, GIVE_FIGURE, GIVE_RATE, UserError
 from ...motion import asset_arrays, assets_in, write_arrays
 from ...scene.assets import Scene
 from ...scene.compose import compiled
@@ -45,9 +45,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
 
 
 def recognises(path: Path) -> bool:
-    """Return whether an .npz is of this format; raises UserError for an .npy file, which has no names."""
-    if path.suffix.lower() == ".npy":
-        raise UserError(f"{path}: an array without a name; {GIVE_FORMAT}: npz reads it as qpos (wxyz)")
+    """Return whether an .npz is of this format."""
     return "qpos" in names_in(path) and "split_points" not in names_in(path)
 
 

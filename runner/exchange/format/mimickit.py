@@ -155,5 +155,6 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     for part in joints:
         qpos[:, part.columns] = part.configuration(frames[:, start : start + part.width])
         start += part.width
-    loops = "loop_mode" in content and content.number("loop_mode", -np.inf, np.inf, "a number") == WRAP
-    return Recording(times(len(frames), rate), qpos, fps=rate, loops=loops)
+    is_loop = "loop_mode" in content and content.number("loop_mode", -np.inf, np.inf, "a number") == WRAP
+    notes = ("a loop, of which one period is read",) if is_loop else ()
+    return Recording(times(len(frames), rate), qpos, fps=rate, notes=notes)

@@ -93,6 +93,7 @@ def test_a_name_that_does_not_fit_is_refused_before_anything_is_written(run, tmp
         (["x.html"], "the format 'html' is only written; read are: csv"),
         (["x.y", "--from", "gltf"], "the format 'gltf' is only written; read are: csv"),
         (["x.GLB"], "'x.GLB': .glb is not read; convert it to BVH, for example with Blender"),
+        (["x.npy"], "'x.npy': .npy is not read; save qpos and time in an .npz"),
         (["x.usdc"], "'x.usdc': .usdc is not read; convert it to BVH"),
     ],
 )

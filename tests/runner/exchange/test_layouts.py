@@ -113,20 +113,13 @@ def table(path, rows):
     return path
 
 
-def array(path, rows):
-    np.save(path, rows)
-    return path
-
-
-@pytest.mark.parametrize(("write", "name"), [(table, "a.csv"), (table, "a.txt"), (table, "a.tsv"), (array, "a.npy")])
-def test_tables_and_arrays_without_names_need_a_format(write, name, tmp_path):
-    path = write(tmp_path / name, QPOS)
-    with pytest.raises(UserError, match=r"a\.\w+: (a table without a heading|an array without a name);.*--from"):
+@pytest.mark.parametrize("name", ["a.csv", "a.txt", "a.tsv"])
+def test_tables_without_names_need_a_format(name, tmp_path):
+    path = table(tmp_path / name, QPOS)
+    with pytest.raises(UserError, match=r"a\.\w+: a table without a heading;.*--from"):
         read(path)
-    kind = "npz" if write is array else "csv"
-    assert_same(read(path, kind)[0].qpos, QPOS, 1e-8)
-    if write is table:
-        assert_same(read(table(path, QPOS[:, XYZW]), "mjlab-csv")[0].qpos, QPOS, 1e-8)
+    assert_same(read(path, "csv")[0].qpos, QPOS, 1e-8)
+    assert_same(read(table(path, QPOS[:, XYZW]), "mjlab-csv")[0].qpos, QPOS, 1e-8)
 
 
 def gmr(path, rows):
@@ -183,22 +176,6 @@ def test_angles_far_beyond_their_ranges_are_refused(write, name, tmp_path):
     rows = DEGREES if write is qpos_alone else DEGREES[:, XYZW]
     with pytest.raises(UserError, match=r"'\w+' goes to \d+ rad, more than a turn beyond its range; convert degrees"):
         read(write(tmp_path / name, rows))
-
-
-def test_an_npy_file_holds_one_array_of_qpos(tmp_path):
-    path = array(tmp_path / "a.npy", QPOS)
-    with pytest.raises(UserError, match="give the rate"):
-        read(path, "npz", None)
-    (tmp_path / "d.npy").write_bytes(path.read_bytes()[:3000])
-    for name, rows, message in (
-        ("b.npy", QPOS[:, :-1], r"'qpos' has the shape \(100, 13\), not \(samples, 14\)"),
-        ("c.npy", np.array([{}, 1], object), r"c\.npy: it holds pickled objects; an \.npy file of qpos"),
-        ("d.npy", None, "half of one"),
-    ):
-        if rows is not None:
-            np.save(tmp_path / name, rows)
-        with pytest.raises(UserError, match=message):
-            read(tmp_path / name, "npz")
 
 
 def test_a_file_of_two_formats_needs_one(tmp_path):
