@@ -8,7 +8,6 @@ import shutil
 import subprocess
 
 import motions
-import mujoco
 import numpy as np
 import pytest
 from oracles import kinematics
@@ -72,48 +71,19 @@ def test_rotations_are_unit_and_stay_on_their_hemisphere(asset):
 
 @pytest.mark.slow
 def test_another_reader_sees_the_visible_geoms_and_no_others(take, target, asset):
-    """trimesh builds the scene of the nodes' own places, which is the first sample's."""
+    """trimesh places the corners of a body's mesh, and MuJoCo its visible geoms, within the same spheres."""
     scene = trimesh.load_scene(io.BytesIO(target.read_bytes()), file_type="glb")
-    data = kinematics(take.model, take.qpos[0])
-    names = hierarchy.names(take.model)
+    data, names = kinematics(take.model, take.qpos[0]), hierarchy.names(take.model)
     meshes = {node.name: asset.meshes[node.mesh] for node in asset.nodes if node.mesh is not None}
     for body in range(1, take.model.nbody):
-        geoms = [g for g in range(take.model.ngeom) if take.model.geom_bodyid[g] == body]
-        shown = [g for g in geoms if take.model.geom_group[g] < 3]
-        assert (names[body] in meshes) == bool(shown)
-        if not shown:
+        geoms = np.flatnonzero((take.model.geom_bodyid == body) & (take.model.geom_group < 3))
+        assert (names[body] in meshes) == bool(geoms.size)
+        if not geoms.size:
             continue
-        reach = _reach(take.model, data, shown)
         corners = np.concatenate([accessor(asset, p.attributes.POSITION) for p in meshes[names[body]].primitives])
-        place = scene.graph.get(names[body])[0]
-        seen = np.roll(trimesh.transform_points(corners, place), 1, axis=1)
-        np.testing.assert_allclose([seen.min(axis=0), seen.max(axis=0)], reach, atol=0.004, err_msg=names[body])
-
-
-def _reach(model, data, geoms):
-    """(2, 3) the box round geoms, by MuJoCo's signed distance to small far-off spheres' directions: support points."""
-    low, high = np.full(3, np.inf), np.full(3, -np.inf)
-    for geom in geoms:
-        turn, size = data.geom_xmat[geom].reshape(3, 3), model.geom_size[geom]
-        match mujoco.mjtGeom(model.geom_type[geom]):
-            case mujoco.mjtGeom.mjGEOM_SPHERE:
-                half = np.full(3, size[0])
-            case mujoco.mjtGeom.mjGEOM_CAPSULE:
-                half = size[0] + np.abs(turn[:, 2]) * size[1]
-            case mujoco.mjtGeom.mjGEOM_CYLINDER:
-                half = size[0] * np.sqrt(1 - turn[:, 2] ** 2) + np.abs(turn[:, 2]) * size[1]
-            case mujoco.mjtGeom.mjGEOM_ELLIPSOID:
-                half = np.linalg.norm(turn * size, axis=1)
-            case mujoco.mjtGeom.mjGEOM_BOX:
-                half = np.abs(turn) @ size
-            case _:
-                mesh = model.geom_dataid[geom]
-                points = model.mesh_vert[model.mesh_vertadr[mesh] :][: model.mesh_vertnum[mesh]] @ turn.T
-                points = points + data.geom_xpos[geom]
-                low, high = np.minimum(low, points.min(axis=0)), np.maximum(high, points.max(axis=0))
-                continue
-        low, high = np.minimum(low, data.geom_xpos[geom] - half), np.maximum(high, data.geom_xpos[geom] + half)
-    return low, high
+        seen = np.roll(trimesh.transform_points(corners, scene.graph.get(names[body])[0]), 1, axis=1)
+        away = np.linalg.norm(seen[:, None] - data.geom_xpos[geoms], axis=-1) - take.model.geom_rbound[geoms]
+        assert away.min(axis=1).max() < 0.004, names[body]
 
 
 @pytest.mark.slow

@@ -11,7 +11,7 @@ from motions import between, clip_file, played
 from motions import exported_scene as exported
 from processes import quiet
 
-from dynsplines import inbetween, load, load_motion, solving
+from dynsplines import inbetween, load, solving
 from dynsplines.clip import load as clip
 from dynsplines.exchange.format.simulate import note, tracked
 from dynsplines.exchange.simulation import Simulation
@@ -38,10 +38,6 @@ RIG = """
 </mujoco>
 """
 KEYS = ('time = 0\nothers = "rest"', 'time = 1\njoints.lift = 0.2\nothers = "rest"')
-BOX = """<mujoco><worldbody><geom type="plane" size="0 0 1" name="floor"/>
-  <body name="base" pos="0 0 {z}"><freejoint name="root"/><geom type="box" size=".2 .2 .1" mass="4"/>
-    <body name="lever" pos="0 0 .1"><joint name="lever" axis="0 1 0" damping="1"/>
-      <geom type="capsule" size=".02" fromto="0 0 .1 0 0 .4" mass=".2"/></body></body></worldbody></mujoco>"""
 SLIDER = """<mujoco><worldbody><geom type="plane" size="0 0 1"/>
   <body name="base" pos="0 0 .1"><joint name="rootx" type="slide" axis="1 0 0"/>
     <joint name="rootz" type="slide" axis="0 0 1"/><joint name="rooty" axis="0 1 0"/>
@@ -72,24 +68,6 @@ def simulated(tmp_path, text, qpos, step=0.5):
     simulation = Simulation.of(take)
     tracking = tracked(simulation, take)
     return simulation, tracking, note(tracking, simulation.model)
-
-
-def posed(z, lever):
-    return [0, 0, z, 1, 0, 0, 0, lever]
-
-
-def test_a_scene_that_follows_is_reported_with_its_largest_error(tmp_path):
-    _, tracking, line = simulated(tmp_path, BOX.format(z=0.1), [posed(0.1, 0), posed(0.1, 0.3), posed(0.1, 0)])
-    assert tracking.is_within and tracking.time[-1] == pytest.approx(1, abs=0.003)
-    assert line.startswith("mj_step of the scene stays within 0.0") and line.endswith("of the motion for 1 s")
-
-
-def test_a_figure_that_begins_in_the_air_falls_as_far_as_the_note_reports(tmp_path):
-    _, tracking, line = simulated(tmp_path, BOX.format(z=0.1), [posed(0.6, 0), posed(0.6, 0.3), posed(0.6, 0)])
-    fallen = 9.81 * tracking.time**2 / 2
-    free = fallen < 0.4
-    np.testing.assert_allclose(tracking.deviation[free, 2], fallen[free], atol=0.01)
-    assert "leaves the motion: 'root' by 5 cm after 0.10 s" in line
 
 
 def test_joints_of_a_root_have_actuators_and_that_is_noted(tmp_path):
@@ -155,18 +133,6 @@ def rig(tmp_path_factory):
     problem = clip.load(str(clip_file(folder, folder / "rig.xml", *KEYS)))
     saved = solving.unsolved(problem).saved(quiet(), with_report=False)
     return saved, exported(saved, folder)[0]
-
-
-@pytest.mark.slow
-def test_what_a_model_lets_collide_stays_so_and_meets_the_floor(rig):
-    _, model = rig
-    data = played(model, 0.9).data
-    assert data.qpos[2] == pytest.approx(0.05, abs=0.01)  # it has dropped on to the floor and lies there
-    assert data.joint("lift").qpos[0] == pytest.approx(0.18, abs=0.01)
-    bits = {
-        name: (int(model.geom(name).contype[0]), int(model.geom(name).conaffinity[0])) for name in ("hull", "badge")
-    }
-    assert bits == {"hull": (2, 2), "badge": (0, 0)}
 
 
 def test_actuators_of_the_model_are_replaced_and_what_has_no_name_gets_one(rig):
@@ -327,11 +293,3 @@ def test_a_deviation_from_the_motion_is_reported(tmp_path):
     """The keyframes lean until the centre of mass is beyond the toes."""
     _, lines = exported(solved(biped(tmp_path), tmp_path, LEAN).saved, tmp_path)
     assert any(re.search(r"leaves the motion: '\w+' by .* after 0\.\d+ s, up to ", x) for x in lines)
-
-
-def test_the_ending_alone_asks_for_a_scene_to_simulate(tmp_path):
-    motion = solved(biped(tmp_path), tmp_path)
-    motion.save(tmp_path / "m.npz")
-    path = load_motion(tmp_path / "m.npz").export(tmp_path / "m.simulate.xml")
-    assert mujoco.MjModel.from_xml_path(str(path)).nu == 6
-    assert mujoco.MjModel.from_xml_path(str(motion.export(tmp_path / "m.xml", to="mjcf"))).nu == 0

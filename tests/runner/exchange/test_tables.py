@@ -127,8 +127,3 @@ def test_a_table_cut_at_any_byte_is_refused_or_has_its_first_rows(names, tmp_pat
             continue
         assert text[end - 1] == "\n"
         np.testing.assert_allclose(found.qpos, QPOS[: len(found.qpos)], atol=1e-8)
-
-
-def test_a_heading_is_no_input_of_mjlab(tmp_path):
-    with pytest.raises(UserError, match="a table with a heading; the format has none; give --from csv"):
-        read(written(tmp_path / "a.csv", OURS, QPOS), 50.0, "mjlab-csv")

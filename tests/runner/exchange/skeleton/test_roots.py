@@ -96,9 +96,3 @@ def test_a_recording_moves_the_robot_alone() -> None:
         np.testing.assert_allclose(one, other, atol=1e-6)
     at = model.joint("cart_free").qposadr[0]
     np.testing.assert_array_equal(qpos[:, at : at + 7], np.tile(model.qpos0[at : at + 7], (T, 1)))
-
-
-def test_a_figure_on_slides_is_refused() -> None:
-    model = mujoco.MjModel.from_xml_string(scene(biped(joints(("tx", "tz", "ry")))))
-    with pytest.raises(UserError, match="f: the format 'gmr' is for one figure with a free joint"):
-        configurations(model, "gmr", "f", *recorded())
