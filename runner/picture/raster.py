@@ -39,20 +39,17 @@ SUNK = 0.02  # [m] depth of a foot in the ground up to which it is shaded
 OFF_EDGES = 1e-6  # [1] of a texture, so that rounding does not decide about pixels on the edge of a texel
 
 
-class Surface(NamedTuple):
-    """Triangles: corners (m, 3, 3), normals at the corners (m, 3, 3), and index of each in a list of geoms (m,)."""
-
-    points: Array
-    normals: Array
-    geom: Ints
-
-
 class View(NamedTuple):
-    """The inputs of a picture; by geom: colour (k, 3), emission (k,), whether it is part of the static scene (k,)."""
+    """The inputs of a picture.
+
+    By triangle: normals at its corners (m, 3, 3) and its geom (m,). By geom: colour (k, 3), emission (k,), and whether
+    it is part of the static scene (k,).
+    """
 
     eye: Eye
-    surface: Surface
     faces: Faces
+    normals: Array
+    geom: Ints
     lowest: HeightMap
     geoms: list[Any]
     colour: Floats
@@ -77,7 +74,7 @@ class Raster:
         """Return the present scene, (height, width, 3)."""
         view = self._view()
         closeness, face = (np.stack(part) for part in zip(*(view.faces.cover(at) for at in SAMPLES), strict=True))
-        geom = np.append(view.surface.geom[view.faces.number], -1)[face]
+        geom = np.append(view.geom[view.faces.number], -1)[face]
         is_edge = (geom != geom[0]).any(axis=0)
         inner, edge = np.flatnonzero(~is_edge), np.flatnonzero(is_edge)
         pixel = np.concatenate([inner, np.tile(edge, len(SAMPLES))])
@@ -95,12 +92,12 @@ class Raster:
 
     def _view(self) -> View:
         geoms = [geom for geom in self.scene.geoms[: self.scene.ngeom] if geom.type in DRAWN and geom.rgba[3] > 0]
-        eye, surface = self._eye(), self._surface(geoms)
+        eye, (points, normals, geom) = self._eye(), self._surface(geoms)
         colour = np.array([g.rgba[:3] * self._tint(g.matid) for g in geoms], np.float32).reshape(-1, 3)
         emission = np.array([g.emission for g in geoms], np.float32)
         is_still = np.array([g.category == mujoco.mjtCatBit.mjCAT_STATIC for g in geoms], bool)
-        lowest = HeightMap(surface.points[~is_still[surface.geom]])
-        return View(eye, surface, Faces(eye, surface.points), lowest, geoms, colour, emission, is_still)
+        lowest = HeightMap(points[~is_still[geom]])
+        return View(eye, Faces(eye, points), normals, geom, lowest, geoms, colour, emission, is_still)
 
     def _eye(self) -> Eye:
         """Return the camera of the scene, midway between its two stereo cameras."""
@@ -116,13 +113,14 @@ class Raster:
         shape = triangles(self._model, piece_of(self._model, geom), FAR)
         return shape.points[shape.faces], shape.normals[shape.faces]
 
-    def _surface(self, geoms: list[Any]) -> Surface:
-        """Return all triangles of the scene, in the world."""
-        parts = [Surface(*(np.empty((0, 3, 3)),) * 2, np.empty(0, int))]
+    def _surface(self, geoms: list[Any]) -> tuple[Array, Array, Ints]:
+        """Return all triangles of the scene in the world: corners and normals (m, 3, 3), and index in `geoms` (m,)."""
+        parts = [(np.empty((0, 3, 3)), np.empty((0, 3, 3)), np.empty(0, int))]
         for index, geom in enumerate(geoms):
             (points, normals), turn = self._shape(geom.objid), np.asarray(geom.mat, float).T
-            parts.append(Surface(points @ turn + geom.pos, normals @ turn, np.full(len(points), index)))
-        return Surface(*(np.concatenate(part) for part in zip(*parts, strict=True)))
+            parts.append((points @ turn + geom.pos, normals @ turn, np.full(len(points), index)))
+        points, normals, owner = (np.concatenate(part) for part in zip(*parts, strict=True))
+        return points, normals, owner
 
     def _light(self, points: Array, normals: Floats) -> Floats:
         """Return the light at points (n, 3) with unit normals (n, 3), without shadows, (n, 3)."""
@@ -149,8 +147,8 @@ class Raster:
         out[empty] = SKY
         face, rays, distance = face[met], rays[met], length[met] / closeness[met]
         number = view.faces.number[face]
-        points, geom = view.eye.position + rays * distance[:, None], view.surface.geom[number]
-        normals = np.einsum("nk,nki->ni", view.faces.weights(face, x[met], y[met]), view.surface.normals[number])
+        points, geom = view.eye.position + rays * distance[:, None], view.geom[number]
+        normals = np.einsum("nk,nki->ni", view.faces.weights(face, x[met], y[met]), view.normals[number])
         normals = (normals / (np.linalg.norm(normals, axis=1, keepdims=True) + 1e-9)).astype(np.float32)
         base = view.colour[geom]
         for index in np.unique(geom):

@@ -30,8 +30,6 @@ from .stage import Ghost, Picture, Stage
 
 KEY_SECONDS = 0.5  # [s] duration of a keyframe in a video of keyframes
 PIXELS_OF_A_PROCESS = 4_000_000  # minimum number of pixels per process; drawing them takes twice its starting time
-KEY_SHADE, VARIABLE_SHADE, BETWEEN_SHADE = 0.0, 0.45, 0.75
-KEY_OPACITY, VARIABLE_OPACITY, BETWEEN_OPACITY = 1.0, 0.55, 0.25  # of ghosts
 SMALLEST = 16  # [pixels] minimum width and height
 MAX_FRAMES = 100_000  # maximum number of video frames, an hour at 30 frames per second
 BETWEEN_RATE = 15.0  # [1/s] rate of in-betweens in a still
@@ -85,20 +83,17 @@ class Look:
 
 
 @dataclass(frozen=True)
-class Pane:
-    """One picture of an image: the configuration (nq,), a title or "", and the text in the lower corner."""
-
-    qpos: Array
-    title: str
-    corner: str = ""
-
-
-@dataclass(frozen=True)
 class Shot:
-    """One image to be drawn: pictures side by side, seen by one camera, in a number of video frames."""
+    """One image to be drawn: pictures side by side, seen by one camera, in a number of video frames.
+
+    Attributes:
+        poses: The configuration (nq,) and the title of every picture.
+        corner: The text in the lower corner.
+    """
 
     view: View
-    panes: tuple[Pane, ...]
+    poses: tuple[tuple[Array, str], ...]
+    corner: str = ""
     ghosts: tuple[Ghost, ...] = ()
     frames: int = 1
 
@@ -138,7 +133,7 @@ def images(
     """Yield the frames of a video, or those of some of its shots, by up to `workers` processes."""
     shots = shots_of(saved, look) if shots is None else shots
     processes = max(1, min(workers, len(shots), len(shots) * look.width * look.height // PIXELS_OF_A_PROCESS))
-    stage = partial(_stage, saved.scene, look, graphics, len(shots[0].panes))
+    stage = partial(_stage, saved.scene, look, graphics, len(shots[0].poses))
     for shot, image in zip(shots, in_order(stage, _drawn, shots, processes), strict=True):
         for _ in range(shot.frames):
             yield image
@@ -155,10 +150,9 @@ def _stage(scene: Scene, look: Look, graphics: Graphics, panes: int) -> Stage:
 
 def _drawn(stage: Stage, shot: Shot) -> Picture:
     halves = []
-    for pane in shot.panes:
-        picture = stage.picture(pane.qpos, shot.view, ghosts=shot.ghosts)
-        picture = layout.caption(picture, pane.title) if pane.title else picture
-        halves.append(layout.caption(picture, pane.corner, place="bottom right") if pane.corner else picture)
+    for qpos, title in shot.poses:
+        picture = layout.caption(stage.picture(qpos, shot.view, ghosts=shot.ghosts), title)
+        halves.append(layout.caption(picture, shot.corner, place="bottom right"))
     return halves[0] if len(halves) == 1 else layout.side_by_side(*halves)
 
 
@@ -166,7 +160,7 @@ def _key_shots(saved: Saved, look: Look) -> list[Shot]:
     qpos = saved.figure.to_qpos(_key_states(saved, saved.raw))
     views, frames = _plan(saved, look, middles(saved.figure, qpos), 1.0, 1), max(1, round(KEY_SECONDS * look.fps))
     return [
-        Shot(view, (Pane(q, f"keyframe {i} of {len(qpos)}, {key.time:.2f} s"),), frames=frames)
+        Shot(view, ((q, f"keyframe {i} of {len(qpos)}, {key.time:.2f} s"),), frames=frames)
         for i, (q, view, key) in enumerate(zip(qpos, views, saved.keys, strict=True), 1)
     ]
 
@@ -184,7 +178,8 @@ def _moving_shots(saved: Saved, look: Look) -> list[Shot]:
     return [
         Shot(
             views[i],
-            tuple(Pane(runs[name].qpos[i], title, f"{time[i]:.2f} s") for name, title in titles.items()),
+            tuple((runs[name].qpos[i], title) for name, title in titles.items()),
+            f"{time[i]:.2f} s",
             ghosts,
         )
         for i in chosen
@@ -224,12 +219,9 @@ def figure_six(saved: Saved, look: Look, graphics: Graphics, *, rate: float = BE
     qpos = figure.to_qpos(timeline.states)
     is_key = np.array([any(abs(t - k) < 1e-9 for k in keys) for t in timeline.times])
     between = sampled(figure, timeline, rate).qpos
-    ghosts = [Ghost(q, shade=BETWEEN_SHADE, opacity=BETWEEN_OPACITY) for q in between]
-    if look.only != "keys":
-        ghosts += [Ghost(q, shade=VARIABLE_SHADE, opacity=VARIABLE_OPACITY) for q in qpos[~is_key]]
-    else:
-        ghosts = []
-    ghosts += [Ghost(q, shade=KEY_SHADE, opacity=KEY_OPACITY) for q in qpos[is_key]]
+    ghosts = [Ghost(q, shade=0.75, opacity=0.25) for q in between]
+    ghosts += [Ghost(q, shade=0.45, opacity=0.55) for q in qpos[~is_key]]
+    ghosts = [*(ghosts if look.only != "keys" else ()), *map(Ghost, qpos[is_key])]
     view = still(middles(saved.figure, qpos), look.width / look.height, look.camera, **_lens(saved))
     with _stage(saved.scene, look, graphics, 1) as stage:
         return stage.picture(None, view, ghosts=ghosts)

@@ -20,7 +20,6 @@ from ..motion import samples_at
 
 RATE = 100.0  # [1/s] sampling rate of a short motion
 MOST = 1500  # number of samples of a long motion
-DIGITS = 3  # decimal places of drawn values
 Series = dict[str, str | list[float]]  # "name", and values "after" and "before"
 Group = dict[str, Any]  # "name", "unit", and "series" of this unit
 
@@ -89,5 +88,5 @@ def _by_term(clip: Clip, solution: Solution, time: Array) -> list[Series]:
     return [{"name": name, **sides} for name, sides in by_term.items()]
 
 
-def _rounded(values: Array, digits: int = DIGITS) -> list[float]:
-    return np.asarray(values, float).round(digits).tolist()
+def _rounded(values: Array) -> list[float]:
+    return np.asarray(values, float).round(3).tolist()

@@ -71,6 +71,7 @@ class Document:
         saved: The text on the disk.
         newline: The line ending on the disk; the text itself has line feeds.
         numbered_since: The first revision with the present numbers of tables.
+        steps: The edits that "undo" and "redo" change, the next one last.
     """
 
     name: str
@@ -82,8 +83,7 @@ class Document:
     newline: str = "\n"
     numbered_since: int = 0
     _copy: str | None = None  # unsaved work on the disk, if this document wrote or adopted it
-    _back: list[Step] = field(default_factory=list)
-    _forth: list[Step] = field(default_factory=list)
+    steps: dict[str, list[Step]] = field(default_factory=lambda: {"undo": [], "redo": []})
 
     @property
     def is_dirty(self) -> bool:
@@ -119,8 +119,7 @@ class Document:
             "file": self.file.name if self.file else None,
             "dirty": self.is_dirty,
             "revision": self.revision,
-            "undo": self._back[-1][0] if self._back else None,
-            "redo": self._forth[-1][0] if self._forth else None,
+            **{verb: steps[-1][0] if steps else None for verb, steps in self.steps.items()},
         }
 
     def tree(self) -> Blocks:
@@ -137,23 +136,15 @@ class Document:
         """Set the present text; `words` describe the edit."""
         if text == self.text:
             return
-        self._back.append((words, self.text))
-        self._forth.clear()
+        self.steps["undo"].append((words, self.text))
+        self.steps["redo"].clear()
         self._put(text)
 
-    def back(self) -> Step | None:
-        """Return a description and the text after undo; None if there is nothing to undo."""
-        return self._back[-1] if self._back else None
-
-    def forth(self) -> Step | None:
-        """Return the same for redo."""
-        return self._forth[-1] if self._forth else None
-
-    def undo(self) -> None:
-        self._swap(self._back, self._forth)
-
-    def redo(self) -> None:
-        self._swap(self._forth, self._back)
+    def step(self, verb: str) -> None:
+        """Undo or redo an edit."""
+        words, text = self.steps[verb].pop()
+        self.steps["redo" if verb == "undo" else "undo"].append((words, self.text))
+        self._put(text)
 
     def save(self, file: Path) -> None:
         """Write the text atomically, and remove the copy of unsaved work."""
@@ -203,12 +194,6 @@ class Document:
             return self.unsaved_file.read_bytes().decode()
         except (OSError, UnicodeDecodeError):
             return None
-
-    def _swap(self, source: list[Step], target: list[Step]) -> None:
-        if source:
-            words, text = source.pop()
-            target.append((words, self.text))
-            self._put(text)
 
     def _put(self, text: str) -> None:
         self.revision += 1

@@ -45,7 +45,9 @@ class Files:
         document = self.session.document
         if name is None and document.file is None:
             raise UserError("this clip has no file yet: save it under a name")
-        target = document.file if name is None else inside(self.folder, _ended(name, ".toml"))
+        if name is not None and not name.lower().endswith(".toml"):
+            name += ".toml"
+        target = document.file if name is None else inside(self.folder, name)
         assert target is not None
         if not overwrite and target != document.file and target.exists():
             raise UserError(f"'{target.name}' already exists; choose another name")
@@ -59,7 +61,10 @@ class Files:
 
     async def formats(self) -> dict[str, list[dict[str, str]]]:
         """Return the formats that can be written."""
-        return {"formats": await asyncio.to_thread(_formats)}
+        from ..exchange.formats import FORMATS  # imported here, as the page need not wait for it
+
+        names = ("name", "ending", "description")
+        return {"formats": [{name: getattr(entry, name) for name in names} for entry in FORMATS if entry.writes]}
 
     async def export(self, *, to: str, name: str, overwrite: bool = False) -> str:
         """Export the present motion to another program's format."""
@@ -129,14 +134,3 @@ class Files:
                 self.session.tell({"is": "task", "what": what, "words": line[:200]})
         await drain
         return rest.strip() or last
-
-
-def _formats() -> list[dict[str, str]]:
-    from ..exchange.formats import FORMATS  # imported here, as the page need not wait for it
-
-    entries = [entry for entry in FORMATS if entry.writes]
-    return [{"name": entry.name, "ending": entry.ending, "description": entry.description} for entry in entries]
-
-
-def _ended(name: str, ending: str) -> str:
-    return name if name.lower().endswith(ending) else f"{name}{ending}"

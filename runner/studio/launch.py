@@ -16,10 +16,8 @@ from .document import Document
 from .session import Session
 
 PACKAGES = ("starlette", "uvicorn", "websockets", "tomlkit")
-LOCAL = ("127.0.0.1", "localhost", "[::1]")
-TOKEN = 24  # random bytes in a token
-GRACE = 1  # [s] time for pages to receive the end of the server
 PRINT = partial(print, flush=True)
+LOCAL = ("127.0.0.1", "localhost", "[::1]")
 
 
 def run(
@@ -36,7 +34,7 @@ def run(
     listening = _bound(host, port)
     session = Session(document)
     session.start()  # before the server's imports, so that both run in parallel
-    token, port = secrets.token_urlsafe(TOKEN), listening.getsockname()[1]
+    token, port = secrets.token_urlsafe(24), listening.getsockname()[1]
     shown = f"[{host}]" if ":" in host else host
     hosts = frozenset(f"{name}:{port}" for name in {*LOCAL, shown})
     if host in ("0.0.0.0", "::"):  # every address of the machine
@@ -74,7 +72,7 @@ def _serve(session: Session, listening: socket.socket, token: str, hosts: frozen
         ws="websockets-sansio",
         ws_max_size=MOST_BYTES,
         server_header=False,
-        timeout_graceful_shutdown=GRACE,
+        timeout_graceful_shutdown=1,  # [s], so that pages receive the end of the server
     )
     uvicorn.Server(settings).run(sockets=[listening])
 

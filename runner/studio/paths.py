@@ -22,7 +22,6 @@ from dynsplines.solver.figure.root import subtree
 
 RATE = 60.0  # [1/s] sampling rate of a short motion
 MOST_SAMPLES = 1200  # number of samples of a long motion, few enough to be sent quickly
-WIDTH = 4  # [bytes] of a number, and the alignment of the header
 
 
 def rate_of(duration: float) -> float:
@@ -50,7 +49,7 @@ def packed(figure: Figure, timeline: Timeline, header: Mapping[str, object]) -> 
 def framed(header: Mapping[str, object], *arrays: Array | NDArray[np.float32]) -> bytes:
     """Return a header and arrays as bytes."""
     text = json.dumps(header, separators=(",", ":")).encode()
-    text += b" " * (-len(text) % WIDTH)
+    text += b" " * (-len(text) % 4)
     return b"".join([struct.pack("<I", len(text)), text, *(np.ascontiguousarray(a, "<f4").tobytes() for a in arrays)])
 
 

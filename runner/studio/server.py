@@ -169,7 +169,7 @@ class _Desk:
             answer |= {"ok": True, **(result if isinstance(result, dict) else {"words": result})}
         except UserError as error:
             answer |= {"ok": False, "words": one_line(error)}
-        except (TypeError, ValueError, KeyError, IndexError) as error:
+        except (TypeError, ValueError, KeyError, IndexError, AttributeError) as error:
             words = f"invalid request from the page: {type(error).__name__}: {one_line(error)}"
             answer |= {"ok": False, "words": words}
         put(json.dumps(answer))

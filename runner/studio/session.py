@@ -128,19 +128,19 @@ class Session:
         return words
 
     async def undo(self) -> str:
-        return await self._step(self.document.back, self.document.undo, "undo")
+        return await self._step("undo")
 
     async def redo(self) -> str:
-        return await self._step(self.document.forth, self.document.redo, "redo")
+        return await self._step("redo")
 
-    async def _step(self, peek: Callable[[], tuple[str, str] | None], step: Callable[[], None], verb: str) -> str:
+    async def _step(self, verb: str) -> str:
         self.check_offer()
-        target = peek()
-        if target is None:
+        if not self.document.steps[verb]:
             raise UserError(f"nothing to {verb}")
-        loaded = await self._validate(target[1])
-        step()
-        return self._changed(loaded, f"{verb}: {target[0]}")
+        words, text = self.document.steps[verb][-1]
+        loaded = await self._validate(text)
+        self.document.step(verb)
+        return self._changed(loaded, f"{verb}: {words}")
 
     def check_offer(self) -> None:
         """Raise UserError while unsaved work is offered: it would be replaced."""
@@ -211,23 +211,28 @@ class Session:
     # ---- messages of the solver process
 
     def _receive(self, message: Message) -> None:
-        getattr(self, f"_receive_{message['is']}")(message)
-
-    def _receive_kinds(self, message: Message) -> None:
-        self._show("kinds", message)
-
-    def _receive_stage(self, message: Message) -> None:
-        self.figure = message["figure"]
-        for kind in ("raw", "initial", "best"):
-            self._shown.pop(kind, None)
-        self._show("stage", b'{"is":"stage","stage":' + message["stage"] + b"}")
-
-    def _receive_loaded(self, message: Message) -> None:
-        self._accept(message)
-
-    def _receive_refused(self, message: Message) -> None:
-        self.tell(message)
-        self._show_state("refused", words=message["words"])
+        what = message["is"]
+        if what == "path":
+            self._receive_path(message)
+        elif what == "loaded":
+            self._accept(message)
+        elif what == "searching":
+            self._show_state("searching")
+        elif what == "kinds":
+            self._show("kinds", message)
+        elif what == "stage":
+            self.figure = message["figure"]
+            for kind in ("raw", "initial", "best"):
+                self._shown.pop(kind, None)
+            self._show("stage", b'{"is":"stage","stage":' + message["stage"] + b"}")
+        elif what == "settled":
+            self.settled()
+            self._show("settled", message)
+            self._show_state("settled", stop=message["stop"])
+        else:
+            self.tell(message)
+            if what in ("refused", "gone"):
+                self._show_state(what, words=message["words"])
 
     def _receive_path(self, message: Message) -> None:
         if message["kind"] != "raw":
@@ -235,24 +240,6 @@ class Session:
         if message["kind"] == "initial":
             self._shown.pop("best", None)
         self._show(message["kind"], message["data"])
-
-    def _receive_searching(self, message: Message) -> None:
-        self._show_state("searching")
-
-    def _receive_settled(self, message: Message) -> None:
-        self.settled()
-        self._show("settled", message)
-        self._show_state("settled", stop=message["stop"])
-
-    def _receive_curves(self, message: Message) -> None:
-        self.tell(message)
-
-    def _receive_note(self, message: Message) -> None:
-        self.tell(message)
-
-    def _receive_gone(self, message: Message) -> None:
-        self.tell({"is": "refused", "words": message["words"]})
-        self._show_state("gone", words=message["words"])
 
     def _resume(self, words: str) -> None:
         """Resume after a crash: the new process gets the present text and the last path."""

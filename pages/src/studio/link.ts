@@ -97,6 +97,7 @@ const HANDLERS: Record<string, (message: Message) => void> = {
   offer: (message) => { offer = message.words; model.tell("offer"); },
   note: (message) => toast(message.words, "note"),
   refused: (message) => toast(message.words, "wrong"),
+  gone: (message) => toast(message.words, "wrong"),
   answer: (message) => { waiting.get(message.id)?.(message as never); waiting.delete(message.id); },
 };
 

@@ -109,14 +109,14 @@ def test_undo_after_any_edits_gives_the_first_text_byte_for_byte(some):
         tomllib.loads(found.text)
     last = found.text
     count = 0
-    while found.back() is not None:
-        found.undo()
+    while found.steps["undo"]:
+        found.step("undo")
         count += 1
     assert found.text == TEXT
     for _ in range(count):
-        found.redo()
+        found.step("redo")
     assert found.text == last
-    assert found.forth() is None
+    assert not found.steps["redo"]
 
 
 def test_comments_and_order_stay():
@@ -266,8 +266,8 @@ def test_tables_under_headers_of_their_own_belong_to_their_keyframe():
     assert [row["time"] for row in rows(found)] == [0.0, 0.75, 1.0]
     assert rows(found)[0]["joints"] == {"left_hip": {"rotvec": [0, -70, 0]}}
     assert "# lifted" in found.text
-    while found.back() is not None:
-        found.undo()
+    while found.steps["undo"]:
+        found.step("undo")
     assert found.text == WITH_HEADERS
 
 

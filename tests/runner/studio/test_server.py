@@ -242,9 +242,15 @@ def test_a_video_or_an_export_replaces_a_file_only_after_a_confirmation(client, 
 
 def test_what_the_studio_does_not_know_is_answered_in_words(client):
     told = answers(
-        client, {"do": "format"}, {"do": "edit", "name": "rm"}, {"do": "edit"}, {"do": "grip"}, {"do": "undo", "x": 1}
+        client,
+        {"do": "format"},
+        {"do": "edit", "name": "rm"},
+        {"do": "edit"},
+        {"do": "grip"},
+        {"do": "undo", "x": 1},
+        {"do": "save", "name": 5},
     )
-    assert [each["ok"] for each in told] == [False] * 5
+    assert [each["ok"] for each in told] == [False] * 6
     assert "unknown request" in told[0]["words"]
     assert "no edit 'rm'" in told[1]["words"]
 
