@@ -69,13 +69,6 @@ def test_a_text_that_is_no_clip_is_refused_in_words_and_the_last_one_stays(work,
     assert work.loaded(tmp_path, problems.CLIP, 2)[-1]["is"] == "settled"
 
 
-def test_nothing_is_searched_while_it_is_stopped(work, tmp_path):
-    told = work.loaded(tmp_path, problems.CLIP, go=False)
-    assert [each["kind"] for each in told if each["is"] == "path"] == ["initial", "raw"]
-    assert told[-1]["stop"] == "paused"
-    assert "best" in {each.get("kind") for each in work.asked("go")}
-
-
 def test_a_path_is_sent_as_poses_of_every_body(work, tmp_path):
     told = work.loaded(tmp_path, problems.CLIP)
     data = next(each for each in told if each["is"] == "path")["data"]
@@ -199,3 +192,8 @@ def test_a_search_that_was_stopped_stays_so(work, tmp_path):
     uninterrupted(work)
     assert [each["stop"] for each in work.asked("stop")] == ["INTERRUPTED"]
     assert {each["is"] for each in work.asked("curves", on=True)} == {"curves"}
+    work.asked("curves", on=False)
+    told = work.loaded(tmp_path, problems.changed("[0, 40, 0]", "[0, 44, 0]"), 1, go=False)
+    assert [each["kind"] for each in told if each["is"] == "path"] == ["initial", "raw"]
+    assert told[-1]["stop"] == "paused"
+    assert "best" in {each.get("kind") for each in work.asked("go")}
