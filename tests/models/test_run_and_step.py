@@ -81,9 +81,14 @@ def test_in_flight_the_centre_of_mass_falls_freely_and_half_the_force_that_no_co
 
 def nearest(model: mujoco.MjModel, qpos: Array) -> float:
     """Signed distance [m] of the figure's nearest geom to the scene, at most `REACH`."""
-    data = kinematics(model, qpos)
-    pairs = ((geom, solid) for geom in movers(model) for solid in solids(model))
-    return min(mujoco.mj_geomDistance(model, data, *pair, REACH, None) for pair in pairs)
+    data, least, moving = kinematics(model, qpos), REACH, np.array(movers(model))
+    for solid in solids(model):
+        away = np.maximum(np.abs(data.geom_xpos[moving] - data.geom_xpos[solid]) - model.geom_size[solid], 0)
+        if model.geom_type[solid] == mujoco.mjtGeom.mjGEOM_PLANE:
+            away = away[:, 2:]
+        for geom in moving[np.linalg.norm(away, axis=1) < model.geom_rbound[moving] + REACH].tolist():
+            least = min(least, mujoco.mj_geomDistance(model, data, geom, solid, REACH, None))
+    return least
 
 
 def lifted(model: mujoco.MjModel, qpos: Array, *, drop: bool) -> Array:
@@ -92,7 +97,7 @@ def lifted(model: mujoco.MjModel, qpos: Array, *, drop: bool) -> Array:
     low, high = (-0.1 if drop else 0.0), 0.3
     if nearest(model, qpos + low * up) >= 0:
         return qpos + low * up
-    for _ in range(18):
+    for _ in range(16):
         middle = (low + high) / 2
         low, high = (low, middle) if nearest(model, qpos + middle * up) >= 0 else (middle, high)
     return qpos + high * up
