@@ -158,28 +158,11 @@ def test_a_clip_may_begin_and_end_on_the_toe_of_a_flight_but_none_touches_for_a_
     assert tell(low, high, after) == ()
 
 
-@pytest.mark.parametrize("feet", [SOLES, SOLES[:2]])
-def test_nobody_takes_off_from_a_foot_that_is_flat_on_the_ground_be_it_the_only_one(feet):
-    flat, toe = key(0, 0, (0.1, 0.4), z=0.9), crouched_on_toe(0, 0, 0.1)
-    for first, found in ((flat, ()), (toe, ((0.0, 0.3),))):
-        timeline = raw_timeline(FIGURE, [first, key(0.15, 0.5, AIR, z=1.0), crouched_on_toe(0.3, 1.0, 0.1)])
-        assert flights(1, KeyframePoints.of(FIGURE, timeline, feet, (FLOOR,)), ()) == found
-
-
 def test_a_clip_in_the_air_is_one_flight_if_it_falls():
     t = np.array([0.0, 0.2, 0.4, 0.6])
     fall = [key(float(s), float(s), AIR, z=2 + 3 * s - 9.81 * s**2 / 2) for s in t]
     assert tell(*fall) == ((0.0, 0.6),)
     assert tell(*(key(2 * float(s), 0, AIR, z=2) for s in t)) == ()
-
-
-def test_two_keyframes_in_the_air_with_time_for_a_step_tell_no_flight():
-    low, high = 0.76, 1.26  # soles 6 cm and 56 cm over the floor
-    assert tell(key(0, 0, AIR, z=low), key(0.4, 0.5, AIR, z=low)) == ()
-    assert tell(key(0, 0, AIR, z=low), key(0.2, 0.2, AIR, z=low)) == ((0.0, 0.2),)
-    assert tell(key(0, 0, AIR, z=high), key(0.4, 0.5, AIR, z=high)) == ((0.0, 0.4),)
-    between = key(0.2, 0.3, AIR, z=low + 0.15)
-    assert tell(key(0, 0, AIR, z=low), between, key(0.4, 0.5, AIR, z=low)) == ((0.0, 0.4),)
 
 
 def test_who_lies_on_the_floor_does_not_fly():
@@ -199,22 +182,6 @@ def test_keyframes_that_leave_a_foot_open_tell_nothing():
     assert tell(key(0, 0, AIR, z=1.5), Frame(0.3, partial.state, fixed), key(0.6, 0.6, AIR, z=1.5)) == ()
 
 
-def without_height(frame: Frame) -> Frame:
-    """Found for the legs that it sets, as a keyframe is that is put down."""
-    found = np.arange(frame.state.size) == 2
-    return Frame(frame.time, frame.state, ~found, found)
-
-
-def test_keyframes_of_no_height_are_passed_over_in_a_flight_that_others_tell():
-    start, toe, landing, *on = run(crouched=0.12)
-    aloft = without_height(key(0.17, 0.5, AIR, z=1.0))
-    assert tell(start, toe, aloft, landing, *on) == ((0.1, 0.25), (0.42, 0.57))
-    assert tell(start, without_height(key(0.05, 0, (0.12, 0.3), z=0.88)), toe, landing, *on) == (
-        (0.1, 0.25),
-        (0.42, 0.57),
-    )
-
-
 def timeline_of(*keys: Frame) -> Timeline:
     return raw_timeline(FIGURE, list(keys))
 
@@ -231,15 +198,6 @@ def test_a_foot_that_stands_may_push_with_all_that_touches_in_one_of_the_keyfram
     for footing, x in zip(found, (-0.1, 0.0), strict=True):
         np.testing.assert_allclose(footing.normal, [0, 0, 1])
         np.testing.assert_allclose(footing.point.position, [x, 0, -1], atol=1e-12)
-
-
-def test_points_of_the_body_make_a_foot_wide_and_those_inside_are_left_out():
-    wide = [Point(f"{x} {y}", 2, np.array([x, y, -0.98]), 0.02) for x in (-0.2, 0.1) for y in (-0.05, 0.05)]
-    elsewhere = (Point("high", 2, np.array([0.0, 0, -0.5]), 0.02), Point("pelvis", 1, np.array([0.0, 0, -1])))
-    found = footings_of(key(0, 0, LEFT), key(0.1, 0, LEFT), body=(*wide, *elsewhere))
-    assert {f.point.name for f in found} == {p.name for p in wide}
-    for footing in found:
-        np.testing.assert_allclose(footing.point.position[2], -1)
 
 
 @pytest.mark.parametrize(
@@ -272,15 +230,6 @@ def test_a_figure_on_one_leg_that_moves_its_foot_hops(feet, moved, stays_low):
     timeline = raw_timeline(FIGURE, [key(0.0, 0.0, feet[0]), key(0.5, moved, feet[1])])
     schedule = ContactSchedule(FIGURE, timeline, SOLES, (FLOOR,))
     assert schedule.grounded == (((0.0, 0.5),) if stays_low else ())
-
-
-def test_an_object_on_the_floor_does_not_ground_the_figure():
-    ball, place = '<body name="ball"><freejoint/><geom size=".1"/></body>', [2, 0, 0.1, 1, 0, 0, 0]
-    figure = figure_of(WALKER.replace("</worldbody>", f"{ball}</worldbody>"))
-    keys = [Frame.key(t, [*key(t, t, AIR, z=1.5).state, *place]) for t in (0.0, 0.3)]
-    schedule = ContactSchedule(figure, raw_timeline(figure, keys), SOLES, (FLOOR,))
-    assert {point.link for point in schedule.low_points} == {1, 2, 3}
-    assert schedule.grounded == ()
 
 
 STRIDES = 7  # keyframes of run_and_step before the step: two flights, and a foot on the ground between them

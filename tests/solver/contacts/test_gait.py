@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import figures
@@ -22,7 +21,6 @@ from dynsplines.solver.contacts.pose_vectors import Heading, PoseVectors
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Cycle
 from dynsplines.solver.surface import Plane
 
@@ -89,14 +87,6 @@ def test_two_keyframes_tell_none_even_if_asked():
     )
 
 
-def test_a_figure_that_is_moved_along_in_one_pose_tells_none():
-    still = WALK.copy()
-    still[:, 2:] = FIGURE.model.qpos0[2:]
-    moved = gait(still, 0.5)
-    assert moved.infer() is moved.likeliest() is moved.with_period(1.0) is None
-    assert gait(WALK, 0.5).likeliest() is not None
-
-
 def test_a_clip_has_the_cycle_by_itself_or_as_asked_and_not_with_weight_0():
     keys = gait(WALK, 0.42).keys
 
@@ -127,35 +117,6 @@ def test_a_pose_to_set_out_from_stands_outside_the_cycle():
     whole = Gait(FIGURE, raw_timeline(FIGURE, keys), SOLES, GROUND).infer()
     assert whole is not None
     assert whole.times[0] == TIME[3]
-
-
-def test_where_the_cycle_is_not_told_it_asks_for_nothing():
-    gait_cycle = gait(WALK, 0.42).infer()
-    assert gait_cycle is not None
-    late = replace(gait_cycle, times=gait_cycle.times + 1.0)
-    t = np.array([gait_cycle.times[0], late.times[0], late.times[-1], late.times[-1] + 0.1])
-    y = np.repeat(FIGURE.to_state(FIGURE.model.qpos0[None]), t.size, axis=0)
-    values = Cycle(FIGURE, late).evaluate(Samples(FIGURE, y, 0 * y, 0 * y, t=t))
-    assert values[0] == values[-1] == 0
-    assert np.all(values[1:3] > 0)
-
-
-def test_feet_slide_by_as_much_as_the_body_is_carried_along_besides_whatever_the_ground_is_called():
-    """Pushed forward by a share of its speed, the standing foot slides by that share of the new one."""
-    seen = gait(WALK, 0.3)
-    gait_cycle = seen.with_period(PERIOD)
-    assert gait_cycle is not None
-    assert gait_cycle.slip < 0.2
-    for share in (1.0, 3.0):
-        pushed = np.array(WALK)
-        pushed[:, 0] *= 1 + share
-        carried = gait(pushed, 0.3).with_period(PERIOD)
-        assert carried is not None
-        assert carried.slip == pytest.approx(share / (1 + share), abs=0.12)
-    low = replace(seen, surfaces=(Plane("low", np.array([0, 0, -0.7]), np.array([0.0, 0, 1])),))
-    sunk = low.with_period(PERIOD)
-    assert sunk is not None
-    assert sunk.slip == pytest.approx(gait_cycle.slip, rel=1e-6)  # low is what is lowest of them, not what touches
 
 
 def placing(clip: Clip) -> set[str]:

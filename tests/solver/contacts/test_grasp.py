@@ -153,13 +153,6 @@ def test_it_falls_through_the_keyframe_with_equal_times_on_the_ground(landing, e
     assert parabola[0] == pytest.approx(-G / 2)
 
 
-def test_a_leap_over_several_keyframes_falls_through_them():
-    ((first, last),) = hop(crouch(0), (0.3, 1.25, 0.1), (0.4, 1.3, 0.1), (0.5, 1.25, 0.1), crouch(0.8))
-    assert first + last == pytest.approx(0.8)
-    parabola = np.polyfit([0.3, 0.5, last], [1.25, 1.25, STRETCHED], 2)
-    assert parabola[0] == pytest.approx(-G / 2)
-
-
 @pytest.mark.parametrize(("first", "last"), [(0.1, 0.4), (0.5, 0.8)])
 def test_there_is_none_while_something_else_carries(first, last):
     leap = crouch(0), (0.45, 1.45, 0.1), crouch(0.9)

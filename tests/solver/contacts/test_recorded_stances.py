@@ -20,11 +20,10 @@ from dynsplines.solver.contacts.recorded_stances import (
     _cut,
     infer_stances,
     infer_stances_and_raised,
-    position_noise,
     surprisal,
 )
 from dynsplines.solver.contacts.thresholds import Thresholds
-from dynsplines.solver.curve.recording import ORDER, RecordedMotion
+from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.surface import Box, Plane, static_surfaces
 from dynsplines.solver.surface.heights import height_over
@@ -77,17 +76,6 @@ def test_of_a_run_that_ships_they_are_where_soles_rest(take):
     found, true = marked(stances, take, ground), resting(take, ground)
     assert (found & true).sum() >= 0.9 * true.sum()
     assert (found & ~true).sum() <= 0.15 * found.sum()
-
-
-@pytest.mark.slow
-def test_what_shakes_slides_and_sinks_keeps_most_of_them(take, rng):
-    ground, true = ground_of(take), resting(take, ground_of(take))
-    qpos = take.shaking(take.sliding(rng), rng, 0.003, np.radians(0.5))
-    found = marked(
-        infer_stances(RecordedMotion.of(take.figure, take.time, qpos), ground.points, ground.surfaces), take, ground
-    )
-    assert (found & true).sum() >= 0.7 * true.sum()
-    assert (found & ~true).sum() <= 0.25 * found.sum()
 
 
 # of the size of an adult
@@ -201,18 +189,6 @@ def test_who_kneels_stands_on_the_toe_alone(pitch, metres, degrees, seed):
         assert resting_high[2, (take.time > 2.4) & (take.time < 3)].mean() > 0.9
 
 
-def test_stances_stay_where_a_recording_drifts_upwards(rng):
-    """By 9 cm: the lowest sole is where its floor is."""
-    take = kneeling(FPS, np.radians(50))
-    take.qpos[:, 2] += 0.03 * take.time
-    ground = ground_of(take)
-    qpos = take.shaking(take.qpos, rng, 0.002, np.radians(0.4))
-    stances = infer_stances(RecordedMotion.of(take.figure, take.time, qpos), ground.points, ground.surfaces)
-    height, found = heights(take, ground), marked(stances, take, ground)
-    assert found[[0, 1, 3]].mean() > 0.9
-    assert (height[2] - height[0])[found[2]].max() < 0.07
-
-
 def test_a_stance_on_an_edge_is_on_what_ends_there():
     """A box's top ends 4 cm before the point, which stands as high as it, and the floor is half a metre down."""
     box = Box("box", np.array([-1.04, 0.0, 0.25]), np.eye(3), np.array([1.0, 1.0, 0.25]))
@@ -222,33 +198,6 @@ def test_a_stance_on_an_edge_is_on_what_ends_there():
     assert one.ground is not None
     assert one.ground.height(np.array([0.0, 0.0, 0.5])) == pytest.approx(0, abs=1e-12)
     assert infer_stances(recorded, [RUNNER], [FLOOR]) == ()
-
-
-def test_nothing_stands_where_there_is_no_ground_or_no_sole(figure, rng):
-    times = np.linspace(0, 1, 31)
-    recorded = RecordedMotion.of(figure, times, np.tile(figure.model.qpos0, (31, 1)))
-    assert infer_stances(recorded, (), ()) == ()
-    assert infer_stances_and_raised(recorded, (), ()) == ((), ())
-    assert align_to_ground(recorded, (), ()) is recorded
-
-
-def test_the_noise_of_places_is_that_of_their_samples_whatever_smooth_way_they_go_and_gaps_hold(rng):
-    count, sizes = 4000, np.array([0.002, 0.01, 0.0])
-    noise = sizes[:, None] * rng.normal(size=(3, 3, count))
-    known = np.ones(count)
-    found = position_noise(noise, known)
-    np.testing.assert_allclose(found, sizes, rtol=0.06)
-    t = np.linspace(-1, 1, count)
-    smooth = np.polynomial.polynomial.polyval(t, rng.normal(size=(4, 3, 3)))  # of degree three
-    np.testing.assert_allclose(position_noise(noise + smooth, known), found, atol=1e-9)
-    known[1000:1100] = known[2500] = 0
-    wild = np.where(known > 0, noise, 100 * rng.normal(size=noise.shape))
-    np.testing.assert_allclose(position_noise(wild, known), sizes, rtol=0.06)
-    np.testing.assert_array_equal(position_noise(noise[..., :ORDER], known[:ORDER]), np.zeros(3))
-    np.testing.assert_array_equal(
-        position_noise(noise[..., :60], np.tile([1.0, 1, 0], 20)), np.zeros(3)
-    )  # no few in a row
-    assert np.all(position_noise(noise[:, :2, : ORDER + 1], known[: ORDER + 1])[:2] > 0)
 
 
 def covariance(times: np.ndarray, variance: float, first: float) -> np.ndarray:
@@ -335,23 +284,6 @@ def test_a_sole_that_stood_tilted_is_level_and_on_the_ground_and_nothing_else_mo
     found = align_to_ground(before, standing(points), [FLOOR])
     np.testing.assert_allclose(bottoms(found, points), 0, atol=within)
     np.testing.assert_array_equal(found.states[:, [0, 1, *range(3, 7)]], before.states[:, [0, 1, *range(3, 7)]])
-
-
-def test_a_sole_that_stood_on_its_toes_is_set_down_as_it_is_in_the_middle_of_its_heights() -> None:
-    points, before = sole(0.02, 0.02, 0.02, 0.02), recorded(0.9, np.radians([0, 40, 0]))
-    found = align_to_ground(before, standing(points), [FLOOR])
-    np.testing.assert_array_equal(found.states[:, 7:], before.states[:, 7:])
-    assert np.median(bottoms(found, points)) == pytest.approx(0, abs=1e-9)
-    np.testing.assert_array_equal(found.states[:, :2], before.states[:, :2])
-
-
-def test_only_what_stands_says_how_high_the_ground_is() -> None:
-    """The heel stands in the first half, 3 cm up; what it does later, and the toes, say nothing."""
-    points, before = sole(0.02, 0.02, 0.02, 0.02), recorded(0.65, np.zeros(3))
-    before.states[TIMES > 0.5, 2] += 0.2
-    found = align_to_ground(before, [RecordedStance(point, 0.0, 0.5) for point in points[:2]], [FLOOR])
-    np.testing.assert_allclose(bottoms(found, points)[:, TIMES <= 0.5], 0, atol=1e-9)
-    np.testing.assert_allclose(found.states[:, 2] - before.states[:, 2], -0.03, atol=1e-9)
 
 
 @pytest.mark.parametrize(("over", "moves"), [(-6, True), (1.2, True), (0.8, False)])

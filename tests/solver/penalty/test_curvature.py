@@ -13,15 +13,12 @@ from gradients import (
     assembled,
     assert_near,
     assert_squares,
-    clip,
     curvature_of,
-    every_penalty,
     low_samples,
     sides_of,
     some_samples,
 )
 from problems import slider
-from random_models import evenly
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
@@ -40,7 +37,6 @@ from dynsplines.solver.penalty import (
 from dynsplines.solver.penalty import curvature as curvature_module
 from dynsplines.solver.penalty.block import Block, Dense, every
 from dynsplines.solver.penalty.curvature import Curvature, OneSidedResiduals
-from dynsplines.solver.refine import euler_lagrange
 from dynsplines.solver.refine.euler_lagrange import WeakForm
 from dynsplines.solver.refine.subdivision import midpoints, split
 from dynsplines.solver.surface.points import Point
@@ -119,15 +115,6 @@ def test_sides_that_count_enter_a_curvature_as_squares(figure, rng, one_sided):
         if value > 0:
             expected += 2 * scale[at] * phi[at, 0] ** 2 * np.outer(row, row)
     assert_near(curvature.quadratic(phi, 0, 6), expected, 1e-12)
-
-
-def test_the_weak_form_of_a_few_spans_at_a_time_is_that_of_all(figure, rng, monkeypatch):
-    timeline = evenly(clip(figure, rng, "free"), 2)
-    objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(timeline))
-    form = WeakForm(objective, path_of(timeline))
-    whole = form.decrements(midpoints(timeline))
-    monkeypatch.setattr(euler_lagrange, "ENTRIES", 3000)
-    np.testing.assert_allclose(form.decrements(midpoints(timeline)), whole, rtol=1e-9)
 
 
 @pytest.mark.parametrize("chosen", [slice(2, 3), slice(None)], ids=["one frame", "frames everywhere"])

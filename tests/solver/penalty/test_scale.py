@@ -17,7 +17,6 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import (
     Attachment,
     Bend,
@@ -25,28 +24,19 @@ from dynsplines.solver.penalty import (
     Contact,
     Coupling,
     CouplingPenalty,
-    CovariantAcceleration,
     GraspPenalty,
     HoverPenalty,
     JointRange,
-    Lean,
     Normalization,
-    PeakAcceleration,
     Penalty,
     Placed,
-    Posture,
     Range,
     RestPenalty,
-    RootAcceleration,
     Sum,
-    Torque,
-    UnitMagnitude,
-    Upright,
 )
 from dynsplines.solver.penalty.block import Block, Dense, Entries
 from dynsplines.solver.penalty.check import check
 from dynsplines.solver.penalty.joints.self_contact import Bar, SelfContact
-from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface.points import Point
 
 UP, X = np.array([0.0, 0, 1]), np.array([1.0, 0, 0])
@@ -96,64 +86,6 @@ def test_a_degree_beyond_a_joints_range_a_bends_bound_or_a_couplings_line_counts
     y = np.concatenate([[1.0, 0, 0, 0], straight])[None]
     knee = BendLimits((Bend("knee", 2, np.array([0.0, 1, 0]), -UP),), 0.2, 1.0, 1.0)
     np.testing.assert_allclose(knee.evaluate(Samples(balls, y, 0 * y, 0 * y)), knee.normalization.reference)
-
-
-@pytest.mark.parametrize(
-    "penalty", [Upright((Lean(1, UP),)), Upright((Lean(1, UP, 0.0),))], ids=["always", "at a time"]
-)
-def test_ten_degrees_off_the_vertical_count_as_the_reference_specifies(penalty):
-    figure = figure_of(BALL)
-    y = np.concatenate([np.zeros(3), quat.from_rotation_vector(np.radians(10) * X)])[None]
-    value = penalty.evaluate(Samples(figure, y, 0 * y, 0 * y, t=np.zeros(1)))
-    np.testing.assert_allclose(value, (2 * np.sin(np.radians(5))) ** 2)  # a chord, nearly the angle
-    np.testing.assert_allclose(value, penalty.normalization.reference, rtol=5e-3)
-
-
-def test_a_newton_metre_counts_as_the_reference_of_torques_says():
-    arm = '<body><joint type="hinge" axis="0 1 0"/><geom size=".001" pos="0.1 0 0" mass="1"/></body>'
-    figure = figure_of(f'<mujoco><option gravity="0 0 -10"/><worldbody>{arm}</worldbody></mujoco>')
-    y = np.zeros((1, figure.width))
-    np.testing.assert_allclose(
-        Torque().evaluate(Samples(figure, y, y, y)), Torque().normalization.reference, rtol=1e-12
-    )
-
-
-def test_two_radians_a_unit_of_spacing_squared_count_as_the_references_of_accelerations_specify():
-    """A joint's 8 rad/s² with keyframes 1 s apart, and 2 m/s² of the root."""
-    figure = figure_of(CHAIN.format("hinge"), "joint")
-    y = np.array([[1.0, 0, 0, 0, 0.3]])
-    hinge = Samples(figure, y, 0 * y, np.array([[0.0, 0, 0, 0, 8]]))
-    for penalty in (CovariantAcceleration(), PeakAcceleration()):
-        np.testing.assert_allclose(penalty.evaluate(hinge), penalty.normalization.reference)
-    turning = Samples(figure, y, np.array([[0.0, 0, 0, 0, 2]]), 0 * y)
-    posture = Posture(0.3)
-    np.testing.assert_allclose(posture.evaluate(turning), (2 / 2) ** 2)
-    root = figure_of(BALL)
-    y = np.array([[0, 0, 1, 1, 0, 0, 0.0]])
-    lifted = Samples(root, y, 0 * y, np.array([[0, 0, 2, 0, 0, 0, 0.0]]))
-    np.testing.assert_allclose(RootAcceleration().evaluate(lifted), RootAcceleration().normalization.reference)
-
-
-def deepest(heights: list[float], *, allowing: bool) -> tuple[float, float]:
-    """How deep a ball gets between keyframes at these heights a second apart, and its largest acceleration upward."""
-    figure = figure_of(BALL)
-    keys = [Frame.key(float(i), [0, 0, z + 0.1, 1, 0, 0, 0]) for i, z in enumerate(heights)]
-    contact = Contact((Point("ball", 1, np.zeros(3), 0.1),), (FLOOR,))
-    if allowing:
-        contact = contact.allowing(figure, raw_timeline(figure, keys))
-    penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0), (contact, 30.0)]
-    motion = inbetween(Problem(figure, keys, penalties, Settings(tolerance=1e-4, frames=30)))
-    height = motion.path.at(t := np.linspace(0, len(heights) - 1, 2001))[:, 2] - 0.1
-    return float(-height.min()), float(np.abs(np.gradient(np.gradient(height, t), t)).max())
-
-
-@pytest.mark.slow
-def test_between_two_keyframes_in_the_floor_a_point_stays_as_deep_and_does_not_whip():
-    depth, pull = deepest([-0.03, -0.03, -0.03, -0.03], allowing=True)
-    assert depth == pytest.approx(0.03, abs=1e-3)
-    assert pull < 0.1
-    _, whipped = deepest([-0.03, -0.03, -0.03, -0.03], allowing=False)
-    assert whipped > 1.0
 
 
 def test_a_knee_that_a_keyframe_bends_backward_may_do_so_near_it_and_nowhere_else():

@@ -80,13 +80,6 @@ def test_a_joint_uses_only_its_share_of_its_range_unless_home_is_beyond_it(home,
     np.testing.assert_allclose(found, [0, 0.2, end], atol=0.02)
 
 
-def test_with_nothing_free_a_hand_pulls_in_vain(arm):
-    home = np.array([0.1, 0.2, 0.3])
-    found = dragged(arm, home, np.zeros(3, bool), hand(arm, [9, 9, 9]), Constraints(), begin=home + 1)
-    np.testing.assert_array_equal(found.qpos, home)
-    assert found.missed[0] == pytest.approx(np.linalg.norm(tip(arm, home) - 9))
-
-
 def test_derivatives_are_differences(human, rng):
     model, foot = human.model, human.model.body("left_foot").id
     qpos = np.array(model.qpos0)
@@ -118,15 +111,6 @@ def test_derivatives_are_differences(human, rng):
                 (value(kinematics(human.model, ends[0])) - value(kinematics(human.model, ends[1]))) / (2 * STEP)
             )
         np.testing.assert_allclose(rows(kinematics(human.model, qpos)), np.transpose(differences), atol=1e-7)
-
-
-def test_floor_clearance_is_the_depth_of_the_lowest_sphere_beyond_the_permitted_depth(arm):
-    """Spheres of 0.3 m and 0.6 m with centres 1 m high, over a floor at 0.9 m that they may enter by 0.1 m."""
-    body, radii = np.full(2, arm.model.body("lower").id), np.array([0.3, 0.6])
-    floor = FloorClearance(body, np.zeros((2, 3)), radii, np.full(2, 0.1), np.eye(3)[2], 0.9)
-    data = kinematics(arm.model, np.zeros(3))
-    np.testing.assert_allclose(floor.depth(data), [0.1, 0.4])
-    np.testing.assert_allclose(floor.linearized(arm.model, data)[0], [0.4])
 
 
 def test_a_restart_that_gains_little_leaves_the_pose_where_it_is(arm, rng):

@@ -375,36 +375,23 @@ ROOM = """
 SEEN = 'contype="0" conaffinity="0"'
 
 
-def room(hull: str = SEEN, bench: str = SEEN, skin: str = SEEN, more: str = "") -> mujoco.MjModel:
-    return mujoco.MjModel.from_xml_string(ROOM.format(hull=hull, bench=bench, skin=skin, more=more))
+ALL = ["bone", "skin", "nail"]
+ROOMS = {  # what of hull, bench and skin collides, or a pair that may touch; obstacles, and geoms kept clear of them
+    "bench, skin": (["ground", "bench"], ["skin"]),
+    "skin": (["ground"], ["skin"]),
+    "bench": (["ground", "bench"], ALL),
+    "": (["ground", "hull", "bench"], ALL),
+    "pair": (["ground", "bench"], ["skin"]),
+}
 
 
-def test_where_something_collides_the_hull_of_a_room_is_no_obstacle_and_bones_are_not_kept_clear():
-    model = room(bench="", skin="")
-    assert named(model, solids(model)) == ["ground", "bench"]
-    assert named(model, movers(model)) == ["skin"]
-    assert not counts_all(model)
-    alone = room(skin="")  # planes are grounds whatever they say
-    assert named(alone, solids(alone)) == ["ground"]
-
-
-def test_a_pair_of_geoms_that_may_touch_makes_both_collide():
-    model = room(more='<contact><pair geom1="bench" geom2="skin"/></contact>')
-    assert named(model, solids(model)) == ["ground", "bench"]
-    assert named(model, movers(model)) == ["skin"]
-
-
-def test_a_model_of_which_nothing_collides_is_looked_at_with_all_of_its_geoms():
-    model = room()
-    assert counts_all(model)
-    assert named(model, solids(model)) == ["ground", "hull", "bench"]
-    assert named(model, movers(model)) == ["bone", "skin", "nail"]
-
-
-def test_a_figure_that_collides_with_nothing_in_a_room_that_does_is_kept_clear_with_all_of_its_geoms():
-    model = room(bench="")
-    assert named(model, solids(model)) == ["ground", "bench"]
-    assert named(model, movers(model)) == ["bone", "skin", "nail"]
+@pytest.mark.parametrize("colliding", ROOMS)
+def test_where_something_collides_that_alone_is_an_obstacle_or_kept_clear_of_them(colliding):
+    pair = '<contact><pair geom1="bench" geom2="skin"/></contact>' if colliding == "pair" else ""
+    looks = {name: "" if name in colliding else SEEN for name in ("hull", "bench", "skin")}
+    model = mujoco.MjModel.from_xml_string(ROOM.format(**looks, more=pair))
+    assert (named(model, solids(model)), named(model, movers(model))) == ROOMS[colliding]
+    assert counts_all(model) == (not colliding)
 
 
 def test_what_a_clip_adds_is_in_the_way_whether_or_not_anything_else_collides():
@@ -459,15 +446,6 @@ def test_the_ground_of_a_point_is_the_plane_below_it(normal, rng):
     np.testing.assert_allclose(found.normal, normal, atol=1e-12)
     elsewhere = rng.normal(size=(3, 5))
     np.testing.assert_allclose(found.height(elsewhere), plane.height(elsewhere), atol=1e-12)
-
-
-def test_next_to_an_edge_it_is_the_plane_that_ends_there_and_where_nothing_is_there_is_none():
-    found = ground_at([FLOOR, BOX], np.array([0.55, 0.1, 0.46]), 0.05, REACH)
-    assert found is not None
-    assert found.height(np.array([0.7, 0.0, 0.41])) == pytest.approx(0.01)
-    assert ground_at([BOX], np.array([2.0, 0.0, 0.4]), 0.05, REACH) is None
-    height, _ = heights_nearby([BOX], np.array([[[2.0]], [[0.0]], [[0.4]]]), np.array([0.05]), REACH)
-    assert height[0, 0] == FAR
 
 
 ONE_BOX = """<mujoco><worldbody><geom type="box" size=".5 .3 .2" pos=".1 .2 .2" euler="0 0 40"/>

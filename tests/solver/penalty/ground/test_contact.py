@@ -231,22 +231,6 @@ def test_the_value_by_hand(figure, rng):
     np.testing.assert_allclose(resting.evaluate(samples), expected, rtol=1e-9)
 
 
-def test_a_foot_rests_where_nobody_said_that_it_should():
-    figure = figure_of(BALL)
-    foot, floor = Point("foot", 1, np.zeros(3), 0.1), Plane("floor", np.zeros(3), UP)
-    keys = [Frame.key(float(i), [x, 0, 0.3, 1, 0, 0, 0]) for i, x in enumerate([0.0, 1.0])]
-    penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
-
-    def direction(weight: float) -> float:
-        resting = RestPenalty((Rest(foot, 0.4, 0.6),), (floor,))
-        motion = inbetween(Problem(figure, keys, [*penalties, (resting, weight)], Settings(tolerance=1e-4)))
-        qpos = motion.at(np.linspace(0.4, 0.6, 100))
-        return float(np.ptp(qpos[:, 0]) + np.abs(qpos[:, 2] - 0.1).max())
-
-    assert direction(0.0) > 0.3
-    assert direction(3000.0) < 0.01
-
-
 @pytest.mark.parametrize("angle", [-0.7, 0.0, 1.2])
 def test_a_sphere_that_rolls_goes_as_far_as_it_has_turned(angle):
     start = quat.from_rotation_vector([0.2, -0.4, 0.9])

@@ -7,7 +7,7 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE, WOOD, figure_of
+from figures import WOOD, figure_of
 from gradients import assembled, curvature_of, shifted
 from oracles import mujoco_forces
 from random_models import at_times, random_samples
@@ -16,15 +16,11 @@ from scipy.optimize import nnls
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.cone import projection
 from dynsplines.solver.contacts import Footing
-from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.root_wrench import RootWrench, weight
-from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import CovariantAcceleration, Flight, Penalty, RootAcceleration, Support
+from dynsplines.solver.penalty import Flight, Support
 from dynsplines.solver.penalty.ground.support import friction_edges
-from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface.points import Point
 
 UP = np.array([0.0, 0, 1])
@@ -137,17 +133,6 @@ def test_the_forces_on_feet_carry_the_weight_by_the_law_of_the_lever(x):
     assert np.abs(left[:, 2]).max() > 0.01  # one foot beside the middle cannot carry it at rest
 
 
-def test_in_flight_and_at_unknown_moments_no_foot_pushes():
-    _, support, samples = table(0.0, 12)
-    found = support.reactions(samples)
-    assert set(found.at.tolist()) == {0, 1, 2, 3, 4, 5, 6, 9}
-    alone = Support.of(table(0.0)[0], 1, (), ((0.0, 1.0),))
-    nothing = alone.reactions(samples)
-    assert nothing.at.size == nothing.force.size == nothing.place.size == 0
-    np.testing.assert_allclose(alone.rest(samples)[:, :2], [[0, 0], [0, 0], [1, 1], [0, 0], [0, 0], [0, 0]], atol=1e-12)
-    assert not alone.rest(samples)[:, 2:].any()
-
-
 G = 9.81
 
 
@@ -193,29 +178,3 @@ def test_a_body_that_tumbles_freely_costs_nothing_and_one_that_hovers_one():
     assert flight.evaluate(samples).max() < 1e-20
     still = Samples(samples.figure, samples.y, 0 * samples.y, 0 * samples.y)
     np.testing.assert_allclose(flight.evaluate(still), 1.0, rtol=1e-12)
-
-
-def hop(*penalties: tuple[Penalty, float]) -> tuple[float, float]:
-    """How far the centre of mass of a jointed figure is off g in its flight from 0.3 to 0.7 s: before, after."""
-    figure = figure_of(BALL_TREE)
-    rest = np.array(mujoco.MjData(figure.model).qpos)
-    heights, keys = {0.0: 1.0, 0.3: 1.1, 0.7: 1.1, 1.0: 1.0}, []
-    for time, z in heights.items():
-        qpos = rest.copy()
-        qpos[:3] = 2 * time, 0, z
-        qpos[7:11] = quat.from_rotation_vector(np.array([0, 2 * np.sin(9 * time), 0]))
-        keys.append(Frame.key(time, qpos))
-    motion = inbetween(Problem(figure, keys, [(CovariantAcceleration(), 1.0), *penalties], Settings(frames=20)))
-    off = []
-    for timeline in (motion.raw, motion.timeline):
-        samples = Samples(figure, *path_of(timeline).motion(np.linspace(0.3, 0.7, 201)))
-        off.append(np.mean(np.linalg.norm(RootWrench(samples, 1).force, axis=0)) / weight(figure, 1))
-    return off[0], off[1]
-
-
-def test_flight_falls_as_it_should_and_without_the_penalty_it_does_not():
-    figure = figure_of(BALL_TREE)
-    before, after = hop((Flight.of(figure, 1, ((0.3, 0.7),)), 3.0))
-    assert before > 0.2
-    assert after < 0.05
-    assert hop((RootAcceleration(), 1.0))[1] > 0.2

@@ -1,18 +1,16 @@
-"""Accelerations, velocities, torques and cycles: values, and motions that obey them."""
+"""Accelerations, velocities, torques, cycles and recordings: values, and motions that obey them."""
 
 from __future__ import annotations
-
-from dataclasses import replace
 
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE, CHAIN, HUMAN_AND_CHAINS, TINY, figure_of, with_armature
-from gradients import assembled, assert_near, assert_squares, curvature_of, jacobians, penalty_slope
+from figures import BALL_TREE, HUMAN_AND_CHAINS, figure_of, with_armature
+from gradients import assert_squares, penalty_slope
 from motions import FIGURE, GROUND, SOLES, TIME, WALK, gait
-from oracles import mujoco_forces
-from problems import turning
-from random_models import evenly, random_samples
+from oracles import kinematics, mujoco_forces
+from random_models import at_times, evenly, random_samples
+from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation, Slerp
 
 from dynsplines.clip.build import constraints
@@ -21,7 +19,8 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Steps
 from dynsplines.solver.contacts.gait_period import Gait
-from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
@@ -38,10 +37,11 @@ from dynsplines.solver.penalty import (
     Posture,
     RootAcceleration,
     Torque,
+    TrackingPenalty,
     UnitMagnitude,
 )
+from dynsplines.solver.penalty.motion.tracking import BACK, EASED, STRAYS
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.search.descent import optimised
 
 
 def angular_accelerations(samples: Samples) -> np.ndarray:
@@ -72,28 +72,6 @@ def sizes(samples: Samples) -> Array:
 def test_it_is_the_sum_of_eighth_powers(figure, rng):
     samples = random_samples(figure, rng)
     np.testing.assert_allclose(PeakAcceleration().evaluate(samples), np.sum(sizes(samples) ** 8, axis=1), rtol=1e-10)
-
-
-def test_the_curvature_is_that_of_the_fourth_powers_times_seven_quarters(rng):
-    for coordinates in ("world", "joint"):
-        figure = figure_of(TINY, coordinates)
-        samples = random_samples(figure, rng, 4)
-        scale, phi = rng.uniform(0.5, 2, 4), rng.normal(size=(4, 3, 2))
-        moved = np.einsum("sron,soa->sran", jacobians(lambda seen: sizes(seen) ** 4, samples), phi)
-        flat = moved.reshape(*moved.shape[:2], -1)
-        expected = 7 / 4 * 2 * scale[:, None, None] * np.einsum("srx,sry->sxy", flat, flat)
-        assert_near(assembled(curvature_of(PeakAcceleration(), samples, scale), phi), expected)
-
-
-def test_a_peak_comes_down():
-    peaks = []
-    for weight in (0.0, 3.0):
-        objective, raw = turning([90.0, -60.0, 100.0, -100.0], 0)
-        terms = [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 10.0), (PeakAcceleration(), weight)]
-        objective = Objective.of(objective.figure, terms).renormalised(path_of(raw))
-        path = path_of(optimised(objective, evenly(raw, 3)))
-        peaks.append(sizes(objective.samples(path, np.linspace(0, 4, 401))).max())
-    assert peaks[1] < 0.9 * peaks[0]
 
 
 @pytest.fixture(params=HUMAN_AND_CHAINS, ids=["human", "human, joints", "fixed balls", "fixed ball and hinge"])
@@ -181,23 +159,6 @@ def test_a_root_that_turns_and_travels_evenly_between_its_keyframes_costs_nothin
     no_steps = Steps(times, np.zeros((len(figure.links), 2), bool), none, none)
     between = Between.of(figure, raw_timeline(figure, frames), no_steps)
     np.testing.assert_allclose(Posture(between=between).evaluate(samples), 0, atol=1e-6)
-
-
-def swing(weight: float) -> float:
-    """How far [degrees] the second joint of a chain swings between keyframes 2 s apart, all within 60°."""
-    figure = figure_of(CHAIN.format("ball"))
-    keys = []
-    for i, angle in enumerate([0, 60, 60, 0]):
-        bent = quat.from_rotation_vector(np.radians([0, angle, 0]))
-        keys.append(Frame.key(2.0 * i, np.concatenate([[1, 0, 0, 0], bent])))
-    penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
-    motion = inbetween(Problem(figure, keys, [*penalties, (Posture(), weight)], Settings(tolerance=1e-5)))
-    q = motion.at(np.linspace(0, 6, 601))[:, 4:]
-    return float(np.degrees(quat.angle_between(np.array([1.0, 0, 0, 0]), q)).max())
-
-
-def test_a_joint_overshoots_less():
-    assert swing(1.0) < 65 < swing(0.0) - 3
 
 
 def test_it_is_the_squared_acceleration_of_root_and_slides_and_feels_nothing_else(figure, rng):
@@ -345,12 +306,93 @@ def test_the_path_to_begin_with_is_the_cycle_at_variable_frames_and_keeps_the_ke
         assert cycle.initial_guess(keys, 0).variable_count == keys.variable_count
 
 
-def test_what_it_leads_with_is_as_long_as_the_clip_though_the_last_keyframe_fixes_nothing():
-    seen = gait(WALK, 0.7)
-    *before, last = seen.keys.frames
-    keys = replace(seen.keys, frames=(*before, Frame.variable(last.time, last.state)))
-    gait_cycle = seen.infer()
-    assert gait_cycle is not None
-    initial_guess = Cycle(FIGURE, gait_cycle).initial_guess(keys, None)
-    np.testing.assert_array_equal(initial_guess.times[[0, -1]], keys.times[[0, -1]])
-    np.testing.assert_array_equal(initial_guess.frames[-1].state, last.state)
+TIMES = np.linspace(0, 2, 61)
+
+
+def near(figure: Figure, rng: np.random.Generator) -> TrackingPenalty:
+    states = figure.to_state(figure.model.qpos0 + 0.3 * np.sin(3 * TIMES[:, None] + rng.uniform(0, 6, figure.width)))
+    return TrackingPenalty(RecordedMotion(figure, TIMES, states, np.ones_like(states)))
+
+
+def around(figure: Figure, rng: np.random.Generator, count: int) -> tuple[TrackingPenalty, Samples]:
+    """A recording, and samples at times of it that are not its own."""
+    found = near(figure, rng)
+    return found, at_times(random_samples(figure, rng, count), rng.uniform(0.1, 1.9, count))
+
+
+def test_the_value_is_that_of_differences_from_scipys_spline_and_mujocos_places(figure, rng):
+    found, samples = around(figure, rng, 4)
+    curve = CubicSpline(TIMES, found.recorded.bridged, bc_type="natural")
+    weights = found.weights(samples.t)
+    links, _ = found.ends
+
+    def places(state: np.ndarray) -> np.ndarray:
+        data = kinematics(figure.model, figure.to_qpos(state[None])[0])
+        bodies = [figure.links[link].body for link in links]
+        arms = zip(bodies, found.ends[1].T, strict=True)
+        return np.array([data.xpos[b] + data.xmat[b].reshape(3, 3) @ offset for b, offset in arms])
+
+    for s, t in enumerate(samples.t):
+        target = [curve(t), curve(t, 1), curve(t, 2)]
+        for columns in figure.tables.quaternion_columns.T:
+            if target[0][columns] @ samples.y[s, columns] < 0:
+                for part in target:
+                    part[columns] *= -1
+        off = [part[s] - own for part, own in zip((samples.y, samples.y_d, samples.y_dd), target, strict=True)]
+        value = sum(float(w[s] @ d**2) for w, d in zip(weights, off, strict=True))
+        away = places(samples.y[s]) - places(target[0])
+        value += float(np.sum(away**2)) / (2 * STRAYS**2 * BACK)
+        np.testing.assert_allclose(found.evaluate(samples)[s], value, rtol=1e-7)
+
+
+def test_next_to_an_edit_poses_hardly_count_and_smoothly_more_until_its_width_where_all_of_them_does(figure, rng):
+    plain = near(figure, rng)
+    eased = TrackingPenalty(plain.recorded, ((1.0, 0.4),))
+    t = np.linspace(0.5, 1.5, 101)
+    whole, held = plain.weights(t), eased.weights(t)
+    share = held[0] / whole[0]
+    np.testing.assert_allclose(share, np.repeat(share[:, :1], figure.width, axis=1))
+    share = share[:, 0]
+    at = dict(zip(np.round(t, 2).tolist(), share.tolist(), strict=True))
+    assert at[1.0] == pytest.approx(EASED)
+    assert at[0.8] == pytest.approx(at[1.2]) == pytest.approx((1 + EASED) / 2)
+    np.testing.assert_allclose(share[np.abs(t - 1) > 0.4 - 1e-9], 1)
+    assert np.all(np.diff(share[t >= 1]) >= -1e-12)
+    assert np.abs(np.diff(share)).max() < 1.6 * 0.01 / 0.4  # no jumps: half as steep again as a straight line
+    np.testing.assert_array_equal(held[1:], whole[1:])
+
+
+def test_it_leads_variable_frames_to_the_recording_and_no_others(figure, rng):
+    found = near(figure, rng)
+    state, wanted = figure.to_state(figure.model.qpos0[None])[0], found.recorded.path.at([1.0])[0]
+    columns = figure.tables.quaternion_columns
+    signs = np.where(np.sum(state[columns] * wanted[columns], axis=0) < 0, -1, 1)
+    for flip in (1, -1):  # quaternions have the signs of the timeline's
+        start, expected = np.array(state), np.array(wanted)
+        start[columns] *= flip
+        expected[columns] *= flip * signs
+        frames = [Frame.key(0.0, start), Frame.variable(1.0, start), Frame.key(2.0, start)]
+        initial_guess = found.initial_guess(Timeline(tuple(frames), np.zeros((2, figure.width))), None)
+        np.testing.assert_allclose(initial_guess.frames[1].state, expected)
+        assert all(np.array_equal(initial_guess.frames[k].state, start) for k in (0, 2))
+
+
+def test_the_ends_of_limbs_are_the_bodies_that_carry_none_and_are_where_mujoco_has_their_mass(figure, rng):
+    found = near(figure, rng)
+    model, links = figure.model, figure.links
+    bodies = [link.body for link in links]
+    carrying = set()
+    for body in bodies:
+        above = int(model.body_parentid[body]) if body > 0 else 0
+        while above:
+            carrying.add(above)
+            above = int(model.body_parentid[above])
+    ends, arms = found.ends
+    assert {bodies[i] for i in ends} == {body for body in bodies if body > 0} - carrying
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    for link, arm in zip(ends, arms.T, strict=True):
+        body = bodies[link]
+        if not any(model.body_weldid[other] == body for other in range(model.nbody) if other != body):
+            place = data.xpos[body] + data.xmat[body].reshape(3, 3) @ arm
+            np.testing.assert_allclose(place, data.xipos[body], atol=1e-12)
