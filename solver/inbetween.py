@@ -9,30 +9,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
-from functools import partial
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from functools import cache, partial
 
 import numpy as np
+from threadpoolctl import ThreadpoolController
 
 from .array import Array
 from .curve.arcs import straightened
 from .curve.frame import Timeline
 from .curve.spline import path_of
-from .objective import Evaluation, Objective, segment_integrals
-from .one_thread import one_thread
+from .objective import Discretised, Evaluation, Objective, segment_integrals
 from .penalty import Role
 from .problem import Problem, Settings, guide_of
 from .refine.parts import Part, Window, edited, is_long, windows
 from .refine.subdivision import CRITERIA, midpoints, split
-from .search.descent import Descent, optimiser_of
-from .search.minimum import Optimiser, Stop
+from .search.descent import minimised, optimiser_of
+from .search.minimum import NEGLIGIBLE, Optimiser, Stop
 from .search.nlopt_methods import NONE
-from .search.restart_criteria import cost_increased, is_poor_minimum, is_pose_outlier, violation_dominates
-from .search.selection import is_resolved, select_best
+from .search.restarts import (
+    cost_increased,
+    is_poor_minimum,
+    is_pose_outlier,
+    is_resolved,
+    select_best,
+    violation_dominates,
+)
 from .solution import Improvement, Solution
 
-NEGLIGIBLE = 1e-3  # [1] share of the first E; thresholds relative to E use at least this much
 ROUGH = 2e-2  # [1] tolerance of all rounds except the last, relative to E
 SHARE_OF_PROMISE = 0.1  # [1] predicted reduction of a step relative to that of new frames, below which a round ends
 MOST_FRAMES = 12  # default limit of variable frames, on average per segment between keyframes
@@ -104,12 +110,22 @@ def _search_result(
     return Solution(problem.figure, loop.objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
 
 
-@dataclass(frozen=True, eq=False)
-class _End:
-    """The result of one round: its timeline and the reason for stopping."""
+@contextmanager
+def one_thread() -> Iterator[None]:
+    """Run a block with one thread of BLAS, then restore the number of threads. On matrices as small as a band's blocks,
+    several threads mostly wait."""
+    libraries = _libraries()
+    if all(library.num_threads == 1 for library in libraries.lib_controllers):
+        yield
+        return
+    with libraries.limit(limits=1):
+        yield
 
-    timeline: Timeline
-    stop: Stop
+
+@cache
+def _libraries() -> ThreadpoolController:
+    """Return the BLAS libraries of NumPy and SciPy, cached because the search takes as long as a small solve."""
+    return ThreadpoolController().select(user_api="blas")
 
 
 class _Loop:
@@ -170,14 +186,14 @@ class _Loop:
         def nearest(part: Part, window: Window) -> Timeline:
             count, least = window.end - window.begin, part.timeline.variable_count
             limit = None if budget is None else max(least, budget * count // segments)
-            return self.run(part.timeline, count, limit)[-1].timeline
+            return self.run(part.timeline, count, limit)[-1][0]
 
         parts = edited(raw, between)
         if parts:
             return self.over_parts(raw, begin, parts, "clamped", nearest)
-        end = self.run(begin, segments, None if budget is None else max(budget, begin.variable_count))[-1]
-        self.stop = end.stop
-        return end.timeline
+        limit = None if budget is None else max(budget, begin.variable_count)
+        timeline, self.stop = self.run(begin, segments, limit)[-1]
+        return timeline
 
     def over_windows(self, raw: Timeline, first: Timeline) -> Timeline:
         """Return the whole clip after solving its windows in order."""
@@ -230,7 +246,7 @@ class _Loop:
         alike and neither violations dominate nor the cost increased. They are minima without limits of joints, near the
         straight path and near `timeline`. With one evaluation, only the initial path is evaluated.
         """
-        ends: list[_End] = []
+        ends: list[tuple[Timeline, Stop]] = []
         values: list[float] = []
         objective, cuts = self.objective, set[float]()
         waiting = self._starts(timeline)
@@ -245,12 +261,12 @@ class _Loop:
             values.append(sum(self.last.values()))
             if self.stop is Stop.INTERRUPTED:
                 break
-            if self._is_settled(ends[-1].timeline, values):
+            if self._is_settled(ends[-1][0], values):
                 break
         self.objective = objective.cut_at(cuts)
-        selected = select_best(self.objective, [end.timeline for end in reversed(ends)])
-        end = next(end for end in reversed(ends) if end.timeline is selected)
-        self.stop = Stop.INTERRUPTED if self.stop is Stop.INTERRUPTED else end.stop
+        selected = select_best(self.objective, [timeline for timeline, _ in reversed(ends)])
+        stop = next(stop for timeline, stop in reversed(ends) if timeline is selected)
+        self.stop = Stop.INTERRUPTED if self.stop is Stop.INTERRUPTED else stop
         return selected
 
     def _starts(self, timeline: Timeline) -> list[Callable[[], Timeline]]:
@@ -275,18 +291,18 @@ class _Loop:
         same_valley = len(values) == 2 and max(values) <= ALIKE * min(values)
         return same_valley and not (is_costly or violation_dominates(self.objective, self.last))
 
-    def run(self, timeline: Timeline, segments: int, budget: int | None) -> list[_End]:
+    def run(self, timeline: Timeline, segments: int, budget: int | None) -> list[tuple[Timeline, Stop]]:
         """Return the results of rounds, until no segment needs a frame or the budget of frames is spent. A round that
         another may follow ends early, once its next step is predicted to gain little compared with new frames. After
         every round, E gets more samples where they miss violations."""
-        ends: list[_End] = []
+        ends: list[tuple[Timeline, Stop]] = []
         tolerance, refinements = self.settings.tolerance, 0
         budget = MOST_FRAMES * segments if budget is None else budget
         rough = max(ROUGH, tolerance)
         while True:
             is_last = timeline.variable_count >= budget
             timeline = self.descend(timeline, tolerance if is_last else rough)
-            ends.append(_End(timeline, self.stop))
+            ends.append((timeline, self.stop))
             if self.stop is Stop.INTERRUPTED:
                 return ends
             finer = self.objective
@@ -314,15 +330,15 @@ class _Loop:
     def loosened(self, timeline: Timeline) -> Timeline:
         """Return the minimum of a rough search without limits of joints, which can trap a limb on the wrong side."""
         terms = tuple(term for term in self.objective.terms if term.penalty.role is not Role.LIMIT)
-        descent = Descent(replace(self.objective, terms=terms), timeline)
-        minimum = descent.run(optimiser=NONE, max_evaluations=self.settings.max_evaluations, tolerance=ROUGH)
+        problem = replace(self.objective, terms=terms).on(timeline)
+        minimum = minimised(problem, optimiser=NONE, max_evaluations=self.settings.max_evaluations, tolerance=ROUGH)
         self.evaluations += minimum.evaluations
         if minimum.stop is Stop.INTERRUPTED:
             raise KeyboardInterrupt
-        return timeline.with_rows(descent.problem.unknowns.rows(minimum.x))
+        return timeline.with_rows(problem.unknowns.rows(minimum.x))
 
     def descend(self, timeline: Timeline, tolerance: float) -> Timeline:
-        descent = Descent(self.objective, timeline)
+        problem = self.objective.on(timeline)
         before, outside_terms = self.evaluations, self.outside_terms
         elsewhere = float(outside_terms.sum())
 
@@ -333,7 +349,7 @@ class _Loop:
             if value >= self.least:
                 return
             self.least = value
-            self.best = partial(_built, self.part, timeline, descent, x)
+            self.best = partial(_built, self.part, problem, x)
             parts = dict(evaluation.parts)
             for term, more in zip(self.objective.terms, outside_terms, strict=True):
                 parts[term.penalty.name] += float(more)
@@ -341,7 +357,8 @@ class _Loop:
             if self.improved is not None:
                 self.improved(Improvement(before + count, self.round, value, parts, self.best))
 
-        minimum = descent.run(
+        minimum = minimised(
+            problem,
             optimiser=self.optimiser,
             max_evaluations=self.settings.max_evaluations,
             tolerance=tolerance,
@@ -349,7 +366,7 @@ class _Loop:
         )
         self.evaluations = before + minimum.evaluations
         self.stop = minimum.stop
-        return timeline.with_rows(descent.problem.unknowns.rows(minimum.x))
+        return timeline.with_rows(problem.unknowns.rows(minimum.x))
 
     def chosen(self, timeline: Timeline, max_count: int) -> tuple[Array, float]:
         """Return the middles of the segments to split next, and their predicted reduction as a share of E."""
@@ -368,7 +385,7 @@ class _Loop:
         return np.sort(middles[order]), promise
 
 
-def _built(part: Part | None, timeline: Timeline, descent: Descent, x: Array) -> Timeline:
+def _built(part: Part | None, problem: Discretised, x: Array) -> Timeline:
     """Return the whole clip with the searched part at the unknowns x (n,)."""
-    solved = timeline.with_rows(descent.problem.unknowns.rows(x))
+    solved = problem.timeline.with_rows(problem.unknowns.rows(x))
     return solved if part is None else part.put_back(solved)

@@ -29,8 +29,6 @@ from .search.nlopt_methods import LBFGS
 FEW, MORE = 2, 3
 TINY = 0.05  # [1] longest segment without a variable frame, relative to the frame spacing of adjacent segments
 SPACING = 0.3  # [s] maximum initial spacing of frames
-# defaults of `threshold`, `max_evaluations` and `tolerance`
-THRESHOLD, MOST_EVALUATIONS, TOLERANCE = 1e-3, 250, 1e-5
 
 
 @dataclass(frozen=True)
@@ -62,11 +60,11 @@ class Settings:
     variable: int | None = None
     frames: int | None = None
     criterion: str = "weak"
-    threshold: float = THRESHOLD
+    threshold: float = 1e-3
     batch: float = 1.0
     optimiser: str | Optimiser = LBFGS
-    max_evaluations: int = MOST_EVALUATIONS
-    tolerance: float = TOLERANCE
+    max_evaluations: int = 250
+    tolerance: float = 1e-5
     renormalise: bool = True
     quadrature: Quadrature = field(default_factory=Quadrature)
 

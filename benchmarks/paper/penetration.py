@@ -11,7 +11,7 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.figure.naming import geom_name
+from dynsplines.solver.figure.model import geom_name
 from dynsplines.solver.surface import touch
 
 NEAR = 0.02  # [m] up to which MuJoCo looks for the distance of two geoms

@@ -14,10 +14,10 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import ContactSchedule
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.figure.dynamics import height
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.root import has_fixed_base
-from dynsplines.solver.figure.root_wrench import height
 from dynsplines.solver.penalty import Bend, Holds, Lean, Placed, Support, leans
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, displacements

@@ -15,7 +15,7 @@ from pydantic import Discriminator, Field, Tag
 from dynsplines.solver.contacts import Interval, surfaces_on
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.naming import geom_name
+from dynsplines.solver.figure.model import geom_name
 from dynsplines.solver.penalty import (
     Attachment,
     Bend,

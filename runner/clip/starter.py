@@ -16,8 +16,8 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, FigureError, JointKind, Link
-from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.model import kinematics
 from dynsplines.solver.penalty import couplings
 from dynsplines.solver.surface.points import Point, body_points, bottoms_of, hanging, places_of
 from dynsplines.solver.surface.touch import counts_all, grounds

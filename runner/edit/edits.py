@@ -13,7 +13,7 @@ from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.edit import join, retime
+from dynsplines.solver.edit import timelines
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.problem import renormalised
 from dynsplines.solver.search.descent import optimised
@@ -87,7 +87,7 @@ def retimed(saved: Saved, speed: float) -> Saved:
     """Return the motion at `speed` times the speed."""
     saved = without_clip(saved)
     with _with_name(saved.name):
-        timeline, raw = retime.retimed(saved.timeline, speed), retime.retimed(saved.raw, speed)
+        timeline, raw = timelines.retimed(saved.timeline, speed), timelines.retimed(saved.raw, speed)
     start = saved.keys[0].time
     keys = tuple(replace(key, time=start + (key.time - start) / speed) for key in saved.keys)
     check_times([key.time for key in keys], saved.name)
@@ -97,7 +97,7 @@ def retimed(saved: Saved, speed: float) -> Saved:
 def check_interval(source: Clip | Saved, first: float, last: float) -> None:
     """Raise UserError unless the motion covers the interval from `first` to `last` [s]."""
     with _with_name(source.name):
-        retime.check_interval((source.keys[0].time, source.keys[-1].time), first, last)
+        timelines.check_interval((source.keys[0].time, source.keys[-1].time), first, last)
     check_times([first, last], source.name)
 
 
@@ -105,7 +105,7 @@ def trimmed(saved: Saved, first: float, last: float) -> Saved:
     """Return the part from `first` to `last` [s]. Its keyframes are complete, with the raw spline through them."""
     check_interval(saved, first, last)
     saved = without_clip(saved)
-    timeline = retime.trimmed(saved.timeline, first, last)
+    timeline = timelines.trimmed(saved.timeline, first, last)
     begin, end = float(timeline.times[0]), float(timeline.times[-1])
     within = [key.time for key in saved.keys if begin < key.time < end]
     inside = [time for time in within if not is_too_near(begin, time) and not is_too_near(time, end)]
@@ -128,7 +128,7 @@ def repeated(saved: Saved, count: int) -> Saved:
     if count * period > LONGEST:
         raise UserError(f"{saved.name}: {count} periods of {period:g} s are over {LONGEST:g} s")
     with _with_name(saved.name):
-        timeline, raw = (retime.repeated(saved.figure, path, count) for path in (saved.timeline, saved.raw))
+        timeline, raw = (timelines.repeated(saved.figure, path, count) for path in (saved.timeline, saved.raw))
     seam = replace(first, fixed=first.fixed | last.fixed, posed=first.known | last.known)
     rounds = [replace(key, time=key.time + period * i) for i in range(count) for key in (seam if i else first, *inside)]
     keys = [*rounds, replace(last, time=first.time + count * period)]
@@ -145,11 +145,11 @@ def joined(before: Saved, after: Saved, transition: float, progress: Progress) -
     held = [row for row in _grasps(before, -1) if (row.hand, row.body) in {(r.hand, r.body) for r in _grasps(after, 0)}]
     before, after = without_clip(before), without_clip(after)
     figure = before.figure
-    one, two = (retime.trimmed(part.timeline, *part.timeline.times[[0, -1]].tolist()) for part in (before, after))
-    two = join.signed_like(figure, one, join.following(figure, one, two, transition).timeline(figure, two))
+    one, two = (timelines.trimmed(part.timeline, *part.timeline.times[[0, -1]].tolist()) for part in (before, after))
+    two = timelines.signed_like(figure, one, timelines.following(figure, one, two, transition).timeline(figure, two))
     shift = float(one.times[-1]) + transition - float(two.times[0])
     two = Timeline(tuple(replace(frame, time=frame.time + shift) for frame in two.frames), two.end_slope)
-    timeline = join.joined(one, _transition(before, one, two, held, progress), two)
+    timeline = timelines.joined(one, _transition(before, one, two, held, progress), two)
     times = [*(key.time for key in before.keys), *(key.time + shift for key in after.keys)]
     check_times(times, "join")
     return _with_keys(before, timeline, times)
@@ -177,7 +177,7 @@ def _transition(saved: Saved, one: Timeline, two: Timeline, held: Sequence[Grasp
             grasps_of(figure, between, [row := row.changed(start=ends[0].time, end=ends[1].time)], "join")
             grasps.append(row)
     count = max(LEAST_FRAMES, round((ends[1].time - ends[0].time) / FRAME_SECONDS))
-    begin = join.bridge(figure, one, two, variable=count)
+    begin = timelines.bridge(figure, one, two, variable=count)
     text = written(ClipTable.unchecked(figure="", grasp=grasps, keyframe=keyframe_tables(figure, ends)))
     clip = of_motion(replace(saved, text=text, keys=ends, timeline=one))
     objective = renormalised(clip.problem.plain_objective, saved.raw)

@@ -88,9 +88,12 @@ def thinned(
         return solving.solve(of_motion(replace(saved, keys=tuple(keys))), progress).motion.timeline
 
     loosely = replace(recorded, bound=Bound(LOOSE * distance, LOOSE * angle))
-    reduced = refined(recorded, thin(loosely, report).instants, solved, report) if solve else thin(recorded, report)
-    keys = tuple(recorded.frames(reduced.instants))
-    return replace(saved, keys=keys, timeline=reduced.timeline, raw=recorded.spline(keys))
+    if solve:
+        instants, timeline = refined(recorded, thin(loosely, report)[0], solved, report)
+    else:
+        instants, timeline = thin(recorded, report)
+    keys = tuple(recorded.frames(instants))
+    return replace(saved, keys=keys, timeline=timeline, raw=recorded.spline(keys))
 
 
 def recorded_of(saved: Saved, distance: float, angle: float) -> Recorded:

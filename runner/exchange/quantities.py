@@ -27,11 +27,10 @@ import numpy as np
 from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import applied, cross
-from dynsplines.solver.figure.dynamics import inverse_dynamics
+from dynsplines.solver.figure.dynamics import RootWrench, inverse_dynamics
 from dynsplines.solver.figure.figure import JointKind
-from dynsplines.solver.figure.forward import set_qpos
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.root_wrench import RootWrench
+from dynsplines.solver.figure.model import set_qpos
 from dynsplines.solver.penalty import Support
 from dynsplines.solver.penalty.ground.support import Reactions
 

@@ -29,7 +29,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.figure import root_wrench
+from dynsplines.solver.figure import dynamics
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.root import sliding_joints
 from dynsplines.solver.surface.touch import bolted, is_scenery, movers, solids
@@ -149,7 +149,7 @@ def _least(trajectory: SampledTrajectory) -> Array:
     if figure.root is None or not points:
         return out
     root = figure.root.link
-    gain = STANDING * root_wrench.weight(figure, root) * root_wrench.height(figure, root)
+    gain = STANDING * dynamics.weight(figure, root) * dynamics.height(figure, root)
     for link in _standing(figure, {point.link for point in points}):
         joint = figure.links[link].joint
         out[joint] = gain / GIVE**2 if model.jnt_type[joint] == JointKind.SLIDE else gain

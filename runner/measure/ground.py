@@ -11,8 +11,8 @@ from dynsplines.solver.contacts.footing import within
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import cross
+from dynsplines.solver.figure.dynamics import RootWrench, weight
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.root_wrench import RootWrench, weight
 from dynsplines.solver.surface.heights import heights
 from dynsplines.solver.surface.points import arrays_of, body_points, hanging, places_of
 

@@ -16,11 +16,10 @@ from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.figure.dynamics import generalised_forces
+from dynsplines.solver.figure.dynamics import RootWrench, generalised_forces
 from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.naming import geom_name
-from dynsplines.solver.figure.root_wrench import RootWrench
+from dynsplines.solver.figure.model import geom_name
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.surface.heights import height_above
 from dynsplines.solver.surface.points import displacements, places_of

@@ -11,7 +11,7 @@ import mujoco
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from dynsplines.solver.figure.forward import set_qpos
+from dynsplines.solver.figure.model import set_qpos
 
 from ..scene.assets import Scene
 from ..scene.mujoco_versions import lamp, without_shadow

@@ -18,7 +18,7 @@ import numpy as np
 from dynsplines import models
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
-from dynsplines.solver.figure.naming import names_of_joints
+from dynsplines.solver.figure.model import names_of_joints
 from dynsplines.solver.surface.touch import SCENERY, grounds, moves
 
 from ..errors import UserError, unknown, words_of

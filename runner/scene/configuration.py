@@ -9,8 +9,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
-from dynsplines.solver.figure.forward import set_qpos
-from dynsplines.solver.figure.naming import joint_names
+from dynsplines.solver.figure.model import joint_names, set_qpos
 
 from ..system.quantity import LARGEST
 

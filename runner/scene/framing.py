@@ -7,7 +7,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.forward import boxes, kinematics
+from dynsplines.solver.figure.model import boxes, kinematics
 from dynsplines.solver.surface.touch import moves
 
 from .configuration import posed

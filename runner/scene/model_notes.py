@@ -12,8 +12,7 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.figure.figure import WEIGHTLESS, JointKind
-from dynsplines.solver.figure.forward import boxes, kinematics
-from dynsplines.solver.figure.naming import geom_name
+from dynsplines.solver.figure.model import boxes, geom_name, kinematics
 from dynsplines.solver.surface.touch import TOUCHING, collides, grounds, is_scenery, solids
 
 from ..errors import listed

@@ -11,7 +11,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.forward import kinematics
+from dynsplines.solver.figure.model import kinematics
 from dynsplines.solver.posing import FloorClearance, PointGoal, limb
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, body_points

@@ -21,8 +21,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dynsplines.solver.curve.frame import Timeline
-from dynsplines.solver.inbetween import continue_from, inbetween
-from dynsplines.solver.one_thread import one_thread
+from dynsplines.solver.inbetween import continue_from, inbetween, one_thread
 from dynsplines.solver.refine.warm_start import warm_start
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution

@@ -19,7 +19,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, JointKind
-from dynsplines.solver.figure.forward import set_qpos
+from dynsplines.solver.figure.model import set_qpos
 from dynsplines.solver.penalty.joints.bend import BendLimits
 from dynsplines.solver.posing import (
     BodyGoal,

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from dynsplines.solver.figure.figure import Figure, JointKind
-from dynsplines.solver.figure.forward import kinematics
+from dynsplines.solver.figure.model import kinematics
 from dynsplines.solver.posing import limb
 
 from ..clip.build import Clip, weight_factors

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..array import Array, Mask
+from ..figure.dynamics import RootWrench
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
-from ..figure.root_wrench import RootWrench
 from ..surface.points import Point, placed, places_of
 from .footing import Interval
 from .keyframe_points import KeyframePoints

@@ -15,9 +15,9 @@ import numpy as np
 from ..array import Array
 from ..curve.frame import Timeline
 from ..curve.spline import natural_end_slopes, path_of
+from ..figure.dynamics import STANDARD_GRAVITY
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
-from ..figure.root_wrench import STANDARD_GRAVITY
 from ..surface import Surface
 from ..surface.heights import height_above
 from ..surface.points import Point, places_of

@@ -246,14 +246,14 @@ def raw_timeline(
     plain = Timeline(tuple(keys), np.zeros((2, figure.width)))
     states = np.array(plain.states)
     rest = np.array(figure.model.qpos0)
-    specified, gaps = plain.known, _Gaps(plain.times)
+    specified, samplings = plain.known, dict[bytes, Sampling]()
     for link in figure.links[1:]:
         if link.kind is JointKind.FREE:
             for column in range(link.qpos, link.qpos + 3):
-                gaps.fill(states, specified, slice(column, column + 1), rest)
+                _fill(plain.times, states, specified, slice(column, column + 1), rest, samplings)
         columns = quaternion_columns(link)
         if columns is None:
-            gaps.fill(states, specified, slice(link.qpos, link.qpos + 1), rest)
+            _fill(plain.times, states, specified, slice(link.qpos, link.qpos + 1), rest, samplings)
             continue
         fixed = specified[:, columns].all(axis=1)
         base = bases(figure, states, link)
@@ -262,7 +262,7 @@ def raw_timeline(
             states[~fixed, columns] = quat.product(base[~fixed], rest[columns])
             if fixed.any():
                 states[fixed, columns] = _signed_track(link, plain.times[fixed], base[fixed], states[fixed, columns])
-                gaps.fill(states, specified, columns, states[0])
+                _fill(plain.times, states, specified, columns, states[0], samplings)
                 states[:, columns] = quat.normalised(states[:, columns])
         if seam is not None and link.kind is JointKind.FREE:
             states[-1, columns] = seam.linear(states[0])[columns]
@@ -311,37 +311,27 @@ def _signed_track(link: Link, times: Array, base: Array, track: Array) -> Array:
     return track * signs(times, relative, spins=link.kind is JointKind.FREE)[:, None]
 
 
-class _Gaps:
-    """Interpolation of unspecified entries; columns specified by the same frames share one cached spline."""
+def _fill(
+    times: Array, states: Array, specified: Mask, columns: slice, rest: Array, samplings: dict[bytes, Sampling]
+) -> None:
+    """Fill columns at the frames that do not specify them, from the natural spline through the others. Beyond the
+    ends of that spline the values are constant.
 
-    def __init__(self, times: Array) -> None:
-        self.times = times
-        self._cache: dict[bytes, tuple[Mask, Sampling]] = {}
-
-    def fill(self, states: Array, specified: Mask, columns: slice, rest: Array) -> None:
-        """Fill columns at the frames that do not specify them, from the natural spline through the others. Beyond the
-        ends of that spline the values are constant."""
-        is_specified: Mask = np.asarray(specified[:, columns].all(axis=1))
-        if is_specified.all():
-            return
-        if not is_specified.any():
-            states[:, columns] = rest[columns]
-        elif is_specified.sum() == 1:
-            states[~is_specified, columns] = states[is_specified, columns]
-        else:
-            values, (between, sampling) = states[is_specified, columns], self._between(is_specified)
-            t = sampling.spline.times
-            states[between, columns] = sampling.samples(np.concatenate([values, natural_end_slopes(t, values)]))[0]
-            states[self.times < t[0], columns], states[self.times > t[-1], columns] = values[0], values[-1]
-
-    def _between(self, known: Mask) -> tuple[Mask, Sampling]:
-        """Return the frames between the known ones, and the sampling at them of a spline through the known ones."""
-        key = known.tobytes()
-        if key not in self._cache:
-            t = self.times[known]
-            between = ~known & (self.times > t[0]) & (self.times < t[-1])
-            self._cache[key] = between, Sampling.of(Spline(t), self.times[between])
-        return self._cache[key]
+    Args:
+        samplings: The samplings of such splines by the frames that specify them, extended if one is missing.
+    """
+    known: Mask = np.asarray(specified[:, columns].all(axis=1))
+    if known.all():
+        return
+    if known.sum() < 2:
+        states[~known, columns] = states[known, columns] if known.any() else rest[columns]
+        return
+    t, values, key = times[known], states[known, columns], known.tobytes()
+    between = ~known & (times > t[0]) & (times < t[-1])
+    if key not in samplings:
+        samplings[key] = Sampling.of(Spline(t), times[between])
+    states[between, columns] = samplings[key].samples(np.concatenate([values, natural_end_slopes(t, values)]))[0]
+    states[times < t[0], columns], states[times > t[-1], columns] = values[0], values[-1]
 
 
 def _check(figure: Figure, keys: list[Frame]) -> None:

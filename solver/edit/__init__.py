@@ -1,6 +1,5 @@
 """Edits of motions: retimed, joined, thinned.
 
-retime  edits of a timeline that do not change its curve
-join    two motions in sequence, the second moved to the end of the first
-thin    few keyframes that approximate a recorded motion within a bound
+timelines  speed, trimming, repetition, and two motions in sequence
+thin       few keyframes that approximate a recorded motion within a bound
 """

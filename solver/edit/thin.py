@@ -160,31 +160,24 @@ class Recorded:
         return raw_timeline(self.figure, list(keys), self.ends, slope, travel, turn)
 
 
-@dataclass(frozen=True, eq=False)
-class Thinned:
-    """The selected instants, and the in-between through them."""
-
-    instants: tuple[int, ...]
-    timeline: Timeline
-
-
-def thin(recorded: Recorded, report: Callable[[str], None] = lambda note: None) -> Thinned:
-    """Return a small set of instants whose raw spline stays within the bound at every sample of the recording."""
-    selection = refined(recorded, (0, len(recorded.times) - 1), recorded.spline, report).instants
+def thin(recorded: Recorded, report: Callable[[str], None] = lambda note: None) -> tuple[tuple[int, ...], Timeline]:
+    """Return a small set of instants, and the raw spline through them, which stays within the bound at every sample."""
+    selection, _ = refined(recorded, (0, len(recorded.times) - 1), recorded.spline, report)
     return refined(recorded, _without_redundant(recorded, selection, report), recorded.spline, report)
 
 
 def refined(
     recorded: Recorded, instants: Sequence[int], inbetween: InBetween, report: Callable[[str], None] = lambda note: None
-) -> Thinned:
-    """Return more instants, each where the in-between deviates most, until it is within the bound at all samples."""
+) -> tuple[tuple[int, ...], Timeline]:
+    """Return more instants, each where the in-between deviates most, until it is within the bound at all samples;
+    and the in-between."""
     chosen = sorted(instants)
     while True:
         timeline = inbetween(recorded.frames(chosen))
         excess = recorded.excess(timeline)
         report(f"{len(chosen)} keyframes, {excess.max():.3g} × the bound")
         if excess.max() <= 1 + FINE or len(chosen) == len(recorded.times):
-            return Thinned(tuple(chosen), timeline)
+            return tuple(chosen), timeline
         excess[chosen] = 0.0
         least = max(1.0, SHARE * excess.max())
         peaks = [a + 1 + int(excess[a + 1 : b].argmax()) for a, b in pairwise(chosen) if b > a + 1]

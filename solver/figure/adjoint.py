@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Literal, Protocol, get_args
+from collections.abc import Callable
+from typing import Literal, get_args
 
 import numpy as np
 
@@ -23,14 +24,6 @@ from .kinematics import Samples, from_parents, hinge_quaternions
 from .wrenches import Wrenches
 
 Gradients = tuple[Array | None, Array | None, Array | None]
-
-
-class Adjoint(Protocol):
-    """A quantity derived from the links' motion, which pulls its gradients back to that motion."""
-
-    def flush(self, into: Cotangent, buffer: Array) -> None:
-        """Add the gradients with respect to the links' motion to `into`. The contents of `buffer` become undefined."""
-        ...
 
 
 Quantity = Literal["y", "y_d", "y_dd", "q", "q_d", "q_dd", "x", "x_d", "x_dd", "omega", "alpha", "turn", "swing"]
@@ -65,18 +58,18 @@ class Cotangent:
         self.samples = samples
         self._parts: dict[Quantity, Array] = {}
         self._wrenches: list[Wrenches] = []
-        self._deferred: list[tuple[Adjoint, Array]] = []
+        self._deferred: list[tuple[Callable[[Cotangent, Array], None], Array]] = []
 
-    def defer(self, source: Adjoint, kinds: int) -> Array:
-        """Return a zero buffer (kinds, 3, L, S) for gradients with respect to what `source` derives.
+    def defer(self, flush: Callable[[Cotangent, Array], None], kinds: int) -> Array:
+        """Return a zero buffer (kinds, 3, L, S) for gradients with respect to a quantity derived from the motion.
 
-        All callers with the same source add to the same buffer, which is pulled back once, at the end.
+        All callers with the same `flush` add to the same buffer. `flush` pulls it back once, at the end.
         """
-        for origin, buffer in self._deferred:
-            if origin is source:
+        for pull_back, buffer in self._deferred:
+            if pull_back == flush:
                 return buffer
         buffer = np.zeros((kinds, 3, len(self.samples.figure.links), self.samples.count))
-        self._deferred.append((source, buffer))
+        self._deferred.append((flush, buffer))
         return buffer
 
     def accumulate(self, name: Quantity, gradient: Array, *, donate: bool = False) -> None:
@@ -134,8 +127,8 @@ class Cotangent:
     def gradients(self) -> tuple[Array, Array, Array]:
         """Return the gradients with respect to y, y', y'', each (S, N). The cotangent must not be used again."""
         samples = self.samples
-        for source, buffer in self._deferred:
-            source.flush(self, buffer)
+        for flush, buffer in self._deferred:
+            flush(self, buffer)
         if self._wrenches:
             self._flush_wrenches()
         if self._parts.keys() & {"x", "x_d", "x_dd", "omega", "alpha", "turn", "swing"}:

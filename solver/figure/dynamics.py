@@ -3,6 +3,11 @@
 Each link needs a force f = m (a − g) at its centre of mass and a moment n = ω × Iω + I ω' about it (eq. 21). Summed
 over the links beyond a joint, these are the force and moment of the joint. The result equals MuJoCo's `mj_inverse`
 without contacts, limits and passive forces. `inverse_dynamics` calls `mj_inverse` itself, without contacts only.
+
+The wrench at a free root is the external force and moment that the figure's motion requires. The force is F = Σ m (c''
+− g) = M (a − g), with the acceleration a of the centre of mass. The moment is N = L', with the angular momentum L about
+the centre of mass. They are the sums of eqs. 18 and 21 over a tree of links. In flight both are zero; in stance the
+ground supplies them.
 """
 
 from __future__ import annotations
@@ -15,7 +20,11 @@ import numpy as np
 from ..array import Array
 from .adjoint import Cotangent, attached_pulled_back
 from .algebra import applied, cross, cross_sum, dot, gathered, turned_back
+from .figure import Figure
 from .kinematics import LinkMotion, Samples
+
+STANDARD_GRAVITY = 9.81  # [m/s²] used for weights if a model has no gravity
+MASSLESS = 1e-12  # [kg] smallest divisor, against division by zero
 
 
 class InverseDynamics:
@@ -60,14 +69,15 @@ class InverseDynamics:
 
         The backward sweep runs once for all contributions, when the cotangent's gradients are requested.
         """
-        buffer = into.defer(self, 3)
+        buffer = into.defer(self.flush, 3)
         buffer[0] += moment_bar
         for target, part in zip(buffer[1:], (force_bar, centre_bar), strict=True):
             if part is not None:
                 target += part
 
     def flush(self, into: Cotangent, buffer: Array) -> None:
-        """Run the backward sweep of all deferred contributions, (3, 3, L, S)."""
+        """Run the backward sweep of all deferred contributions, (3, 3, L, S), and add the gradients to `into`.
+        The contents of `buffer` become undefined."""
         tables, links = self.links.figure.tables, self.links
         moment_bar, force_bar, centre_bar = buffer
         anchor_bar = cross(moment_bar, self.force)
@@ -173,3 +183,62 @@ def velocities(samples: Samples) -> tuple[Array, Array]:
             qvel[:, link.dof] = samples.y_d[:, link.qpos]
             qacc[:, link.dof] = samples.y_dd[:, link.qpos]
     return qvel, qacc
+
+
+class RootWrench:
+    """Force and moment on the tree of one free root at every sample, in world axes.
+
+    Attributes:
+        root: The index of the free link.
+        mass: The mass of its tree [kg].
+        share: Each link's share of this mass, (L,) [1].
+        centre: The tree's centre of mass, (3, S) [m].
+        force: The force, (3, S) [N].
+        moment: The moment about the centre of mass, (3, S) [N m].
+    """
+
+    def __init__(self, samples: Samples, root: int) -> None:
+        self.samples, self.root = samples, root
+        self.inverse = samples.cached(InverseDynamics)
+        self.mass, self.share = tree_mass(samples.figure, root)
+        self.centre = np.einsum("l,ils->is", self.share, self.inverse.centre)
+        self.force = self.inverse.force[:, root]
+        self._lever = self.centre - samples.links.anchor[:, root]
+        self.moment = self.inverse.moment[:, root] - cross(self._lever, self.force)
+
+    def pull_back(self, into: Cotangent, force_bar: Array, moment_bar: Array, centre_bar: Array | None = None) -> None:
+        """Add the gradient of a scalar with gradients (3, S) with respect to force, moment and centre."""
+        moments, forces = np.zeros_like(self.inverse.force), np.zeros_like(self.inverse.force)
+        moments[:, self.root] = moment_bar
+        forces[:, self.root] = force_bar + cross(self._lever, moment_bar)
+        through_lever = cross(self.force, moment_bar)
+        into.buffer("x")[:, self.root] += through_lever
+        by_centre = -through_lever if centre_bar is None else centre_bar - through_lever
+        self.inverse.pull_back(into, moments, forces, self.share[:, None] * by_centre[:, None])
+
+
+def tree_mass(figure: Figure, root: int) -> tuple[float, Array]:
+    """Return the mass [kg] of a free link with all links beyond it, and each link's share of it (L,)."""
+    masses = figure.tables.mass * figure.tables.path[:, root]
+    total = float(masses.sum())
+    return total, masses / max(total, MASSLESS)
+
+
+def weight(figure: Figure, root: int) -> float:
+    """Return the weight [N] of a free link with all links beyond it, at 9.81 m/s² if the model has no gravity."""
+    g = float(np.linalg.norm(figure.gravity))
+    return tree_mass(figure, root)[0] * (g or STANDARD_GRAVITY)
+
+
+def height(figure: Figure, root: int) -> float:
+    """Return the length [m] of a slender rod with the same radius of gyration as a free link with all links beyond it
+    at rest.
+
+    This length is √12 times the radius. It converts moments to forces.
+    """
+    rest = figure.to_state(np.array(mujoco.MjData(figure.model).qpos))[None]
+    inverse = Samples.still(figure, rest).cached(InverseDynamics)
+    mass, share = tree_mass(figure, root)
+    away = inverse.centre[:, :, 0] - (inverse.centre[:, :, 0] @ share)[:, None]
+    inertia = np.einsum("iil,l->", inverse.inertia[..., 0], figure.tables.path[:, root]) / 2
+    return float(np.sqrt(12 * (np.sum(share * np.sum(away**2, axis=0)) + inertia / max(mass, MASSLESS))))

@@ -22,9 +22,8 @@ import numpy as np
 from ..array import Array, Index, Mask
 from .adjoint import Cotangent
 from .algebra import applied, cross, dot
-from .dynamics import InverseDynamics
+from .dynamics import InverseDynamics, RootWrench
 from .kinematics import LinkMotion, Samples
-from .root_wrench import RootWrench
 from .turns import add_rows_of_shifts, add_rows_of_turns, chosen, followers, following, places, turning
 from .wrenches import Wrenches, every_axis, of_point
 

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike
 
 from .. import quaternion as quat
 from ..array import Array, Index, Mask
-from .naming import joint_names
+from .model import joint_names
 from .root import Root, root_of
 
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)

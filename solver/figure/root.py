@@ -13,7 +13,7 @@ import mujoco
 import numpy as np
 
 from ..array import Array, Mask
-from .forward import boxes, kinematics
+from .model import boxes, kinematics
 
 FREE, SLIDE = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_SLIDE)
 EVIDENT = 2.0  # [1] ratio of joint counts above which a tree has clearly the most joints

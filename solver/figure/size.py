@@ -11,8 +11,8 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from .dynamics import STANDARD_GRAVITY, height
 from .figure import Figure
-from .root_wrench import STANDARD_GRAVITY, height
 
 ADULT = 1.41223671  # [m] `height` of the shipped human, 1.7 m tall
 DIGITS = 6  # of the ratio of lengths: the shipped human has the size of an adult exactly

@@ -13,7 +13,7 @@ import numpy as np
 from .. import quaternion as quat
 from ..array import Array, Mask
 from ..figure.figure import Figure
-from ..figure.forward import kinematics
+from ..figure.model import kinematics
 from ..surface.points import Point
 
 UPRIGHT = 1e-12  # [1] smallest sine of a tilt with a defined direction

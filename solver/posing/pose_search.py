@@ -16,7 +16,7 @@ import numpy as np
 
 from ..array import Array, Index, Mask
 from ..figure.figure import Figure, JointKind
-from ..figure.forward import set_qpos
+from ..figure.model import set_qpos
 from ..penalty.joints.bend import BendLimits
 from .bounds import Bends, Part, Ranges, joined
 from .goals import Goal, moved_by, reached

@@ -6,7 +6,7 @@ from ..curve.frame import Timeline
 from ..objective import Discretised, Objective
 from .minimum import MOST_EVALUATIONS, TOLERANCE, Improved, Minimum, Optimiser, Stop
 from .newton import GaussNewton
-from .nlopt_methods import LBFGS, METHODS, NONE, algorithm
+from .nlopt_methods import LBFGS, METHODS, algorithm
 
 WIDEST = 300  # largest number of columns of the state; time and memory of Newton steps are at least quadratic in it
 FINE = 1e-7  # [1] default tolerance of `optimised`, relative to E
@@ -19,8 +19,6 @@ def check_method(method: str | Optimiser) -> None:
         ValueError: The name is not in METHODS and not an NLopt algorithm.
     """
     if isinstance(method, str) and method.lower() not in METHODS:
-        if method.lower() == "newton":
-            raise ValueError(f"optimiser 'newton' was renamed '{NONE}': Gauss-Newton steps alone; use that name")
         algorithm(method)
 
 
@@ -45,28 +43,22 @@ def optimiser_of(method: str | Optimiser, width: int, final: float) -> Optimiser
     return GaussNewton(method, final)
 
 
-class Descent:
-    """The minimisation of E over one timeline's unknowns."""
+def minimised(
+    problem: Discretised,
+    *,
+    optimiser: str | Optimiser = LBFGS,
+    max_evaluations: int = MOST_EVALUATIONS,
+    tolerance: float = TOLERANCE,
+    improved: Improved | None = None,
+) -> Minimum:
+    """Minimise E over one timeline's unknowns, the x (n,) of the result.
 
-    def __init__(self, objective: Objective, timeline: Timeline) -> None:
-        self.problem: Discretised = objective.on(timeline)
-
-    def run(
-        self,
-        *,
-        optimiser: str | Optimiser = LBFGS,
-        max_evaluations: int = MOST_EVALUATIONS,
-        tolerance: float = TOLERANCE,
-        improved: Improved | None = None,
-    ) -> Minimum:
-        """Minimise E; the x (n,) of the result are the unknowns of the timeline.
-
-        Args:
-            tolerance: Relative progress at which the search ends.
-            improved: Called with (evaluation, Evaluation, x) whenever E falls.
-        """
-        minimise = optimiser_of(optimiser, self.problem.timeline.width, tolerance)
-        return minimise(self.problem, max_evaluations=max_evaluations, tolerance=tolerance, improved=improved)
+    Args:
+        tolerance: Relative progress at which the search ends.
+        improved: Called with (evaluation, Evaluation, x) whenever E falls.
+    """
+    minimise = optimiser_of(optimiser, problem.timeline.width, tolerance)
+    return minimise(problem, max_evaluations=max_evaluations, tolerance=tolerance, improved=improved)
 
 
 def optimised(
@@ -77,8 +69,8 @@ def optimised(
     Raises:
         KeyboardInterrupt: The search was interrupted.
     """
-    descent = Descent(objective, timeline)
-    minimum = descent.run(max_evaluations=max_evaluations, tolerance=tolerance)
+    problem = objective.on(timeline)
+    minimum = minimised(problem, max_evaluations=max_evaluations, tolerance=tolerance)
     if minimum.stop is Stop.INTERRUPTED:
         raise KeyboardInterrupt
-    return timeline.with_rows(descent.problem.unknowns.rows(minimum.x))
+    return timeline.with_rows(problem.unknowns.rows(minimum.x))

@@ -20,18 +20,16 @@ import numpy as np
 
 from ..array import Array
 from ..objective import Discretised, Evaluation
-from .minimum import TOLERANCE, Improved, Minimum, Stop, StopSearch
+from .minimum import MOST_EVALUATIONS, NEGLIGIBLE, TOLERANCE, Improved, Minimum, Stop, StopSearch
 from .nlopt_methods import NONE, is_practical, minimise
 from .quadratic import Layout, Model, Proposal
 
-MAX_STEPS = 100  # default evaluation budget
 FIRST_DAMPING = 1.0  # in units of E's curvature in y''
 MIN_DAMPING, MAX_DAMPING = 1e-6, 1e9  # from a full Newton step to a negligible one
 GOOD_RATIO, POOR_RATIO = 0.7, 0.25  # gain ratios above which the damping decreases, and below which it increases
 # factors of the damping after a step of good or poor gain ratio, and after one that raised E
 DAMPING_DECREASE, DAMPING_INCREASE, REJECTION_INCREASE = 0.2, 3.0, 8.0
 PATIENCE = 3  # evaluations over which NLopt's progress is averaged, because some in a line search make none
-NEGLIGIBLE = 1e-3  # [1] share of the first E; thresholds relative to E use at least this much
 # [1] estimate of the remaining reduction relative to the last predicted one, see `_run`
 MIN_TREND, MIN_MODEL_ERROR, MODEL_ERROR = 0.1, 0.02, 2.0
 
@@ -53,7 +51,7 @@ class GaussNewton:
         self,
         problem: Discretised,
         *,
-        max_evaluations: int = MAX_STEPS,
+        max_evaluations: int = MOST_EVALUATIONS,
         tolerance: float = TOLERANCE,
         improved: Improved | None = None,
     ) -> Minimum:

@@ -8,7 +8,7 @@ import nlopt
 import numpy as np
 
 from ..array import Array
-from .minimum import MOST_EVALUATIONS, TOLERANCE, Minimum, Stop, StopSearch
+from .minimum import MOST_EVALUATIONS, NEGLIGIBLE, TOLERANCE, Minimum, Stop, StopSearch
 
 LBFGS, NONE = "lbfgs", "none"
 METHODS = (LBFGS, "slsqp", "ccsaq", "tnewton", "var2", NONE)
@@ -17,7 +17,6 @@ DENSE = {"slsqp": 300}  # unknowns up to which an iteration takes at most 0.2 s;
 # NLopt 2.11 raises its own class for a general failure, which is not a RuntimeError
 FAILURES = (nlopt.RoundoffLimited, RuntimeError, getattr(nlopt, "runtime_error", RuntimeError))
 NOT_FINITE = 1e300  # replaces values of E that are not finite, which NLopt does not accept
-NEGLIGIBLE = 1e-3  # [1] absolute tolerance, relative to the first value times the relative tolerance
 XTOL = 1e-12  # [1] relative change of x below which a search ends
 
 

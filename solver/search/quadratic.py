@@ -110,13 +110,14 @@ class Layout:
         """Return a writable view (C, K + 1, N) of the entries that couple a column of the state with itself."""
         return np.einsum("jckc->jkc", matrix)
 
-    def _pairs(self, first: Index) -> Iterator[Pair]:
-        """Yield the positions in the lower half of all pairs of functions in spans, `first` (spans,) their first."""
+    def _pairs(self, first: Index) -> Iterator[tuple[Index, int, int, Index, Index]]:
+        """Yield spans and their functions a and b with the positions j, k of the pair in the matrix's blocks, in its
+        lower half, (pairs,); `first` (spans,) are the spans' first functions."""
         for a, b in np.ndindex(LOCAL, LOCAL):
             row, column = self.rank[first + a], self.rank[first + b]
             lower = np.flatnonzero(row >= column)
             if lower.size:
-                yield Pair(lower, a, b, column[lower], (row - column)[lower])
+                yield lower, a, b, column[lower], (row - column)[lower]
 
     def add_blocks(self, matrix: Array, curvature: Curvature, piece: Piece) -> None:
         """Add the part of a curvature that is stored as blocks. Its samples are the nodes of neighbouring spans."""
@@ -131,10 +132,9 @@ class Layout:
             by_orders = squares.transpose(0, 2, 4, 1, 3, 5)
             local = np.matmul(products.swapaxes(1, 2), by_orders.reshape(len(products), POINTS * 9, -1))
             local = local.reshape(-1, LOCAL, LOCAL, *by_orders.shape[3:])
-            for pair in pairs:
-                j, k = pair.j[:, None, None, None], pair.k[:, None, None, None]
-                place = j, columns[:, None, :], k, columns[:, :, None]
-                np.add.at(matrix, place, local[pair.spans, pair.a, pair.b])
+            for spans, a, b, j, k in pairs:
+                place = j[:, None, None, None], columns[:, None, :], k[:, None, None, None], columns[:, :, None]
+                np.add.at(matrix, place, local[spans, a, b])
 
     def add_rows(self, matrix: Array, *parts: tuple[Curvature, Piece]) -> None:
         """Add the parts of curvatures that are stored as rows, which may be at any samples."""
@@ -301,19 +301,9 @@ class Layout:
         density += SHARE_OF_POSITION / spacing**4 * value[:, :, None] * value[:, None, :]
         local = (self.weights[:, None, None] * density).reshape(-1, POINTS, LOCAL, LOCAL).sum(axis=1)
         flat = np.zeros((self.count, self.blocks + 1))
-        for pair in self._pairs(nodes.first[::POINTS]):
-            np.add.at(flat, (pair.j, pair.k), local[pair.spans, pair.b, pair.a])
+        for spans, a, b, j, k in self._pairs(nodes.first[::POINTS]):
+            np.add.at(flat, (j, k), local[spans, b, a])
         return flat
-
-
-class Pair(NamedTuple):
-    """Positions [j, k] in a matrix's blocks of function b with function a of some spans, shape (spans,)."""
-
-    spans: Index
-    a: int
-    b: int
-    j: Index
-    k: Index
 
 
 def middle(values: Array) -> float:

@@ -19,7 +19,7 @@ import numpy as np
 from .. import quaternion as quat
 from ..array import Array, Index
 from ..figure.figure import Figure
-from ..figure.naming import geom_name
+from ..figure.model import geom_name
 from ..figure.size import Size
 from . import Hull, hull_of, moving_surface
 from .points import Point, mesh_vertices

@@ -17,7 +17,7 @@ from .. import quaternion as quat
 from ..array import Array, Index, Mask
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
-from ..figure.naming import geom_name
+from ..figure.model import geom_name
 from .touch import movers
 
 DIRECTIONS = 600  # number of directions in which a link's outermost spheres are determined

@@ -8,8 +8,7 @@ import mujoco
 import numpy as np
 
 from ..array import Array, Index
-from ..figure.forward import kinematics
-from ..figure.naming import geom_name
+from ..figure.model import geom_name, kinematics
 from .box import Box
 from .height_field import HeightField
 from .hull import Hull

@@ -21,7 +21,7 @@ import numpy as np
 
 from ..array import Mask
 from ..figure.figure import JointKind
-from ..figure.forward import kinematics
+from ..figure.model import kinematics
 
 SCENERY = 1 << 30  # bit of conaffinity that marks geoms which a clip adds to a model
 LEVEL = 0.99  # [1] minimum z of the unit normal of a floor

@@ -27,7 +27,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.search.nlopt_methods import METHODS
-from dynsplines.solver.search.selection import common_grid
+from dynsplines.solver.search.restarts import common_grid
 
 CLIPS = ("sit_down", "tumble", "walk_loop", "run_loop", "cartwheel", "run_and_step", "stairs")
 EVALUATIONS = (1, 2, 5, 20, 60)

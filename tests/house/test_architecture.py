@@ -19,7 +19,7 @@ MAY_IMPORT = {"runner": set(HOUSE), "solver": {"solver"}, "models": {"models"}}
 ONLY_IN = {
     "nlopt": {"solver/search/nlopt_methods.py"},
     "imageio": {"runner/picture/film.py"},
-    "threadpoolctl": {"solver/one_thread.py"},
+    "threadpoolctl": {"solver/inbetween.py"},
     "tomllib": {"runner/clip/parse.py", "runner/studio/document.py"},
     "typer": {"runner/cli.py", "runner/cli_options.py", "runner/system/exit_status.py"},
     "starlette": {"runner/studio/server.py"},
@@ -120,7 +120,7 @@ def test_the_solver_uses_no_files_no_clock_and_no_terminal():
 STRATA = {
     "solver": """
         array
-        compiled quaternion cone one_thread cache
+        compiled quaternion cone cache
         figure
         curve surface
         contacts

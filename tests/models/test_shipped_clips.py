@@ -19,7 +19,7 @@ from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam, heading_between
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.penalty import SelfContact
-from dynsplines.solver.search.restart_criteria import is_poor_minimum
+from dynsplines.solver.search.restarts import is_poor_minimum
 from dynsplines.solver.surface.points import places_of
 
 pytestmark = pytest.mark.slow

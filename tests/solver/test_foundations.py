@@ -23,7 +23,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.cache import Cache, cache_key
 from dynsplines.solver.cone import projection, unsupplied
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
-from dynsplines.solver.one_thread import one_thread
+from dynsplines.solver.inbetween import one_thread
 from dynsplines.solver.posing import inverse_kinematics, posed, reached
 from dynsplines.solver.refine.subdivision import midpoints, split
 from dynsplines.solver.search.quadratic import Layout, Model

@@ -18,8 +18,8 @@ from dynsplines.solver.contacts import ContactSchedule
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.figure.dynamics import height
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.root_wrench import height
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import DEEP, FAR, heights
 from dynsplines.solver.surface.points import Point, body_points, free_root, hanging, placed

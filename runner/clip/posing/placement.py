@@ -16,8 +16,8 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.forward import kinematics
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.model import kinematics
 from dynsplines.solver.penalty import Placed
 from dynsplines.solver.posing import (
     Balance,

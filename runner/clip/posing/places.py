@@ -23,7 +23,7 @@ from dynsplines.solver.array import Array, Index
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.naming import geom_name
+from dynsplines.solver.figure.model import geom_name
 from dynsplines.solver.figure.root import Root, roots_of
 from dynsplines.solver.penalty import joint_ranges
 from dynsplines.solver.surface.points import (

@@ -19,7 +19,7 @@ from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.recording import RecordedMotion, between
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.edit.retime import repeated
+from dynsplines.solver.edit.timelines import repeated
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import TrackingPenalty

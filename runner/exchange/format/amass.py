@@ -36,7 +36,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
-from dynsplines.solver.figure.forward import kinematics
+from dynsplines.solver.figure.model import kinematics
 
 from ...errors import GIVE_RATE, UserError
 from ...scene.configuration import posed

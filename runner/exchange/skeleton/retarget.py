@@ -24,7 +24,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.forward import boxes
+from dynsplines.solver.figure.model import boxes
 from dynsplines.solver.figure.root import Root, roots_of, subtree
 from dynsplines.solver.posing import PoseSearch, Residuals, joined
 

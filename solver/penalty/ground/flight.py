@@ -13,10 +13,10 @@ import numpy as np
 from ...array import Array
 from ...contacts.footing import within
 from ...figure.adjoint import Cotangent
+from ...figure.dynamics import RootWrench, height, weight
 from ...figure.effort_rows import wrench_rows
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ...figure.root_wrench import RootWrench, height, weight
 from ..block import Dense
 from ..curvature import Curvature
 from ..penalty import Normalization, Penalty, Role

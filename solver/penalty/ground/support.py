@@ -18,10 +18,10 @@ from ...cone import Unsupplied, projection, unsupplied
 from ...contacts.footing import Footing, Interval, within
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import applied, cross
+from ...figure.dynamics import RootWrench, height, weight
 from ...figure.effort_rows import Pushes, wrench_rows
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ...figure.root_wrench import RootWrench, height, weight
 from ..block import Dense
 from ..curvature import Curvature
 from ..penalty import Normalization, Penalty, Role

@@ -19,8 +19,8 @@ from ... import quaternion as quat
 from ...array import Array, Index, Mask
 from ...figure.algebra import cross, dot
 from ...figure.figure import Figure
-from ...figure.forward import kinematics
 from ...figure.kinematics import Samples
+from ...figure.model import kinematics
 from ...figure.wrenches import of_point
 from ...surface.cover import filling_spheres
 from ...surface.touch import movers

@@ -139,7 +139,7 @@ def test_a_turning_loop_is_saved_retimed_and_thinned_as_one(circle, tmp_path):
         assert np.degrees(seam.headings) == pytest.approx([45])
         assert seam.discontinuity(path_of(each.timeline)).max() < 1e-8
     recorded = recorded_of(again, 0.05, 0.2)
-    few = thin(recorded).timeline
+    _, few = thin(recorded)
     assert recorded.excess(few).max() <= 1
     assert np.degrees(Seam.of(again.figure, few).headings) == pytest.approx([45])
 

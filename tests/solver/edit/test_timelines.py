@@ -23,8 +23,18 @@ from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
-from dynsplines.solver.edit.join import Placement, bridge, following, heading, joined, signed_like, trunk
-from dynsplines.solver.edit.retime import repeated, retimed, trimmed
+from dynsplines.solver.edit.timelines import (
+    Placement,
+    bridge,
+    following,
+    heading,
+    joined,
+    repeated,
+    retimed,
+    signed_like,
+    trimmed,
+    trunk,
+)
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective

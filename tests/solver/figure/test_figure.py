@@ -29,7 +29,7 @@ from random_models import random_figure, random_qpos, random_samples
 
 from dynsplines.solver.figure.dynamics import generalised_forces, velocities
 from dynsplines.solver.figure.figure import quaternion_columns
-from dynsplines.solver.figure.naming import geom_name, names_of_joints
+from dynsplines.solver.figure.model import geom_name, names_of_joints
 from dynsplines.solver.figure.root import has_fixed_base, root_of, sliding_joints
 
 

@@ -15,11 +15,11 @@ from random_models import random_figure, random_samples
 from dynsplines.solver import compiled
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.adjoint import Cotangent, Quantity
+from dynsplines.solver.figure.dynamics import RootWrench, height, weight
 from dynsplines.solver.figure.effort_rows import Pushes, joint_rows, wrench_rows
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.forward import boxes
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.root_wrench import RootWrench, height, weight
+from dynsplines.solver.figure.model import boxes
 from dynsplines.solver.figure.wrenches import Wrenches
 from dynsplines.solver.penalty import Torque
 from dynsplines.solver.penalty.curvature import jacobian

@@ -8,7 +8,7 @@ from problems import TERMS, Watched, by_nlopt, problem_of
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.objective import Evaluation, Objective
-from dynsplines.solver.search.descent import Descent
+from dynsplines.solver.search.descent import minimised
 from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.search.newton import FIRST_DAMPING, GaussNewton
 from dynsplines.solver.search.quadratic import Model, Proposal
@@ -103,13 +103,10 @@ def test_a_tighter_tolerance_gets_nearer_to_the_minimum(rng):
 
 def test_newtons_steps_alone_are_called_none_and_unknown_names_are_refused(rng):
     problem = problem_of(rng)
-    descent = Descent(problem.objective, problem.timeline)
-    alone, refined = (descent.run(optimiser=name, tolerance=1e-3) for name in ("None", "lbfgs"))
+    alone, refined = (minimised(problem, optimiser=name, tolerance=1e-3) for name in ("None", "lbfgs"))
     assert alone.value >= refined.value
     with pytest.raises(ValueError, match="no optimiser 'gauss'; there are: lbfgs, "):
-        descent.run(optimiser="gauss")
-    with pytest.raises(ValueError, match="optimiser 'newton' was renamed 'none'"):
-        descent.run(optimiser="newton")
+        minimised(problem, optimiser="gauss")
 
 
 @pytest.mark.parametrize("failures", [2, 10_000])

@@ -16,9 +16,9 @@ from scipy.optimize import nnls
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.cone import projection
 from dynsplines.solver.contacts import Footing
+from dynsplines.solver.figure.dynamics import RootWrench, weight
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.root_wrench import RootWrench, weight
 from dynsplines.solver.penalty import Flight, Support
 from dynsplines.solver.penalty.ground.support import friction_edges
 from dynsplines.solver.surface.points import Point

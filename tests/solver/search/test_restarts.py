@@ -28,25 +28,23 @@ from dynsplines.solver.penalty import (
     TrackingPenalty,
     UnitMagnitude,
 )
-from dynsplines.solver.search.restart_criteria import (
+from dynsplines.solver.search.restarts import (
     COST_RATIO,
+    EQUAL_WITHIN,
     MAX_DEVIATION,
     MAX_QUATERNION_LENGTH,
+    MIN_SPACING,
+    OFFSETS,
     SAMPLES_PER_SEGMENT,
+    SUBDIVISIONS,
+    common_grid,
     cost_increased,
     is_poor_minimum,
     is_pose_outlier,
     largest_deviation,
     longest_quaternion,
-    violation_dominates,
-)
-from dynsplines.solver.search.selection import (
-    EQUAL_WITHIN,
-    MIN_SPACING,
-    OFFSETS,
-    SUBDIVISIONS,
-    common_grid,
     select_best,
+    violation_dominates,
 )
 from dynsplines.solver.surface import Plane, Sphere
 from dynsplines.solver.surface.points import Point

@@ -1,7 +1,10 @@
-"""Two motions in sequence: the second is moved to the end of the first, and a transition between them is solved.
+"""Edits of timelines: speed, trimming, repetition of a loop, and two motions in sequence.
 
-The transition matches y, y' and y'' at both its ends. A cubic spline through given states is determined by the slopes
-at its ends. The C² spline through the frames of all three parts therefore equals each motion in its interval.
+A cubic spline's curve is determined by the states at its knots and the slopes at both ends. Speed, trimming and
+repetition transform knots and slopes without fitting, so the result is the same curve up to rounding.
+
+The second of two motions is moved to the end of the first, and a transition between them is solved. It matches y, y'
+and y'' at both its ends, so the C² spline through the frames of all three parts equals each motion in its interval.
 """
 
 from __future__ import annotations
@@ -13,15 +16,68 @@ import numpy as np
 from .. import quaternion as quat
 from ..array import Array
 from ..curve.frame import Frame, Timeline, TimelineError
-from ..curve.seam import sameness, turning_root
+from ..curve.seam import Seam, sameness, turning_root
 from ..curve.spline import path_of
 from ..curve.unknowns import raw_timeline
 from ..figure.figure import Figure, JointKind
 from ..figure.kinematics import Samples
 
+SAME_TIME = 1e-9  # [s] distance up to which a frame is at a cut
 LEAST_FRAMES = 4  # minimum number of variable frames, so that value, slope and curvature match at both ends
 UPSIDE_DOWN = 1e-9  # [1] length of (sine, cosine) below which a rotation has no heading
 OF_TRUNK = 0.25  # [1] minimum share of the mass beyond a link of the trunk; it is less for feet with toes
+
+
+def retimed(timeline: Timeline, speed: float) -> Timeline:
+    """Return the same path at `speed` times the speed, from the same start: y(t₀ + (t − t₀) · speed)."""
+    if not (np.isfinite(speed) and speed > 0):
+        raise TimelineError(f"speed must be a number above 0, not {speed:g}")
+    # the end slopes of a loop are the jumps of y' and y'' at its seam
+    powers = np.array([1, 2]) if timeline.ends == "periodic" else np.ones(2)
+    times = timeline.times[0] + (timeline.times - timeline.times[0]) / speed
+    frames = Frame.many(times, timeline.states, timeline.fixed)
+    return Timeline(tuple(frames), timeline.end_slope * speed ** powers[:, None], timeline.ends)
+
+
+def check_interval(span: tuple[float, float], first: float, last: float) -> None:
+    """Raise TimelineError unless `first` to `last` [s] is within the motion."""
+    if not first < last:
+        raise TimelineError(f"an interval ends after it begins, not from {first:g} to {last:g} s")
+    if first < span[0] - SAME_TIME or last > span[1] + SAME_TIME:
+        raise TimelineError(f"from {first:g} to {last:g} s is not inside {span[0]:g} to {span[1]:g} s")
+
+
+def trimmed(timeline: Timeline, first: float, last: float) -> Timeline:
+    """Return the part of a timeline from `first` to `last` [s], with free ends; both are keyframes on the curve."""
+    times = timeline.times
+    check_interval((float(times[0]), float(times[-1])), first, last)
+    near = times[np.abs(times[:, None] - np.array([first, last])).argmin(axis=0)]
+    edges = np.where(np.abs(near - np.array([first, last])) <= SAME_TIME, near, [first, last])
+    path = path_of(timeline)
+    inside = [frame for frame in timeline.frames if edges[0] < frame.time < edges[1]]
+    whole = np.ones(timeline.width, bool)
+    begin, end = (Frame(t, path.at(t)[0], whole) for t in edges.tolist())
+    return Timeline((begin, *inside, end), path.at(edges, 1))
+
+
+def repeated(figure: Figure, timeline: Timeline, count: int) -> Timeline:
+    """Return a loop repeated `count` times as one loop, with accumulated travel and one frame at each inner seam."""
+    if timeline.ends != "periodic":
+        raise TimelineError(f"only a loop, with ends = 'periodic', can be repeated; these are '{timeline.ends}'")
+    if count < 1:
+        raise TimelineError(f"a loop is played at least once, not {count} times")
+    seam, period = Seam.of(figure, timeline), timeline.times[-1] - timeline.times[0]
+    frames = list(timeline.frames[:1])
+    for number in range(count):
+        states = seam.moved(timeline.states[1:], number)
+        frames += Frame.many(timeline.times[1:] + number * period, states, timeline.fixed[1:])
+    return Timeline(tuple(frames), _jumps(timeline, seam, count), "periodic")
+
+
+def _jumps(timeline: Timeline, seam: Seam, count: int) -> Array:
+    """Return the jumps (2, N) of y' and y'' from the end of `count` periods to the start, see `Spline`."""
+    start = path_of(timeline).motion(timeline.times[:1])[1:, 0]
+    return seam.linear(start, count) - start
 
 
 @dataclass(frozen=True, eq=False)
