@@ -23,7 +23,7 @@ def run(tmp_path, monkeypatch, capsys):
 @pytest.mark.slow
 def test_an_imported_motion_is_measured_when_a_report_is_requested(run, tmp_path):
     assert (
-        run("export", "wild.npz", "--to", "mjlab").last == "wrote motions.mjlab.npz"
+        run("export", "wild.npz", "--to", "mjlab").last == "wrote wild.mjlab.npz"
     )  # beside it, no other: it has no ball joints
     assert sorted(path.name for path in tmp_path.iterdir()) == ["robot.xml", "wild.mjlab.npz", "wild.npz"]
     assert run("import", "wild.mjlab.npz", "--figure", "robot.xml", "-o", "back.npz").code == 0
