@@ -29,7 +29,7 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 SECTIONS = (
     "evaluation", "runner39", "quaternions", "shooting", "uneven", "barr", "subdivision", "length", "clip", "perturbed",
-    "posing", "inbetweening", "rendering", "batch", "studio", "soak",
+    "posing", "recordings", "earning", "inbetweening", "rendering", "batch", "studio", "soak",
 )  # fmt: skip
 PACKAGES = ("numpy", "scipy", "mujoco", "nlopt", "imageio", "av", "interpolatepy", "casadi", "distributed")
 
