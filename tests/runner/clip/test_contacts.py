@@ -9,19 +9,15 @@ import mujoco
 import numpy as np
 import pytest
 from oracles import kinematics
-from processes import quiet
-from rekeyed import with_keys
 from shipped import in_carried
 
 import dynsplines
 from dynsplines import inbetween as solve
-from dynsplines import recordings, solving
+from dynsplines import recordings
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
 from dynsplines.clip.text import written
-from dynsplines.edit.edits import trimmed
-from dynsplines.edit.files import retimed_tables
 from dynsplines.errors import UserError
 from dynsplines.measure.report import report
 from dynsplines.measure.violation import violations
@@ -61,12 +57,6 @@ def planted(clip: clips.Clip) -> tuple[tuple[Stance, ...], tuple[Rest, ...]]:
     return stances, tuple(rest for part in parts if isinstance(part, RestPenalty) for rest in part.rests)
 
 
-def test_without_a_table_keyframes_tell_where_feet_stand():
-    stances, rests = planted(recordings.from_text(text(), name="stand"))
-    assert {(s.point.name, s.first, s.last) for s in stances} >= {("left_heel", 0.0, 0.5), ("right_toe", 0.5, 1.0)}
-    assert not rests
-
-
 def test_a_contact_takes_its_spot_from_the_keyframes_inside_and_holds_it_beyond():
     contact = 'point = "left_heel"\nfrom = 0.25\nto = 0.8'
     stances, rests = planted(recordings.from_text(text(contact), name="stand"))
@@ -93,24 +83,6 @@ def test_a_contact_that_a_keyframe_begins_in_the_floor_rises_with_what_is_let_pa
         assert depth == pytest.approx(let_pass, abs=1e-9)
         assert depth > 0.005
     np.testing.assert_allclose(before.spot[:2], before.landed[:2])
-
-
-@pytest.mark.slow
-def test_other_keyframes_are_posed_anew():
-    squat = """
-figure = "human"
-keyframe = [{time = 0, others = "rest"}, {time = 1, root.position = [0, 0, 0.7]}, {time = 2, others = "rest"}]
-"""
-    clip = recordings.from_text(squat, name="squat")
-    higher = recordings.from_text(squat.replace("0.7]", "0.8]"), name="squat")
-    moved = np.array(clip.keys[1].state)
-    moved[2] = 0.8
-    again = with_keys(clip, [clip.keys[0], replace(clip.keys[1], state=moved), clip.keys[2]])
-    still = np.zeros((2, 1, clip.figure.width))
-    feet = [Samples(clip.figure, clip.figure.to_state(k.keys[1].state[None]), *still) for k in (higher, again)]
-    assert again.keys[1].posed is not None
-    np.testing.assert_array_equal(again.keys[1].posed, higher.keys[1].posed)
-    np.testing.assert_allclose(feet[0].links.x, feet[1].links.x, atol=2e-3)
 
 
 def test_a_contact_with_a_position_and_one_that_nobody_placed():
@@ -482,15 +454,3 @@ def test_a_mirrored_clip_holds_with_the_other_hand_and_both_may_hold_one_thing()
     assert two == [("right_hand on crate", 1.5), ("left_hand on crate", 1.0)]
     starts = (made.context.schedule.grasps[0].spots[0].spot for made in (other, clip))
     np.testing.assert_allclose(next(starts), next(starts) * [1, -1, 1], atol=1e-6)
-
-
-@pytest.mark.slow
-def test_at_another_speed_and_in_a_part_of_the_clip_grasps_keep_their_place():
-    """Of the raw spline, which with free ends loses the crate by no more than a grasp may drift."""
-    clip = recordings.from_text(lift() + '[solve]\nends = "free"\n', name="lift")
-    fast = retimed_tables(table_of(clip.text, "lift"), 2.0)
-    assert [(row.start, row.end) for row in fast.grasp] == [(0.3, 0.75)] * 2
-    part = trimmed(solving.unsolved(clip).saved(quiet(), with_report=False), 0.8, 1.3)
-    (left, right) = clips.clip_from_motion(part).context.schedule.grasps
-    assert (left.first, left.last, right.last) == (0.8, 1.3, 1.3)
-    assert [penalty.name for penalty, _ in clips.clip_from_motion(part).penalties].count("attach.grasp") == 1

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import mujoco
 import numpy as np
 import pytest
@@ -15,13 +13,9 @@ from rekeyed import with_keys
 
 from dynsplines import inbetween, load, recordings
 from dynsplines.clip.build import Clip
-from dynsplines.clip.contacts import contacts
 from dynsplines.clip.posing.places import rounded, sole_points
-from dynsplines.clip.table import ContactTable
-from dynsplines.errors import UserError
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 
 LEG = """<body name="{name}_thigh" pos="{x} {y} 0"><joint name="{name}_hip" axis="0 1 0"/>
@@ -38,9 +32,6 @@ BOX = """<body name="{name}_ankle" pos="0 0 -.3"><joint name="{name}_ankle" axis
 
 
 SITE = '<site name="{name}_toe" pos="0 0 -.34"/>'
-
-
-IN_SPHERE = SPHERE + '<site name="{name}_toe" pos="0 0 -.3"/>'
 
 
 def figure_of(legs: dict[str, tuple[float, float]], foot: str, joint: str = "<freejoint/>", extra: str = "") -> Figure:
@@ -114,11 +105,6 @@ def test_figures_of_many_makes_stand_on_their_feet(case):
     assert soles(figure) == expected
 
 
-def test_points_of_spheres_are_as_thick_as_they():
-    for figure in (figure_of(FOUR, SPHERE), figure_of(TWO, IN_SPHERE)):
-        assert {point.radius for point in sole_points(figure, np.zeros((0, figure.width)))} == {0.04}
-
-
 def test_who_is_tallest_on_the_tips_of_his_toes_stands_on_his_soles():
     """A robot's sole stands straight up and down in a pose that is a little taller than the one at rest."""
     figure = figure_of(TWO, BOX)
@@ -151,26 +137,6 @@ def test_a_figure_that_lies_on_its_belly_has_none_but_where_a_keyframe_stands_it
     )
     assert soles(Figure(flat)) == []
     assert [point.name for point in sole_points(lying, standing[None])] == ["l_foot", "r_foot"]
-
-
-def test_a_clip_calls_found_feet_by_their_names():
-    figure = figure_of(FOUR, SPHERE)
-    keys = raw_timeline(figure, [Frame.key(float(t), figure.model.qpos0) for t in range(3)])
-    points = sole_points(figure, np.zeros((0, figure.width)))
-    table = ContactTable.model_validate({"point": "bl_foot", "from": 0.0, "to": 1.0})
-    found = contacts(figure, keys, [table], "clip", points)
-    assert [rest.point.name for rest in found.requested] == ["bl_foot"]
-    with pytest.raises(UserError, match="did you mean 'bl_foot'"):
-        contacts(figure, keys, [table.model_copy(update={"point": "bl_fot"})], "clip", points)
-
-
-def test_of_a_kick_the_feet_are_found_in_a_pose_that_stands_on_both():
-    """The tallest pose is on the toes of one leg, the other one held out: both feet are told all the same."""
-    figure = figure_of(TWO, BOX)
-    kick = np.array(figure.model.qpos0)
-    kick[[9, 10]] = [0.6, -1.4]
-    found = sole_points(figure, kick[None])
-    assert {point.name.split()[0] for point in found} == {"l_sole", "r_sole"}
 
 
 @pytest.mark.parametrize(
@@ -283,12 +249,6 @@ def test_a_figure_of_no_height_but_the_first_does_not_float_away():
     assert clearance(hangs, hangs.keys[1].state) == pytest.approx(0, abs=NEARLY)
 
 
-def test_nor_does_one_whose_height_nobody_says():
-    problem = read(f"{STANDING}{OPEN}", CROUCHED + OPEN)
-    assert [clearance(problem, key.state) for key in problem.keys] == pytest.approx([0, 0], abs=NEARLY)
-    assert max(clearance(problem, qpos) for qpos in path(problem)) < 0.04
-
-
 def test_feet_stay_where_they_stand_if_the_root_may_go_anywhere():
     problem = read(STANDING, f'{CROUCHED}root.position = "free"\n', STANDING)
     at = {name: site(problem, problem.keys[0].state, name) for name in ("left_heel", "right_toe")}
@@ -349,13 +309,6 @@ def test_a_leap_between_crouches_stays_one():
     assert np.abs(np.diff(z, 2)).max() / 0.01**2 < 30  # [m/s²]; if it is held down until the last moment, 60 and more
 
 
-def test_who_lands_at_a_height_of_nobodys_lands():
-    tucked = f"{CROUCHED}root.position = [0, 0, 1.0]\n"
-    problem = read(STANDING, f"{CROUCHED}root.position = [0, 0, 0.565]\n", tucked, CROUCHED + OPEN)
-    assert clearance(problem, problem.keys[3].state) == pytest.approx(0, abs=NEARLY)
-    assert clearance(problem, path(problem)[-1]) < 0.06
-
-
 def test_keyframes_in_mid_flight_are_left_there_and_the_flights_found(monkeypatch):
     shipped.share(monkeypatch)
     whole = load("run_loop")
@@ -398,19 +351,6 @@ def test_a_jump_of_which_only_the_top_has_a_height_starts_and_ends_on_the_ground
     assert 0.5 < first < 1 < last < 1.5
     key = read(top, 'others = "rest"\n' + OPEN).keys[1]
     assert key.posed is None or not key.posed[2]  # half a second may be a fall
-
-
-def test_who_steps_on_and_is_cut_short_does_not_fly():
-    box = HEAD + '[[scene.box]]\nname = "box"\nsize = [1.2, 2, 0.2]\nposition = [1.1, 0, 0.1]\n'
-    bodies = (
-        f'{pose}root.position = [{x}, 0, "free"]\n'
-        for pose, x in ((STANDING, 0), (CROUCHED, 0.5), (STANDING, 1), (CROUCHED, 1.5))
-    )
-    whole = read(*bodies, head=box)
-    short = whole.with_problem(settings=replace(whole.settings, max_evaluations=6, frames=8))
-    cut = inbetween(short).trimmed(0.2, 0.8).clip
-    assert cut.context.support is None or cut.context.schedule.flights == ()
-    assert clearance(cut, inbetween(cut.with_problem(settings=whole.settings)).at(0.3)) < 0.1
 
 
 BOX_GROUNDING = '[[scene.box]]\nname = "box"\nsize = [{}]\nposition = [{}]\n'

@@ -11,8 +11,7 @@ from oracles import tracks
 
 from dynsplines import Motion, inbetween, recordings
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts.footsteps import Footsteps, footsteps
-from dynsplines.solver.contacts.keyframe_points import KeyframePoints
+from dynsplines.solver.contacts.footsteps import Footsteps
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.penalty import Attachment
 
@@ -240,16 +239,6 @@ def times(steps: Footsteps) -> set[tuple[float, float]]:
     return {(stance.first, stance.last) for stance in steps.stances if stance.point.link == steps.leading}
 
 
-def test_steps_do_not_depend_on_the_order_of_points():
-    schedule = recordings.from_text(clip(2.0, time=3.0), name="steps").context.schedule
-    soles = KeyframePoints.of(schedule.figure, schedule.keys, schedule.points, schedule.surfaces)
-    ((one, *_),) = footsteps(soles)
-    for order in ((3, 2, 1, 0), (1, 3, 0, 2)):
-        ((other, *_),) = footsteps(soles.with_points([schedule.points[i] for i in order]))
-        assert other.count == one.count
-        assert times(other) == times(one)
-
-
 def test_a_hand_with_a_target_does_not_keep_the_root_behind_the_feet():
     hand = "sites.left_hand = [1.5, 0.3, 1.2]\n"
     keys = recordings.from_text(clip(1.2, time=3.0) + hand, name="steps").context.keys
@@ -284,7 +273,3 @@ def test_a_note_names_the_longest_way_that_a_figure_moves_on_both_feet():
 )
 def test_figures_that_step_or_fly_have_no_note(keyframes):
     assert notes(keyframes) == []
-
-
-def test_a_clip_without_gaits_has_no_note():
-    assert notes([(0, 0, 0), (0.6, 0.5, 0)], '[[penalty]]\nkind = "cycle"\nweight = 0\n') == []

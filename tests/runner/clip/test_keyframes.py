@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 import mujoco
@@ -88,13 +87,6 @@ def test_a_figure_on_slides_has_no_root_and_the_error_names_its_joints(tmp_path:
     assert placed(problem, 0, "pelvis")[0] == pytest.approx([1, 0, 0.75])
     assert not problem.context.points and not problem.context.schedule.flights
     assert read(model, tmp_path, f"{rest}\nroots.box.position = [1, 2, 3]", rest)
-
-
-def test_a_keyframe_of_no_height_is_put_down_on_the_ground(tmp_path: Path) -> None:
-    rest, parts = 'others = "rest"', {"hip": -40, "knee": 80, "ankle": -40}
-    legs = ", ".join(f"{side}_{part} = {angle}" for side in ("left", "right") for part, angle in parts.items())
-    crouched = f'{rest}\nroot.position = [0, 0, "free"]\njoints = {{{legs}}}'
-    assert 0.5 < placed(read(scene(biped()), tmp_path, rest, crouched, rest), 1, "pelvis")[0][2] < 0.75
 
 
 TILTED = """<mujoco><compiler angle="degree"/><worldbody><geom type="plane" size="5 5 .1"/>
@@ -272,15 +264,6 @@ def test_the_other_foot_stays_flat_in_a_step(left: list[float], time: float) -> 
     upright = Rotation.from_quat(qpos[:, 3:7], scalar_first=True).as_matrix()[:, 2, 2]
     assert np.degrees(np.arccos(upright.min())) < 2
     assert [violation for violation in motion.violations if violation.kind != "self"] == []
-
-
-@pytest.mark.slow
-def test_holds_among_a_thousand_keyframes_take_seconds() -> None:
-    problem = read_held(tuple((0.5 * i, 90 * (i // 50 % 2)) for i in range(1000)))
-    begin = time.perf_counter()
-    held = problem.context.holds.swinging
-    assert time.perf_counter() - begin < 10.0
-    assert len(held) >= 38
 
 
 STEP = """

@@ -16,9 +16,8 @@ import numpy as np
 import pytest
 from oracles import kinematics
 from problems import CLIP as TINY_CLIP
-from problems import FIGURE, HINGE, changed, written
+from problems import HINGE, written
 from processes import quiet
-from rekeyed import with_keys
 from rich.console import Console
 
 from dynsplines import Clip, Keyframe, Motion, UserError, build, inbetween, load, load_motion, recordings, solving
@@ -27,11 +26,10 @@ from dynsplines.clip import load as clip
 from dynsplines.clip.kinds import KINDS, Kind, Part
 from dynsplines.measure.report import report, tables
 from dynsplines.motion import save
-from dynsplines.scene.compose import compose
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.wrenches import Wrenches, every_axis
 from dynsplines.solver.penalty import Block, Normalization, Penalty
-from dynsplines.solver.surface import Box, Capsule, Cylinder, Hull, Plane, Sphere, static_surfaces
+from dynsplines.solver.surface import Box, Capsule, Cylinder, Plane, Sphere
 from dynsplines.studio.stage import kinds, outline
 
 
@@ -75,14 +73,6 @@ def test_it_takes_part_in_the_search(calm: Motion) -> None:
     assert calm.clip.penalties[-1][0].name == "calm"
     assert calm.clip.custom_penalties == ((Calm(), 30.0),)
     assert speed(calm) < 0.99 * speed(inbetween(swing()))
-
-
-def test_load_takes_it_too_and_other_keyframes_keep_it(tmp_path: Path) -> None:
-    clip = load(written(tmp_path), custom_penalties=[(Calm(), 0.1)])
-    assert [penalty.name for penalty, _ in clip.penalties][-1] == "calm"
-    again = with_keys(clip, clip.keys)
-    assert again.custom_penalties == clip.custom_penalties and again.penalties[-1] == (Calm(), 0.1)
-    assert swing(custom_penalties=[(Calm(), 0)]).custom_penalties == ()
 
 
 @pytest.mark.parametrize(
@@ -131,13 +121,6 @@ ON = {"collision": "self = true", "limits": "speed = 300", "upright": 'bodies = 
 def weights(penalty: str = "") -> dict[str, float]:
     clip = load(CLIP + (f"[[penalty]]\n{penalty}\n" if penalty else ""))
     return {penalty.name: weight for penalty, weight in clip.penalties}
-
-
-def test_there_are_at_most_fifteen_kinds_whose_options_have_units():
-    assert len(KINDS) <= 15
-    assert all(text for kind in KINDS.values() for text in kind.choices().values())
-    for kind in KINDS.values():
-        assert len(kind.parts) == 1 or all(part.name for part in kind.parts)
 
 
 def test_every_part_is_a_term_of_its_name_or_there_is_nothing_to_penalise():
@@ -243,9 +226,6 @@ def test_a_listed_kind_without_effect_is_noted(kind):
     assert not any("no effect" in note for note in (*off.notes, *recordings.from_text(text, name="c").notes))
 
 
-LIMITED = FIGURE.replace('name="left_knee" type="ball"', 'name="left_knee" type="ball" limited="true" range="0 42"')
-
-
 SWING = """figure = "hinge.xml"
 [[keyframe]]
 time = 0
@@ -262,25 +242,9 @@ joints = {swing = 0, slide = 0}
 """
 
 
-def term_names(problem: clip.Clip) -> set[str]:
-    return {penalty.name for penalty, _ in problem.penalties}
-
-
 def solved(problem: clip.Clip) -> dict:
     found = solving.solve(problem, quiet())
     return report(found.clip, found.motion, 0.0)
-
-
-def test_ranges_count_by_default_where_the_model_has_them(tmp_path):
-    assert "limits.range" not in term_names(clip.load(str(written(tmp_path))))
-    (tmp_path / "tiny.xml").write_text(LIMITED, encoding="utf-8")
-    assert "limits.range" in term_names(clip.load(str(tmp_path / "tiny.toml")))
-    written(
-        tmp_path,
-        changed("[[keyframe]]", "[[penalty]]\nkind='limits'\nweight={range=0}\n[[keyframe]]", TINY_CLIP),
-    )
-    (tmp_path / "tiny.xml").write_text(LIMITED, encoding="utf-8")
-    assert "limits.range" not in term_names(clip.load(str(tmp_path / "tiny.toml")))
 
 
 @pytest.mark.slow
@@ -319,11 +283,6 @@ def test_a_slide_beyond_its_range_is_reported_in_metres(tmp_path):
     data = report((one := solving.unsolved(clip.load(str(path)))).clip, one.motion, 0.0)["after"]["beyond joint range"]
     assert data["unit"] == "m"
     assert 0.1 <= data["most"] < 0.3
-
-
-def test_no_limited_joints_no_row(tmp_path):
-    one = solving.unsolved(clip.load(str(written(tmp_path))))
-    assert report(one.clip, one.motion, 0.0)["after"]["beyond joint range"] == {}
 
 
 SCENE = """
@@ -417,17 +376,3 @@ def test_what_is_wrong_with_an_obstacle_is_reported_in_one_line(tmp_path, scene,
         loaded(tmp_path, scene)
     assert str(caught.value).startswith("tiny.toml: ")
     assert "\n" not in str(caught.value)
-
-
-def test_meshes_and_height_fields_written_in_the_model_live_on_in_the_clips_text():
-    assets = """<asset><mesh name="m" vertex="0 0 0 1 0 0 0 1 0 0 0 1"/>
-      <hfield name="h" nrow="2" ncol="3" size="1 1 .5 .1" elevation="0 1 .5 .25 0 .75"/></asset>
-      <worldbody><geom name="m" type="mesh" mesh="m" pos="1 2 3"/><geom name="h" type="hfield" hfield="h"/>"""
-    text = FIGURE.replace("<worldbody>", assets, 1)
-    before = mujoco.MjModel.from_xml_string(text)
-    after = compose(mujoco.MjSpec.from_string(text)).model()
-    np.testing.assert_allclose(after.hfield_data, before.hfield_data, atol=1e-6)
-    np.testing.assert_allclose(after.geom("m").pos, before.geom("m").pos, atol=1e-6)
-    np.testing.assert_allclose(after.mesh_vert, before.mesh_vert, atol=1e-6)
-    (rock,) = (surface for surface in static_surfaces(after) if isinstance(surface, Hull))
-    np.testing.assert_allclose(np.sort(rock.corners.T, axis=0)[-1], [2, 3, 4], atol=1e-6)

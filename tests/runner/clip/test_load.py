@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 from oracles import kinematics
 from problems import CLIP, FIGURE, HINGE, changed, written
-from processes import commanded
 from scipy.spatial.transform import Rotation
 
 from dynsplines import Keyframe, build, load_motion, models, recordings
@@ -30,12 +29,9 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import (
     Bend,
     Contact,
-    CovariantAcceleration,
     Flight,
     HoverPenalty,
-    RootAcceleration,
     Support,
-    UnitMagnitude,
 )
 
 KNEE = "joints.left_knee = {rotvec = [0, 0, 0]}"
@@ -112,33 +108,8 @@ def test_hinges_are_degrees_and_slides_metres_and_only_free_and_ball_joints_are_
     assert not loaded(tmp_path, changed("[solve]", '[solve]\ncoordinates = "joint"')).figure.is_world
 
 
-def test_a_figure_is_found_next_to_its_clip_wherever_the_command_runs(tmp_path, monkeypatch):
-    path = written(tmp_path)
-    (tmp_path / "elsewhere").mkdir()
-    monkeypatch.chdir(tmp_path / "elsewhere")
-    assert clip.load(str(path)).figure.model.nq == 11
-    assert clip.load("../tiny.toml").name == "tiny"
-
-
 def by_name(problem: Clip) -> dict[str, tuple[object, float]]:
     return {penalty.name: (penalty, weight) for penalty, weight in problem.penalties}
-
-
-def test_without_penalties_in_the_file_the_defaults_are_the_papers_and_each_may_change(tmp_path):
-    plain = by_name(loaded(tmp_path))
-    names = {type(penalty): name for name, (penalty, _) in plain.items()}
-    covariant = plain[names[CovariantAcceleration]][0]
-    assert isinstance(covariant, CovariantAcceleration)
-    unit, root = names[UnitMagnitude], names[RootAcceleration]
-    assert (plain[unit][1], plain[root][1]) == (1, 1)
-    entries = (
-        '[[penalty]]\nkind = "unit"\nweight = 7\n[[penalty]]\nkind = "torque"\n'
-        '[[penalty]]\nkind = "acceleration"\nweight = {linear = 0}\n'
-    )
-    told = by_name(loaded(tmp_path, CLIP + entries))
-    assert told[unit][1] == 7
-    assert set(told) - set(plain) == {"torque"}
-    assert set(plain) - set(told) == {root}
 
 
 def test_settings_in_the_file_reach_the_solver(tmp_path):
@@ -153,27 +124,6 @@ def test_settings_in_the_file_reach_the_solver(tmp_path):
     assert problem.problem.end_slope is not None
     assert problem.fps == 20
     assert clip.load(str(tmp_path / "tiny.toml"), fps=12.5).fps == 12.5
-
-
-def test_static_geoms_that_collide_with_anything_are_surfaces_and_so_is_what_the_clip_adds(tmp_path):
-    extra = """<geom name="wall" type="box" size=".1 .1 .1" contype="0" conaffinity="0"/>
-      <geom name="ground" type="plane" size="1 1 1"/><geom name="ball" type="sphere" size=".1"/>
-      <body><geom name="welded" type="box" size=".1 .1 .1"/></body>"""
-    written(tmp_path)
-    (tmp_path / "tiny.xml").write_text(FIGURE.replace("<camera", extra + "<camera"), encoding="utf-8")
-    text = CLIP + "[scene]\nstep = {x = 1, height = 0.3}\n"
-    (tmp_path / "tiny.toml").write_text(text, encoding="utf-8")
-    problem = clip.load(str(tmp_path / "tiny.toml"))
-    assert {surface.name for surface in problem.context.surfaces} == {"ground", "ball", "welded", "step"}
-
-
-@pytest.mark.parametrize("name", ["R_HEEL_2", "mytoes"])
-def test_sites_named_heel_or_toe_are_contact_points(tmp_path, name):
-    written(tmp_path)
-    (tmp_path / "tiny.xml").write_text(FIGURE.replace("left_toe", name), encoding="utf-8")
-    problem = clip.load(str(tmp_path / "tiny.toml"))
-    assert [point.name for point in problem.context.points] == [name]
-    assert not [note for note in problem.notes if "heel" in note]
 
 
 @pytest.mark.parametrize(
@@ -273,13 +223,6 @@ def test_a_mocap_body_that_keys_move_is_noted(tmp_path):
         (tmp_path / "arm.xml").write_text(f"{text}{keys}</mujoco>", encoding="utf-8")
         notes = clip.load(str(tmp_path / "arm.xml")).notes
         assert ("mocap bodies do not move; mpos of <key> elements is ignored for 'goal'" in notes) is noted
-
-
-def test_keyframes_of_a_motion_file_win_over_its_samples(tmp_path):
-    qpos = np.array([[0, 0], [0.1, 1.0]])
-    problem = arrays(tmp_path, time=np.arange(5.0), qpos=np.zeros((5, 2)), key_time=np.array([1.0, 2.0]), key_qpos=qpos)
-    assert [key.time for key in problem.keys] == [1, 2]
-    np.testing.assert_array_equal(problem.keys[1].state, qpos[1])
 
 
 def test_arrays_with_the_joints_of_another_order_are_refused(tmp_path):
@@ -492,14 +435,6 @@ def end_speeds(found: load.Clip) -> np.ndarray:
     return np.abs(path.at(np.array(path.span), 1)).max(axis=1)
 
 
-@pytest.mark.parametrize(("ends", "at_rest"), [("free", [0, 0]), ("clamped", [1, 1]), ("clamped start", [1, 0])])
-def test_the_text_decides(ends, at_rest):
-    found = clip_with_ends("", RAISED, "", f'{HEAD}ends = "{ends}"\n')
-    assert found.ends == ends
-    assert not any("ends =" in note for note in found.notes)
-    assert (end_speeds(found) < 1e-9).tolist() == at_rest
-
-
 @pytest.mark.parametrize(
     ("bodies", "ends"),
     [
@@ -591,13 +526,6 @@ def test_a_key_without_numbers_is_the_rest_and_a_hold_continues_from_a_key():
     np.testing.assert_array_equal(made.keys[2].state, HOME)
 
 
-def test_obstacles_with_bodies_of_their_own_are_at_rest(folder: Path):
-    box = '[[scene.box]]\nname = "crate"\nbody = "crate"\nposition = [0, 0, 1]\nsize = [0.4, 0.4, 0.4]\n'
-    (folder / "clip.toml").write_text(KEYED_CLIP.format(more=box))
-    (first, _) = load_clip(folder / "clip.toml").keys
-    np.testing.assert_array_equal(first.state[:9], HOME)
-
-
 @pytest.mark.parametrize(
     ("others", "words"),
     [
@@ -647,12 +575,3 @@ def test_an_edit_that_names_another_key_has_it(folder: Path):
     made = recordings.from_text(text, name="clip", folder=folder)
     other = recordings.from_text(text.replace("key:home", "key:short"), name="clip", folder=folder, like=made)
     np.testing.assert_array_equal(other.keys[0].state, other.figure.model.qpos0)
-
-
-def test_an_export_has_the_motions_keys_alone(folder: Path, monkeypatch, capsys):
-    monkeypatch.chdir(folder)
-    run = commanded(monkeypatch, capsys)
-    assert run("solve", "clip.toml", "-o", "m.npz").code == 0
-    assert run("export", "m.npz", "--to", "mjcf", "-o", "m.keys.xml").code == 0
-    model = mujoco.MjModel.from_xml_path("m.keys.xml")
-    assert {model.key(i).name.rsplit("_", 1)[0] for i in range(model.nkey)} == {"clip"}

@@ -112,14 +112,6 @@ def test_what_is_given_stays_to_the_bit_and_the_rest_of_the_limb_gives_way():
 
 
 @pytest.mark.slow
-def test_the_first_and_the_last_keyframe_can_be_by_position():
-    text = HEAD + f"[[keyframe]]\ntime = 0\n{STEP}[[keyframe]]\ntime = 1\n{STEP.replace('0.27', '0.4')}"
-    problem = read(text)
-    for key, height in zip(problem.keys, (0.27, 0.4), strict=True):
-        np.testing.assert_allclose(seen(problem, key.state).site("left_toe").xpos, [0.4, 0.1, height], atol=MET)
-
-
-@pytest.mark.slow
 def test_a_loop_can_begin_and_end_by_position():
     text = HEAD + '[solve]\nends = "periodic"\n'
     for i in range(3):
@@ -198,15 +190,6 @@ def test_a_search_at_both_ends_of_the_clip_is_met_on_its_given_axes():
     begin, end = (seen(problem, qpos).site("left_hand").xpos.copy() for qpos in at)
     assert np.linalg.norm(begin - [0.3, 0.2, 1.1]) < 1e-3
     assert end[2] == pytest.approx(1.3, abs=1e-3)
-
-
-@pytest.mark.slow
-def test_a_penalty_table_changes_the_weight_of_places_and_takes_it_away():
-    entry = '[[penalty]]\nkind = "attach"\nweight = {{placement = {}}}\n'
-    place = second('sites.left_hand = {position = [0.3, 0.2, 1.1], by = "search"}\n')
-    assert placements(read(place + entry.format(3))) == [3]
-    assert placements(read(place + entry.format(0))) == []
-    assert placements(read(second("") + entry.format(3))) == []
 
 
 KEY = "c.toml: keyframe 2 (t = 0.8 s): "
@@ -496,22 +479,6 @@ def test_a_body_is_its_origin_whatever_geoms_it_has(geom, count):
     np.testing.assert_allclose(held.point.position, 0)
 
 
-def test_points_are_as_thick_as_what_they_name():
-    known = places()
-    thick = {name: known.point(name) for name in ("left_ball", "left_calf 2", "left_calf")}
-    assert {name: round(point.radius, 6) for name, point in thick.items() if point} == {
-        "left_ball": 0.04, "left_calf 2": 0.01, "left_calf": 0.34
-    }  # fmt: skip
-
-
-def test_a_body_goes_by_the_names_of_all_that_is_on_it():
-    known, model = places(), figure().model
-    for name in ("left_calf", "left_knee", "left_ball", "left_calf 2"):
-        assert known.body(name) == model.body("left_calf").id
-    assert known.body("nothing") is None
-    assert known.point("nothing") is None
-
-
 def test_feet_geoms_and_bodies_are_put_where_a_keyframe_specifies_and_rest_as_contacts_specify():
     points = ["right_ball", "left_calf 2", "left_calf", "trunk"]
     contacts = "".join(f'[[contact]]\npoint = "{point}"\nfrom = 0\nto = 1\n' for point in points)
@@ -528,15 +495,6 @@ def test_a_body_takes_a_place_of_its_origin_or_of_a_point_in_its_axes():
     data = seen_points(problem)
     tip = data.body("left_calf").xpos + data.body("left_calf").xmat.reshape(3, 3) @ [0, 0, -0.3]
     np.testing.assert_allclose(tip[[0, 2]], [0.1, 0.15], atol=1e-6)
-
-
-def test_a_body_is_placed_and_turned_at_once():
-    problem = read_robot(
-        'root = {position = "free", rotation = "free"}\nbodies.trunk = {position = [0.1, 0, 0.6], flat = true}\n'
-    )
-    data = seen_points(problem)
-    np.testing.assert_allclose(data.body("trunk").xpos, [0.1, 0, 0.6], atol=1e-6)
-    np.testing.assert_allclose(data.body("trunk").xmat[8], 1, atol=1e-9)
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,6 @@ from dynsplines.clip.starter import starter
 from dynsplines.clip.text import keyframe_tables
 from dynsplines.errors import UserError
 from dynsplines.measure.report import report
-from dynsplines.measure.violation import violations
 from dynsplines.solver.inbetween import inbetween
 
 BODY = '<body name="b" pos="0 0 1">{}<geom type="capsule" size=".05" fromto="0 0 0 .3 0 0"/>{}</body>'
@@ -188,28 +187,3 @@ def test_followers_begin_where_they_belong_and_are_not_named(tmp_path, bend, key
     assert "joints.cap                               slide, metres along z" in problem.text
     assert "\njoints.cap" not in problem.text
     assert not [note for note in problem.notes if "off" in note]
-
-
-LOOP = """<mujoco><compiler angle="degree"/><worldbody>
-  <body name="thigh" pos="0 0 1"><joint name="hip" axis="0 1 0"/>
-    <geom type="capsule" fromto="0 0 0 0 0 -.4" size=".02"/>
-    <body name="shin" pos="0 0 -.4"><joint name="knee" axis="0 1 0" range="30 120"/>
-      <geom type="capsule" fromto="0 0 0 0 0 -.4" size=".02" contype="0" conaffinity="0"/></body>
-    <body name="rod" pos=".1 0 0"><joint name="rod" axis="0 1 0"/>
-      <geom type="capsule" fromto="0 0 0 0 0 -.3" size=".01" contype="0" conaffinity="0"/></body></body></worldbody>
-  <equality><connect body1="rod" body2="shin" anchor="0 0 -.45"/></equality></mujoco>"""
-IN_THE_AIR = f"""<mujoco><worldbody>{TRUNK.format(PAIR)}</worldbody>
-  <keyframe><key qpos="0 0 1.22 1 0 0 0 0 0"/></keyframe></mujoco>"""
-
-
-@pytest.mark.parametrize(
-    ("model", "words"),
-    [
-        (LOOP, "keyframe 1 itself: the loop of rod and shin is torn by 58 mm at 0.00 s"),
-        (IN_THE_AIR, "keyframe 1 itself: the figure never comes down: lowest point 0.90 m above the floor"),
-    ],
-)
-def test_a_model_that_is_wrong_at_rest_has_violations(tmp_path, model, words):
-    problem = written(model, tmp_path)
-    raw = problem.problem.raw
-    assert any(str(violation).startswith(words) for violation in violations(problem, raw, raw))

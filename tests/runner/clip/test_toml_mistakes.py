@@ -9,11 +9,10 @@ import pytest
 from figures import FIGURES
 from problems import FIGURE, HINGE, changed, written
 
-from dynsplines import models
 from dynsplines.clip import load as clip
 from dynsplines.clip.parse import parse
 from dynsplines.errors import UserError
-from dynsplines.scene.compose import figure_spec, spec_joint_names
+from dynsplines.scene.compose import spec_joint_names
 from dynsplines.solver.figure.figure import joint_names
 
 KEY = "[[keyframe]]\ntime = 0\n"  # lines 2 and 3, after the figure
@@ -131,19 +130,3 @@ def test_a_clip_without_mistakes_continues_to_its_model(folder):
 def test_joints_are_called_the_same_before_their_model_is_compiled(name):
     spec = mujoco.MjSpec.from_string(TEXTS[name])
     assert spec_joint_names(spec) == joint_names(mujoco.MjModel.from_xml_string(TEXTS[name]))
-
-
-def test_so_are_those_of_figures_that_ship():
-    for name in models.figures():
-        spec = figure_spec(name)
-        assert spec_joint_names(spec) == joint_names(spec.compile())
-
-
-def test_the_early_error_is_the_late_one(tmp_path):
-    text = changed("left_knee = {rotvec = [0, 40", "left_kne = {rotvec = [0, 40")
-    with pytest.raises(UserError) as late:
-        clip.load(str(written(tmp_path, text)))
-    (tmp_path / "tiny.xml").write_text(MESHED, encoding="utf-8")
-    with pytest.raises(UserError) as early:
-        clip.load(str(tmp_path / "tiny.toml"))
-    assert str(early.value) == str(late.value)
