@@ -42,7 +42,6 @@ CARRIED = ("flight", "support", "peak")  # kinds that are on by default only if 
 LINEAR_WEIGHT_CARRIED = 0.45  # [1] weight of acceleration.linear with these kinds, which penalise similar errors
 NO_CYCLE = "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none"
 AROUND = ("travel", "turn")  # keys of [solve] for the displacement of a loop per period
-NEXT = 1e-6  # [s] maximum difference of a saved keyframe from its time in the text
 
 
 @dataclass(frozen=True, repr=False)
@@ -310,9 +309,9 @@ def _check_problem(problem: Problem, where: str) -> None:
 
 
 def edits_of(keys: Sequence[Frame], table: ClipTable) -> tuple[Frame, ...]:
-    """Return the frames at the times of a clip's keyframe tables."""
+    """Return the frames at the times of a clip's keyframe tables, from which those of saved motions differ slightly."""
     times = [row.time for row in table.keyframe]
-    return tuple(key for key in keys if np.isclose(key.time, times, rtol=0, atol=NEXT).any())
+    return tuple(key for key in keys if np.isclose(key.time, times, rtol=0, atol=1e-6).any())
 
 
 def solve_of(saved: Saved, solve: SolveTable) -> SolveTable:

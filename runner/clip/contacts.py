@@ -30,8 +30,6 @@ from ..errors import UserError, unknown
 from .posing.places import Places, sole_points
 from .table import ContactTable, GraspTable
 
-SLACK = 1.0  # slack of a grasp relative to its excess of reach; without it a stretched limb whips there and back
-
 
 def schedule_of(
     figure: Figure,
@@ -268,7 +266,8 @@ def _grasp_spots(figure: Figure, keys: Timeline, grasp: Grasp, name: str) -> lis
         assert spot is not None
         short = float(np.linalg.norm(places[:, k] - spot[:, 0]))
         if short <= limits.out_of_reach:
-            spots[t], slack[t] = places[:, k].copy(), SLACK * short * (short > limits.met)
+            # without slack a stretched limb whips there and back
+            spots[t], slack[t] = places[:, k].copy(), short * (short > limits.met)
     return [
         replace(stance, slack=(slack.get(stance.first, 0.0), slack.get(stance.last, 0.0)))
         for stance in _grasp_stances(spots, grasp)

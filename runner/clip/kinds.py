@@ -359,138 +359,76 @@ def _bodies(context: Context, options: Options) -> Penalty | None:
     return Upright.of(context.figure, links, options.axis)
 
 
+def _unit(context: Context, options: Options) -> Penalty | None:
+    return UnitMagnitude(most=RAW_UNIT) if context.figure.tables.quaternion_links.size else None
+
+
+def _cycle(context: Context, options: Options) -> Penalty | None:
+    cycle = context.schedule.gait_cycle
+    return None if cycle is None else Cycle(context.figure, cycle)
+
+
 KINDS = {
     kind.name: kind
     for kind in (
-        Kind(
-            "acceleration",
-            (
-                Part(
-                    1.0, "angular acceleration of every body; of joints if [solve] has coordinates = 'joint'",
-                    lambda context, options: CovariantAcceleration(), "angular",
-                ),
-                Part(
-                    1.0, "acceleration of the root and of slides", lambda context, options: RootAcceleration(), "linear"
-                ),
+        Kind("acceleration", (
+            Part(
+                1.0, "angular acceleration of every body; of joints if [solve] has coordinates = 'joint'",
+                lambda context, options: CovariantAcceleration(), "angular",
             ),
-        ),
-        Kind(
-            "unit",
-            (
-                Part(
-                    1.0, "deviation of quaternions from unit length",
-                    lambda context, options: UnitMagnitude(most=RAW_UNIT)
-                    if context.figure.tables.quaternion_links.size else None,
-                ),
+            Part(1.0, "acceleration of the root and of slides", lambda context, options: RootAcceleration(), "linear"),
+        )),
+        Kind("unit", (Part(1.0, "deviation of quaternions from unit length", _unit),)),
+        Kind("collision", (
+            Part(30.0, "depth of heels and toes in static geoms", _soles, "soles"),
+            Part(30.0, "depth of all geoms of the figure in static geoms and held objects", _body, "body"),
+            Part(
+                30.0, "depth of limbs in the trunk and in each other",
+                lambda context, options: SelfContact.of(context.figure, options.margin or 0.0), "self", "self",
             ),
-        ),
-        Kind(
-            "collision",
-            (
-                Part(30.0, "depth of heels and toes in static geoms", _soles, "soles"),
-                Part(
-                    30.0, "depth of all geoms of the figure in static geoms and held objects",
-                    _body, "body",
-                ),
-                Part(
-                    30.0, "depth of limbs in the trunk and in each other",
-                    lambda context, options: SelfContact.of(context.figure, options.margin or 0.0), "self", "self",
-                ),
-            ),
-            ("margin", "points", "self"),
-        ),
-        Kind(
-            "attach",
-            (
-                Part(20.0, "movement of soles between two keyframes with the same sole position", _stance, "stance"),
-                Part(750.0, "movement of [[contact]] points", _contact, "contact"),
-                Part(
-                    750.0, "movement of [[grasp]] sites relative to the held body",
-                    _grasp, "grasp",
-                ),
-                Part(
-                    30.0, 'distance of sites with by = "search" from their targets',
-                    _placement, "placement",
-                ),
-            ),
-        ),
+        ), ("margin", "points", "self")),
+        Kind("attach", (
+            Part(20.0, "movement of soles between two keyframes with the same sole position", _stance, "stance"),
+            Part(750.0, "movement of [[contact]] points", _contact, "contact"),
+            Part(750.0, "movement of [[grasp]] sites relative to the held body", _grasp, "grasp"),
+            Part(30.0, 'distance of sites with by = "search" from their targets', _placement, "placement"),
+        )),
         Kind("no_slip", (Part(1.4, "speed of heels and toes near a surface", _no_slip),), ("reach",)),
-        Kind(
-            "grounded",
-            (Part(0.3, "height of the lowest point, between keyframes that touch the ground", _grounded),), ("reach",),
-        ),
-        Kind(
-            "posture",
-            (Part(0.7, "velocity of joints and roots", _posture),),
-        ),
-        Kind(
-            "limits",
-            (
-                Part(1.0, "knees and elbows bent backward, sideways or twisted", _bend, "bend"),
-                Part(1.0, "angle or displacement beyond the model's joint ranges", _range, "range"),
-                Part(
-                    10.0, "movement of joints between two keyframes with the same joint value",
-                    _overshoot, "overshoot",
-                ),
-                Part(100.0, "speed of hinges and ball joints beyond a limit", _speed, "speed", "speed"),
+        Kind("grounded", (
+            Part(0.3, "height of the lowest point, between keyframes that touch the ground", _grounded),
+        ), ("reach",)),
+        Kind("posture", (Part(0.7, "velocity of joints and roots", _posture),)),
+        Kind("limits", (
+            Part(1.0, "knees and elbows bent backward, sideways or twisted", _bend, "bend"),
+            Part(1.0, "angle or displacement beyond the model's joint ranges", _range, "range"),
+            Part(10.0, "movement of joints between two keyframes with the same joint value", _overshoot, "overshoot"),
+            Part(100.0, "speed of hinges and ball joints beyond a limit", _speed, "speed", "speed"),
+        ), ("bend_joints", "least_bend", "sideways", "twist", "speed")),
+        Kind("equality", (Part(300.0, "violation of <equality> constraints", _equality),)),
+        Kind("upright", (
+            Part(1.0, "tilt of the trunk in keyframes that leave the rotation of the root free", _trunk, "trunk"),
+            Part(
+                0.1, "movement of a free root away from its positions and rotations in the two keyframes around",
+                _root, "root",
             ),
-            ("bend_joints", "least_bend", "sideways", "twist", "speed"),
-        ),
-        Kind(
-            "equality",
-            (Part(300.0, "violation of <equality> constraints", _equality),),
-        ),
-        Kind(
-            "upright",
-            (
-                Part(1.0, "tilt of the trunk in keyframes that leave the rotation of the root free", _trunk, "trunk"),
-                Part(
-                    0.1, "movement of a free root away from its positions and rotations in the two keyframes around",
-                    _root, "root",
-                ),
-                Part(30.0, "tilt of listed bodies, such as a head or a tray", _bodies, "bodies", "bodies"),
+            Part(30.0, "tilt of listed bodies, such as a head or a tray", _bodies, "bodies", "bodies"),
+        ), ("bodies", "axis")),
+        Kind("flight", (
+            Part(3.0, "force on the figure during flights, except gravity", _flight),
+        ), ("intervals", "angular")),
+        Kind("support", (
+            Part(0.01, "force and moment that feet on the ground cannot supply", _support),
+        ), ("friction",)),
+        Kind("peak", (
+            Part(0.01, "peaks of angular acceleration of joints", lambda context, options: PeakAcceleration()),
+        )),
+        Kind("cycle", (Part(0.1, "deviation from the gait cycle of the keyframes", _cycle),), ("period",)),
+        Kind("torque", (
+            Part(
+                1.0, "joint torques of inertia, gravity and armature; ground reaction and passive forces are ignored",
+                lambda context, options: Torque(),
             ),
-            ("bodies", "axis"),
-        ),
-        Kind(
-            "flight",
-            (Part(3.0, "force on the figure during flights, except gravity", _flight),), ("intervals", "angular"),
-        ),
-        Kind(
-            "support",
-            (Part(0.01, "force and moment that feet on the ground cannot supply", _support),), ("friction",),
-        ),
-        Kind(
-            "peak",
-            (
-                Part(
-                    0.01, "peaks of angular acceleration of joints",
-                    lambda context, options: PeakAcceleration(),
-                ),
-            ),
-        ),
-        Kind(
-            "cycle",
-            (
-                Part(
-                    0.1, "deviation from the gait cycle of the keyframes",
-                    lambda context, options: None if context.schedule.gait_cycle is None
-                    else Cycle(context.figure, context.schedule.gait_cycle),
-                ),
-            ),
-            ("period",),
-        ),
-        Kind(
-            "torque",
-            (
-                Part(
-                    1.0,
-                    "joint torques of inertia, gravity and armature; ground reaction and passive forces are ignored",
-                    lambda context, options: Torque(),
-                ),
-            ),
-            is_default=False,
-        ),
+        ), is_default=False),
     )
 }  # fmt: skip
 

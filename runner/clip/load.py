@@ -7,7 +7,8 @@ here; `recordings` loads clips that follow others.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
@@ -31,8 +32,6 @@ from .posing.placement import targets_of
 from .posing.places import Places
 from .table import BarTable, BoxTable, ClipTable, SceneTable, SolveTable, SphereTable, StepTable
 from .tracking.recording import RecordedPath, TrackedRecording, followed
-
-MOST = 3  # most keyframes with unreachable positions that an error lists
 
 
 def load(
@@ -159,9 +158,9 @@ def _obstacle(kind: str, name: str, table: BoxTable | SphereTable | BarTable) ->
 
 def _unreached(lines: Sequence[str], *, is_file: bool) -> str:
     """Return the error on keyframes with unreachable positions, the first few, and a command that shows the poses."""
-    more = [f"and {len(lines) - MOST} keyframes more"] if len(lines) > MOST else []
+    more = [f"and {len(lines) - 3} keyframes more"] if len(lines) > 3 else []
     shows = ["`dynsplines render CLIP --only keys` shows the nearest poses"] if is_file else []
-    return "; ".join([*lines[:MOST], *more, *shows])
+    return "; ".join([*lines[:3], *more, *shows])
 
 
 def figure_of(scene: Scene, where: str, coordinates: str = "auto") -> Figure:
@@ -187,26 +186,19 @@ def _has_ground(clip: Clip, table: ClipTable) -> bool:
 
 def _from_mjcf(path: Path, fps: float | None) -> Clip:
     """Return the clip of an MJCF file whose <keyframe> elements, with their times, are the keyframes."""
-    try:
-        spec = figure_spec(str(path))
-    except UserError as error:
-        raise UserError(_placed(error, path.name)) from None
-    return from_spec(path.stem, spec, fps, path.name)
+    with _labelled(path.name):
+        return from_spec(path.stem, figure_spec(str(path)), fps, path.name)
 
 
 def from_spec(name: str, spec: mujoco.MjSpec, fps: float | None, where: str) -> Clip:
     """Return the clip of a model whose <keyframe> elements, with their times, are the keyframes."""
-    try:
+    with _labelled(where):
         spec.assets = dict(taken_along(spec))
-    except UserError as error:
-        raise UserError(_placed(error, where)) from None
     model, time, qpos = compiled_keys(spec, where)
     if not time.size:
         raise UserError(f"{where}: the model has no <keyframe> elements to go through")
-    try:
+    with _labelled(where):
         scene = compose(spec, bare=model)
-    except UserError as error:
-        raise UserError(_placed(error, where)) from None
     clip = from_qpos(name, scene, time, qpos, fps, where)
     return replace(clip, notes=(*clip.notes, *_displaced(model, time.size)))
 
@@ -249,10 +241,8 @@ def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:
         if arrays[name].dtype.kind not in "fiu":
             raise UserError(f"{keys.name}: '{name}' holds {arrays[name].dtype.name}, not numbers")
     time, qpos = (np.asarray(arrays[name], float) for name in names)
-    try:
+    with _labelled(model):
         scene = compose(figure_spec(model))
-    except UserError as error:
-        raise UserError(_placed(error, model)) from None
     clip = from_qpos(keys.stem, scene, time, qpos, fps, keys.name)
     joints = arrays.get("joint_names")
     if joints is not None and (differ := unlike_joints(clip.figure.model, [str(name) for name in joints.ravel()])):
@@ -260,9 +250,13 @@ def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:
     return clip
 
 
-def _placed(error: UserError, where: str) -> str:
-    """Return an error message with its label, once."""
-    return str(error) if where in str(error) else f"{where}: {error}"
+@contextmanager
+def _labelled(where: str) -> Iterator[None]:
+    """Begin errors of users in this block with a label, once."""
+    try:
+        yield
+    except UserError as error:
+        raise UserError(str(error) if where in str(error) else f"{where}: {error}") from None
 
 
 def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | None, where: str) -> Clip:

@@ -42,7 +42,6 @@ Placed = TypeVar("Placed", bound=Table)
 Obstacle = TypeVar("Obstacle", BoxTable, SphereTable, BarTable)
 Turned = TypeVar("Turned", bound=RotationTable)
 
-REST = 1e-6  # [1] tolerance of a rest pose that is its own mirror image
 NEAR = 0.02  # [1] maximum distance of a point from the image of its partner, relative to the figure's size
 
 
@@ -269,7 +268,7 @@ def _in_world(table: Turned, reflection: Array, rest: Array) -> Turned:
     """
     if table.is_heading:
         first, last = quat.matrices(rest)
-        is_plain = np.allclose(WORLD @ first @ reflection.T, last, atol=REST)
+        is_plain = np.allclose(WORLD @ first @ reflection.T, last, atol=1e-6)
     else:
         is_plain = np.array_equal(reflection, WORLD)
     if is_plain or not table.is_rotation:

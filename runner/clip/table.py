@@ -33,7 +33,6 @@ Axes = Annotated[tuple[Axis, Axis, Axis], '[x, y, z] in metres, each a number or
 KEY = "key:"  # prefix of the name of a <key> of the model
 ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
 UP, IDENTITY = np.array([0.0, 0.0, 1.0]), np.array([1.0, 0.0, 0.0, 0.0])  # the vertical; no rotation, wxyz
-SHORTEST_BAR = 1e-4  # [m] minimum distance of a bar's ends
 ModelKey = Annotated[str, Strict(), Field(pattern=f"^{KEY}.+")]
 
 
@@ -254,7 +253,7 @@ class BarTable(_ObstacleTable):
         for name in ("position", "length", "rotation"):
             if getattr(self, name) is not None:
                 raise ValueError(f"give from and to, or position and length, not both ('{name}' and 'from')")
-        if math.dist(self.start, self.end) < SHORTEST_BAR:
+        if math.dist(self.start, self.end) < 1e-4:
             raise ValueError("from and to are the same point")
 
 

@@ -24,7 +24,6 @@ from .mujoco_versions import mesh_folder, texture_folder
 mujoco_warnings.install()  # here, because all code that uses MuJoCo imports this module
 
 Assets = Mapping[str, bytes]
-LONGEST = 255  # [bytes] maximum length of a file's name on common file systems
 ODD = re.compile(r"[\x00-\x1f\x7f/\\:*?\"<>|]")  # characters that are not portable in names of files
 
 
@@ -157,7 +156,7 @@ def _places(reference: _Reference, base: Path) -> list[Path]:
 
 def is_plain(name: str) -> bool:
     """Return whether a name is a plain file name, without a path, on every system."""
-    return bool(name) and not name.startswith(".") and not ODD.search(name) and len(name.encode()) <= LONGEST
+    return bool(name) and not name.startswith(".") and not ODD.search(name) and len(name.encode()) <= 255
 
 
 def _plain(name: str) -> str:

@@ -25,7 +25,6 @@ from dynsplines.solver.surface.heights import DEEP, FAR, heights
 from dynsplines.solver.surface.points import Point, body_points, free_root, hanging, placed
 
 HANGING = 0.15  # largest height above the ground, relative to the figure's, of a standing one, as in rest poses
-ROUNDS, MET = 30, 1e-9  # most steps of moving down; [m] largest remaining distance
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,8 +100,7 @@ class Grounding:
                 drops = self._drops(centres[..., k], radii, beyond)
                 there = self._shallowest(centres[..., k], radii, [*drops, down])
                 stay, down = (None, down) if there is None or there is down else (stay, there)
-            which = (stay is not None, stay is not None, True)
-            moved[k] = self._placed(key, timeline.states[k], down, which)
+            moved[k] = self._placed(key, timeline.states[k], down, is_across=stay is not None)
         return moved
 
     @property
@@ -176,12 +174,12 @@ class Grounding:
     def _dropped(self, centres: Array, radii: Array, by: Array) -> Array | None:
         """Return the displacement for one start, onto the ground below all spheres; None without ground."""
         by = np.array(by)
-        for _ in range(ROUNDS):
+        for _ in range(30):  # a few suffice unless surfaces are steep
             lowest = float(heights(self.surfaces, (centres + by[:, None])[..., None], radii)[0].min())
             if lowest >= FAR:
                 return None
             by[2] -= lowest
-            if abs(lowest) < MET:
+            if abs(lowest) < 1e-9:
                 return by
         return None
 
@@ -210,10 +208,10 @@ class Grounding:
         spread = float(np.linalg.norm(away - mean[:, None], axis=0).max())
         return np.array([*mean, 0.0]) if spread < self._limits.same_spot else None
 
-    def _placed(self, key: Frame, there: Array, by: Array, which: Sequence[bool]) -> Frame:
-        """Return a keyframe with the root moved from a state (N,) by (3,) [m] along some unspecified axes."""
+    def _placed(self, key: Frame, there: Array, by: Array, *, is_across: bool) -> Frame:
+        """Return a keyframe with the root moved from a state (N,) by (3,) [m]: its height, and x and y if unspecified."""
         state, posed = np.array(key.state), np.zeros(key.fixed.shape, bool) if key.posed is None else key.posed.copy()
-        posed[self._columns] |= np.array(which) & ~key.fixed[self._columns]
+        posed[self._columns] |= np.array([is_across, is_across, True]) & ~key.fixed[self._columns]
         state[self._columns] = np.where(posed[self._columns], there[self._columns] + by, state[self._columns])
         return Frame(key.time, state, key.fixed, posed)
 

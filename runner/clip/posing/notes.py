@@ -28,7 +28,6 @@ BESIDE = 0.1  # least reported error of a goal relative to the largest, as small
 CLOSE = 2e-3  # [m or rad] errors up to which goals are not reported beside one with a larger error
 # [rad, m] distance from the end of a joint's range up to which it is reported
 AT_LIMIT = {JointKind.HINGE: np.radians(1), JointKind.BALL: np.radians(1), JointKind.SLIDE: 1e-3}
-MOST = 3  # most goals of a keyframe that are reported
 SAME = 1.0  # [degrees] tolerance of equal turns
 STEP = 120.0  # [degrees] largest turn between recommended keyframes
 
@@ -42,7 +41,7 @@ def on_unmet(figure: Figure, key: Frame, row: KeyframeTable, goals: Sequence[Goa
     """
     least = max(MET, BESIDE * nearest.worst, min(CLOSE, 0.5 * nearest.worst))
     errors = sorted(zip(nearest.missed.tolist(), goals, strict=True), key=lambda pair: -pair[0])
-    worst = [(goal, error) for error, goal in errors if error > least][:MOST]
+    worst = [(goal, error) for error, goal in errors if error > least][:3]
     stopped = _at_limits(figure, nearest.qpos)
     notes = [_note(figure, key, goal, error, stopped, goals) for goal, error in worst]
     if not all(can_move(figure, key, goal.bodies(figure.model)[0]) for goal, _ in worst):

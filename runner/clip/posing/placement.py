@@ -45,7 +45,6 @@ from .standing_feet import Stander
 
 HEADING, BALANCE = 2.0, 100.0  # [1/rad], [1/m] weights of preferences relative to 1 rad of a limb joint
 ALIKE = 0.5  # [1] largest deviation of a foot's displacement from the mean, relative to the mean
-MOST_RISES = 10  # attempts to lift the soles out of the ground
 MOST_TURNED = np.radians(45)  # [rad] rotation of a foot from which its heading is corrected
 
 
@@ -201,7 +200,7 @@ def _raised(
     if key.fixed[column]:
         return best
     depth = float(_depths(figure, best.qpos, soles, surfaces).max())
-    for _ in range(MOST_RISES):
+    for _ in range(10):
         if depth <= limit:
             break
         home = np.array(best.qpos)

@@ -47,10 +47,8 @@ LOW = 0.1  # largest height of a foot above the figure's lowest point, relative 
 THICK = 0.02  # largest height of points of a foot above its lowest, relative to the figure's height
 THIN, HALF = (0.0015, 0.003, 0.006), 0.45  # tried heights of supporting points; their least share of the extent
 SUNK = 0.005  # largest height of a named site on a figure with muscles, relative to the figure's height
-FEWEST = 2  # least number of feet
 UPRIGHT = 0.8  # least height of a pose that is examined, relative to the tallest
 NEARLY = 0.9  # least height of the rest pose to have precedence, relative to the tallest
-CORNERS = 4  # most points per foot
 ROUND = (int(mujoco.mjtGeom.mjGEOM_SPHERE), int(mujoco.mjtGeom.mjGEOM_CAPSULE))
 SKIN = 0.1  # largest distance of a site from a sphere's surface, relative to its radius
 
@@ -266,7 +264,7 @@ def _feet(figure: Figure, root: Root, points: Sequence[Point], poses: Array) -> 
     order = np.argsort(-np.where(tall > tall.max() - Thresholds.of(figure).as_tall, np.inf, tall), kind="stable")
     for pose in order[tall[order] >= UPRIGHT * tall.max()]:
         feet = _feet_in(figure, root.link, points, places[:, :, pose], radii)
-        if len({point.link for point in feet}) >= FEWEST:
+        if len({point.link for point in feet}) >= 2:  # feet
             return feet
     return []
 
@@ -307,7 +305,7 @@ def _sole(own: Index, bottom: Array, places: Array, height: float) -> Index:
 
 def _corners(figure: Figure, points: Sequence[Point], some: Index, places: Array) -> list[Point]:
     """Return the named points of a foot that extend farthest to its four corners."""
-    angle = np.pi * (0.25 + 0.5 * np.arange(CORNERS)) + 0.05
+    angle = np.pi * (0.25 + 0.5 * np.arange(4)) + 0.05
     reach = places[:2, some].T @ np.array([np.cos(angle), np.sin(angle)])
     corners = sorted({int(some[i]) for i in reach.argmax(axis=0)})
     names = [_called(figure, points[i]) for i in corners]

@@ -232,7 +232,9 @@ class _KnownPositions:
         self.figure, self.timeline, self.limits = schedule.figure, schedule.keys, Thresholds.of(schedule.figure)
         self.soles, self.contacts, self.grasps = schedule.points, schedule.contacts, schedule.grasps
         rests = [stance.point for stance in self.contacts.stances]
-        self.points = (*self.soles, *(p for i, p in enumerate(rests) if not _among(p, (*self.soles, *rests[:i]))))
+        self.points = self.soles
+        for point in rests:
+            self.points += () if any(point.coincides(other) for other in self.points) else (point,)
         self.at_keys = KeyframePoints.of(self.figure, self.timeline, self.points, schedule.surfaces)
         self.told = self.at_keys.is_known
         self.times, self.centres, self.low = self._unrolled()
@@ -259,8 +261,8 @@ class _KnownPositions:
                 continue
             near = self._neighbours(i, k)
             spot = self._resting(point, k)
-            if spot is None and not self._spoken_of(point, k):
-                spot = self._planted(i, k, near)
+            if spot is None and i < len(self.soles) and not self._spoken_of(point, k) and not self._is_set(point, k):
+                spot = self._stays(i, k, near)
             if spot is not None:
                 by_link.setdefault(point.link, []).append((point, spot, self._turn(point.link, k, near)))
         return [
@@ -286,10 +288,6 @@ class _KnownPositions:
         is_told = self.told[i, :count] if self.timeline.ends != "periodic" else np.tile(self.told[i, :count], 3)
         before, after = np.flatnonzero(is_told[:at]), np.flatnonzero(is_told[at + 1 :])
         return (int(before[-1]) if before.size else None), (int(at + 1 + after[0]) if after.size else None)
-
-    def _planted(self, i: int, k: int, near: tuple[int | None, int | None]) -> Array | None:
-        """Return the stance position of a sole point as in `_stays`; None if the keyframe sets its limb."""
-        return None if i >= len(self.soles) or self._is_set(self.points[i], k) else self._stays(i, k, near)
 
     def staying(self, k: int) -> Array:
         """Return positions (3, n) of sole points in a stance at keyframe k, whatever it sets; NaN for others."""
@@ -328,9 +326,8 @@ class _KnownPositions:
             for stance in self.contacts.stances
             if point.coincides(stance.point) and stance.first - ROUNDING <= t <= stance.last + ROUNDING
         ]
-        if not spots or any(np.linalg.norm(spot - spots[0]) >= self.limits.same_spot for spot in spots):
-            return None
-        return spots[0]
+        is_contradicted = any(np.linalg.norm(spot - spots[0]) >= self.limits.same_spot for spot in spots)
+        return spots[0] if spots and not is_contradicted else None
 
     def _spoken_of(self, point: Point, k: int) -> bool:
         """Return whether a contact covers a point at keyframe k."""
@@ -349,7 +346,3 @@ class _KnownPositions:
         number, nearest = divmod(nearest, self.times.size // 3)  # of the periods before, of and after the loop
         rotation = quat.from_matrix(self.at_keys.samples.links.rotation[:, :, link, nearest])
         return quat.product(Seam.of(self.figure, self.timeline).turn(number - 1), rotation)
-
-
-def _among(point: Point, points: Sequence[Point]) -> bool:
-    return any(point.coincides(other) for other in points)

@@ -75,6 +75,11 @@ def test_it_takes_part_in_the_search(calm: Motion) -> None:
     assert speed(calm) < 0.99 * speed(inbetween(swing()))
 
 
+def test_load_takes_it_too_and_none_of_weight_0(tmp_path: Path) -> None:
+    clip = load(written(tmp_path), custom_penalties=[(Calm(), 0.1), (Calm("other"), 0.0)])
+    assert clip.custom_penalties == clip.penalties[-1:] == ((Calm(), 0.1),)
+
+
 @pytest.mark.parametrize(
     ("custom_penalties", "says"),
     [
