@@ -12,7 +12,6 @@ from oracles import kinematics
 from shipped import in_carried
 
 import dynsplines
-from dynsplines import inbetween as solve
 from dynsplines import recordings
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
@@ -24,7 +23,6 @@ from dynsplines.measure.violation import violations
 from dynsplines.solver.contacts import Grasp, Rest, Stance
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.curve.spline import path_of as path
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Attachment, Contact, GraspPenalty, RestPenalty, Sum
@@ -178,7 +176,7 @@ def test_the_distance_from_a_specified_position_is_reported_if_keyframes_put_the
     heel = next(point for point in loaded.context.points if point.name == "left_heel")
     x, y, z = places_of([heel], Samples.still(loaded.figure, loaded.context.keys.states))[0][:, 0, 0]
     contact = f'point = "left_heel"\nfrom = 0\nto = 1\nposition = [{x + off}, {y}, {z}]'
-    solved = solve(recordings.from_text(text(contact), name="stand"))
+    solved = dynsplines.inbetween(recordings.from_text(text(contact), name="stand"))
     rows = [violation for violation in solved.violations if violation.kind == "contact"]
     assert bool(rows) == (off > 0.01)
     assert all(violation.amount == pytest.approx(off, abs=1e-6) for violation in rows)
@@ -357,7 +355,7 @@ def test_a_crate_does_not_rise_before_hands_hold_it():
     )
     holds = "".join(HOLD.format(hand=hand, start=0.9, end=1.2) for hand in ("left", "right"))
     clip = recordings.from_text(SCENE + holds + "".join(rows), name="late")
-    curve, own = path(inbetween(clip.problem).timeline), clip.figure.model.joint("crate").qposadr[0]
+    curve, own = path_of(inbetween(clip.problem).timeline), clip.figure.model.joint("crate").qposadr[0]
     places = clip.figure.to_qpos(curve.at(np.linspace(0.0, 0.9, 91)))[:, own : own + 3]
     assert np.linalg.norm(places - [0.42, 0, 1.0], axis=1).max() < 0.005
 
@@ -384,7 +382,7 @@ def test_hands_stay_within_millimetres_where_the_raw_spline_loses_the_crate_and_
             ("left_hand", "crate"),
             ("right_hand", "crate"),
         ]
-        states = clip.figure.to_qpos(path(timeline).at(np.linspace(0.6, 1.5, 200)))
+        states = clip.figure.to_qpos(path_of(timeline).at(np.linspace(0.6, 1.5, 200)))
         for row in side["grasps"]:
             track = np.array([place(clip, qpos, row["hand"]) for qpos in states])
             moved = np.linalg.norm(track - track[0], axis=1).max()

@@ -12,10 +12,8 @@ from oracles import kinematics
 from problems import CLIP, FIGURE, HINGE, changed, written
 from scipy.spatial.transform import Rotation
 
-from dynsplines import Keyframe, build, load_motion, models, recordings
-from dynsplines import inbetween as solve_clip
-from dynsplines import load as load_clip
-from dynsplines.clip import load
+import dynsplines
+from dynsplines import Keyframe, build, load, load_motion, models, recordings
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.clip.context import knees_and_elbows
@@ -425,12 +423,12 @@ RAISED = "joints.left_shoulder = {rotvec = [0, -120, 0]}\n"
 ALOFT = "root.position = [0, 0, 1.3]\n"
 
 
-def clip_with_ends(first: str, middle: str, last: str, head: str = HEAD) -> load.Clip:
+def clip_with_ends(first: str, middle: str, last: str, head: str = HEAD) -> Clip:
     bodies = enumerate((first, middle, last))
     return recordings.from_text(head + "".join(STAND.format(0.4 * i, body) for i, body in bodies), name="c")
 
 
-def end_speeds(found: load.Clip) -> np.ndarray:
+def end_speeds(found: Clip) -> np.ndarray:
     path = path_of(inbetween(found.problem).timeline)
     return np.abs(path.at(np.array(path.span), 1)).max(axis=1)
 
@@ -512,7 +510,7 @@ def folder(tmp_path: Path) -> Path:
 
 
 def test_what_a_keyframe_does_not_name_is_as_in_the_key(folder: Path):
-    first, second = load_clip(folder / "clip.toml").keys
+    first, second = load(folder / "clip.toml").keys
     np.testing.assert_array_equal(first.state, HOME)
     assert first.is_key
     np.testing.assert_allclose(np.delete(second.state, 2), [0.1, 0, 1, 0, 0, 0, np.pi / 4, -0.7], atol=1e-15)
@@ -551,11 +549,11 @@ def test_a_key_of_another_length_is_refused(folder: Path):
 
 def test_a_saved_motion_is_written_as_a_clip_that_still_has_its_keys(folder: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.chdir(folder)
-    solve_clip("clip.toml").save("motion.npz")
+    dynsplines.inbetween("clip.toml").save("motion.npz")
     Path("robot.xml").unlink()
     load_motion("motion.npz").save("again.toml")
     assert 'others = "key:home"' in Path("again.toml").read_text()
-    np.testing.assert_array_equal(load_clip("again.toml").keys[0].state, HOME)
+    np.testing.assert_array_equal(load("again.toml").keys[0].state, HOME)
     model = mujoco.MjModel.from_xml_path("again.xml")
     np.testing.assert_array_equal(model.key("home").qpos, HOME)
 
