@@ -298,14 +298,17 @@ def clip_from_motion(saved: Saved) -> Clip:
     """Return the clip that a saved motion solves, with the recording that it follows, if any.
 
     A text of another version that this program cannot read is ignored.
+
+    Raises:
+        UserError: For a recording's stances that are damaged or of another figure.
     """
     try:
         source = Parsed.of(saved.text, saved.name, saved.name)
         if source.table.recording is None:
             return of_motion(saved)
-        edits = edits_of(saved.keys, source.table)
-        recording = TrackedRecording.of_motion(saved.figure, saved.raw, source.table.recording, saved.name)
-        clip = build_following(source, saved.scene, recording, edits, saved.fps, saved.search.get("stances"))
-        return replace(clip, problem=replace(clip.problem, keys=saved.keys))  # the recording need not exist any more
     except UserError:
         return of_motion(replace(saved, text=""))
+    edits = edits_of(saved.keys, source.table)
+    recording = TrackedRecording.of_motion(saved.figure, saved.raw, source.table.recording, saved.name)
+    clip = build_following(source, saved.scene, recording, edits, saved.fps, saved.search.get("stances"))
+    return replace(clip, problem=replace(clip.problem, keys=saved.keys))  # the recording may be missing
