@@ -57,7 +57,7 @@ def with_floor(spec: mujoco.MjSpec) -> mujoco.MjModel:
 
 
 class Pulls:
-    """Pulls of a figure that stands in its rest pose, with its lowest point on the floor.
+    """Pulls of a standing figure in its rest pose, with its lowest point on the floor.
 
     soles  part of the names of the capsules under its feet
     """
@@ -79,10 +79,10 @@ class Pulls:
         """Return a random pull: a body, a point of its surface, a direction and a length, each uniform."""
         bodies = sorted({self.figure.links[point.link].body for point in self.points})
         body = int(rng.choice(bodies))
-        own = [point for point in self.points if self.figure.links[point.link].body == body]
-        offset = PointGoal.of(self.figure, own[rng.integers(len(own))]).offsets[0]
-        way = rng.normal(size=3)
-        return Pull(body, offset, rng.uniform(NEAREST, FARTHEST) * way / np.linalg.norm(way))
+        candidates = [point for point in self.points if self.figure.links[point.link].body == body]
+        offset = PointGoal.of(self.figure, candidates[rng.integers(len(candidates))]).offsets[0]
+        direction = rng.normal(size=3)
+        return Pull(body, offset, rng.uniform(NEAREST, FARTHEST) * direction / np.linalg.norm(direction))
 
     def result(self, pull: Pull, moves: int = MOVES) -> Result:
         """Return the pose after a pull in so many moves of the mouse."""
@@ -115,8 +115,8 @@ class Pulls:
 
     def _foot(self, foot: int, body: int, before: Array, places: Array) -> str:
         """Return the violation of a foot: one that stands keeps its place, one that was moved is level or aloft."""
-        own = self.feet == foot
-        height, moved = (places[:, 2] - self.radius)[own], float(np.abs(places[own] - before[own]).max())
+        of_foot = self.feet == foot
+        height, moved = (places[:, 2] - self.radius)[of_foot], float(np.abs(places[of_foot] - before[of_foot]).max())
         tilt = np.arccos(np.clip(self.data.xmat[foot].reshape(3, 3)[2, 2], -1, 1))
         is_moved = self._same_leg(body, foot) and moved > SOLE_MISS
         off = float(np.abs(height).max()) if is_moved else moved

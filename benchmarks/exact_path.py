@@ -180,10 +180,10 @@ def exact_path(times: Array, keys: Array) -> ExactPath:
         if np.linalg.norm(gap) < CLOSED:
             break
         step = np.asarray(np.linalg.solve(_jacobian(times, keys, states), -gap), float).reshape(states.shape)
-        found = _shortened(times, keys, states, step)
-        if found is None:
+        shortened = _shortened(times, keys, states, step)
+        if shortened is None:
             raise ArithmeticError(f"multiple shooting is stuck with a gap of {np.linalg.norm(gap):.2g}")
-        states, gap = found
+        states, gap = shortened
     return ExactPath(times, keys, states)
 
 
@@ -192,9 +192,9 @@ def _shortened(times: Array, keys: Array, states: Array, step: Array) -> tuple[A
     gap = np.linalg.norm(_gaps(times, keys, states))
     for share in 0.5 ** np.arange(14):
         tried = states + share * step
-        left = _gaps(times, keys, tried)
-        if np.linalg.norm(left) < (1 - 0.1 * share) * gap:
-            return tried, left
+        remaining = _gaps(times, keys, tried)
+        if np.linalg.norm(remaining) < (1 - 0.1 * share) * gap:
+            return tried, remaining
     return None
 
 

@@ -179,31 +179,34 @@ def compared(names: Sequence[str], seeds: Sequence[int], effort: Effort) -> Sect
         for seed in seeds:
             effort.report(f"{name}, seed {seed}")
             outcomes.append(outcome(clip, seed, shipped.peak))
-        ratios = [each.ratio for each in outcomes]
-        far = max(outcomes, key=lambda each: each.violence.farthest).violence
+        ratios = [result.ratio for result in outcomes]
+        far = max(outcomes, key=lambda result: result.violence.farthest).violence
         shares.append(float(np.quantile(ratios, QUANTILE)))
         section.add(
             name, len(outcomes), shipped.peak, median(ratios), shares[-1], worst(ratios),
             f"{100 * far.farthest:.0f} ({far.limb})", 100 * shipped.farthest, sum(ratio > MOST for ratio in ratios),
-            sum(ratio > MOST_OF_ALL for ratio in ratios), sum(each.violence.farthest > FAR for each in outcomes),
-            median([each.seconds for each in outcomes]),
+            sum(ratio > MOST_OF_ALL for ratio in ratios), sum(result.violence.farthest > FAR for result in outcomes),
+            median([result.seconds for result in outcomes]),
         )  # fmt: skip
         every += outcomes
     section.targets = [
         Target(f"ratio of {QUANTILE:.0%} of a clip's sets, the worst clip", worst(shares), MOST),
-        Target("ratio of all sets", worst([each.ratio for each in every]), MOST_OF_ALL),
+        Target("ratio of all sets", worst([result.ratio for result in every]), MOST_OF_ALL),
         Target(
-            "a limb from its place on the raw spline", worst([each.violence.farthest for each in every]), FAR, unit="m"
+            "a limb from its place on the raw spline",
+            worst([result.violence.farthest for result in every]),
+            FAR,
+            unit="m",
         ),
     ]
-    beyond = [each.text for each in every if each.is_excessive]
+    beyond = [result.text for result in every if result.is_excessive]
     section.notes = [
         "only what keyframes fix is moved; the first and the last keyframe of a loop alike; the raw spline is that of "
         "the moved keyframes, the own peak that of the shipped clip's solved motion; contacts that the moved keyframes "
-        f"contradict by more than a contact may drift are left out: {sum(each.dropped for each in every)}",
+        f"contradict by more than a contact may drift are left out: {sum(result.dropped for result in every)}",
         *(beyond or [f"no set is over {MOST:g} × or has a limb over {100 * FAR:.0f} cm away"]),
     ]
-    section.data = {"sets": [asdict(each) for each in every]}
+    section.data = {"sets": [asdict(result) for result in every]}
     return section
 
 

@@ -26,7 +26,7 @@ from fuzz import strange  # noqa: E402
 from fuzz.strange import READ, REFUSED, attempt  # noqa: E402
 
 MOST_MEGABYTES = 1000.0  # of a process, at its peak
-ROOM = 6 * 2**30  # [bytes] of addresses: what asks for more fails, and the machine is spared
+ROOM = 6 * 2**30  # [bytes] of addresses: a process that needs more fails, and the machine is spared
 MOST_SECONDS = 60.0  # of one file, by the clock of a machine that others use as well
 START_SECONDS = 120.0  # of a process, until it has its first file
 EACH = 3000  # files that one process tries, so that what it leaves behind is counted to no file

@@ -113,7 +113,7 @@ class _Desk:
         self._socket: WebSocket | None = None
 
     async def serve(self, socket: WebSocket) -> None:
-        """Serve a page until it disconnects. A second tab is rejected, or replaces the first one if it wants to.
+        """Serve a page until it disconnects. A second tab is rejected, or replaces the first one on request.
 
         A request is received at once and performed in turn, also if the connection is lost meanwhile.
         """

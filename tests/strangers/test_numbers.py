@@ -55,7 +55,7 @@ def test_a_skeleton_whose_joints_are_all_in_one_place_is_refused(tmp_path: Path)
     formats.export(motions.motion_of("human"), "bvh", tmp_path / "a.bvh", fps=10.0)
     text = (tmp_path / "a.bvh").read_text(encoding="utf-8")
     (tmp_path / "a.bvh").write_text(re.sub(r"OFFSET .*", "OFFSET 0 0 0", text), encoding="utf-8")
-    with pytest.raises(UserError, match=r"a.bvh: its legs are without length"):
+    with pytest.raises(UserError, match=r"a.bvh: its legs have no length"):
         import_recording(tmp_path / "a.bvh", figure="human")
 
 

@@ -5,7 +5,7 @@ by '. On import, columns may have units in brackets, such as `left_knee [deg]`.
 
 Commas, semicolons, tabs or spaces separate the cells. Lines that begin with #, % or // are comments. Such a line
 directly before the numbers is the heading if it has a name for every column. Empty cells are nan. Every line ends, as a
-truncated last number cannot be told from a complete one otherwise.
+truncated last number cannot be distinguished from a complete one otherwise.
 """
 
 from __future__ import annotations

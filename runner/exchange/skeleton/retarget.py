@@ -162,7 +162,7 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
     }
     leg = _leg({role: _line_of(captured, role, standing.bracketed) for role in shared})
     if not leg > 0:
-        raise UserError(f"{where}: its legs are without length, which would tell how large it is")
+        raise UserError(f"{where}: its legs have no length, so its size is unknown")
     scale = _leg({role: _line_of(standing, role, standing.bracketed) for role in shared}) / leg
     qpos, columns = _at_root(standing, root, turns)
     qpos = followed(model, qpos, RecordedPoses(turns, list(_limbs(captured, standing, turns, scale))), columns)
