@@ -57,8 +57,8 @@ def follows_recording(source: Clip | Saved) -> bool:
     return _table(source).recording is not None
 
 
-def without_clip(saved: Saved, **changes: object) -> Saved:
-    """Return a motion without its clip's text and measurements, and with changed fields.
+def without_clip(saved: Saved) -> Saved:
+    """Return a motion without its clip's text and measurements.
 
     If the clip follows a recording, every frame becomes a complete keyframe, and the motion its own raw spline.
     """
@@ -67,7 +67,7 @@ def without_clip(saved: Saved, **changes: object) -> Saved:
         frames = Frame.many(timeline.times, timeline.states, np.ones_like(timeline.fixed))
         timeline = replace(timeline, frames=tuple(frames))
         saved = replace(saved, keys=keys, timeline=timeline, raw=timeline)
-    return replace(saved, **{"text": "", "trace": [], "report": {}, "search": {}, **changes})
+    return replace(saved, text="", trace=[], report={}, search={})
 
 
 def _complete(figure: Figure, timeline: Timeline, times: Sequence[float] | Array) -> tuple[Frame, ...]:
