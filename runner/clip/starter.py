@@ -147,7 +147,9 @@ def _on_floor(figure: Figure, qpos: Array, *, lowers: bool) -> Array:
     """Return a pose (nq,) with free parts raised out of the floor, or with `lowers` also lowered onto it."""
     out, data = np.array(qpos), kinematics(figure.model)
     floor = max((float(data.geom_xpos[geom, 2]) for geom in grounds(figure.model)), default=None)
-    for root in figure.tables.free_links.tolist() if floor is not None else ():
+    if floor is None:
+        return out
+    for root in figure.tables.free_links.tolist():
         points = hanging(figure, root, body_points(figure))
         if points:
             low = float(bottoms_of(points, Samples.still(figure, figure.to_state(qpos[None]))).min())

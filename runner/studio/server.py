@@ -12,7 +12,7 @@ import json
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 from importlib.resources import files
-from typing import Any
+from typing import Any, TypeGuard
 from urllib.parse import urlsplit
 
 from starlette.applications import Starlette
@@ -198,7 +198,7 @@ class _Desk:
         return ""
 
 
-def _is_path(message: str | bytes) -> bool:
+def _is_path(message: str | bytes) -> TypeGuard[bytes]:
     return isinstance(message, bytes) and not message.startswith(b"{")
 
 

@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 import mujoco
 import numpy as np
 
-from ..array import Array, Mask
+from ..array import Array, Index, Mask
 from .model import boxes, kinematics
 
 FREE, SLIDE = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_SLIDE)
@@ -91,7 +91,7 @@ def _tops(model: mujoco.MjModel) -> list[int]:
     return np.flatnonzero((model.body_jntnum > 0) & is_child).tolist()
 
 
-def _joints_of(model: mujoco.MjModel, top: int) -> Array:
+def _joints_of(model: mujoco.MjModel, top: int) -> Index:
     """Return the joints of a body and of its descendants."""
     return np.flatnonzero(subtree(model, top)[model.jnt_bodyid])
 
