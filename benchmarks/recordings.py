@@ -39,7 +39,7 @@ from dynsplines.solver.curve.spline import Path as Curve
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import TrackingPenalty
-from dynsplines.solver.penalty.motion.peak import relative_accelerations
+from dynsplines.solver.penalty.motion.acceleration import relative_accelerations
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import places_of
 from dynsplines.system.progress import Progress

@@ -122,10 +122,10 @@ def _closed_energy(times: Array, keys: Array, states: Array) -> float | None:
         if np.linalg.norm(gap) < CLOSED or wasted == MOST_WASTED:
             break
         try:
-            step = np.linalg.solve(exact_path._jacobian(times, keys, states), -gap).reshape(states.shape)
+            step = np.asarray(np.linalg.solve(exact_path._jacobian(times, keys, states), -gap), float)
         except np.linalg.LinAlgError:
             return None
-        closer = exact_path._shortened(times, keys, states, step)
+        closer = exact_path._shortened(times, keys, states, step.reshape(states.shape))
         if closer is None:
             return None
         wasted = wasted + 1 if np.linalg.norm(closer[1]) > LEAST_GAIN * np.linalg.norm(gap) else 0
