@@ -124,7 +124,7 @@ def came_back(saved: Saved, target: Path, figure: str | None = "human", toleranc
 
 # A lopsided figure of every joint and every kind of geom, and a motion of it that turns about no axis of the world.
 
-FIGURE = """
+PUPPET = """
 <mujoco model="puppet">
   <compiler angle="degree"/>
   <asset>
@@ -160,7 +160,7 @@ FIGURE = """
 """
 
 
-def moved(fps: float = 24.0, text: str = FIGURE, name: str = "puppet", count: int = 12) -> Saved:
+def moved(fps: float = 24.0, text: str = PUPPET, name: str = "puppet", count: int = 12) -> Saved:
     """Its motion through random configurations, the same at every call; the root turns by more than half a turn."""
     rng = np.random.default_rng(3)
     model = mujoco.MjModel.from_xml_string(text)

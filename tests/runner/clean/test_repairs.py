@@ -1,5 +1,7 @@
 """Faults of a recording's samples are reported and interpolated; a sound motion does not change."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -26,7 +28,7 @@ def mended(time: np.ndarray, qpos: np.ndarray) -> Repaired:
     return repaired(FIGURE, time, qpos, "walk.csv")
 
 
-def changed(rows: object, columns: object, value: object) -> np.ndarray:
+def changed(rows: Any, columns: Any, value: Any) -> np.ndarray:
     """The motion with other values in some rows and columns."""
     qpos = motion()
     qpos[rows, columns] = value

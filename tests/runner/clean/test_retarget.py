@@ -50,7 +50,7 @@ def captured(files: Path) -> CapturedSkeleton:
     return CapturedSkeleton.of(bvh_file.read(files / "walk.bvh"))
 
 
-def onto(captured: CapturedSkeleton, text: str) -> tuple[mujoco.MjModel, np.ndarray, list[str]]:
+def onto(captured: CapturedSkeleton, text: str) -> tuple[mujoco.MjModel, np.ndarray, tuple[str, ...]]:
     """The model of a text, qpos of the walk on it, and the notes."""
     model = mujoco.MjModel.from_xml_string(text)
     return model, *retarget.onto(captured, model, "walk.bvh")

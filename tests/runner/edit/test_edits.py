@@ -29,7 +29,7 @@ from dynsplines.edit import files as edit_files
 from dynsplines.errors import UserError
 from dynsplines.motion import Saved
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.array import Array
+from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
@@ -78,7 +78,7 @@ def assert_equal(one: Saved, other: Saved) -> None:
         assert_fixed(other, a.fixed, a.state, b.state)
 
 
-def assert_fixed(saved: Saved, fixed: Array, got: Array, wanted: Array) -> None:
+def assert_fixed(saved: Saved, fixed: Mask, got: Array, wanted: Array) -> None:
     """Configurations (nq,), but for entries that are not fixed."""
     assert_same(saved, *(np.where(fixed, state, saved.figure.model.qpos0)[None] for state in (got, wanted)))
 
@@ -352,7 +352,7 @@ def test_only_tables_of_clips_are_edited_to_a_clip(motions, tmp_path, name):
     motion.save(motions["plain"], tmp_path / "own.npz")
     (tmp_path / "following.toml").write_text(FOLLOWING, encoding="utf-8")
     source, target = str(tmp_path / name), tmp_path / "out.toml"
-    ways = [(edit_files.trim, source, 0.1, 0.3), (edit_files.join, source, source, 0.2)]
+    ways: list[tuple[Any, ...]] = [(edit_files.trim, source, 0.1, 0.3), (edit_files.join, source, source, 0.2)]
     ways += [] if name == "tiny.toml" else [(edit_files.mirror, source), (edit_files.retime, source, 2.0, None)]
     for edit, *arguments in ways:
         with pytest.raises(UserError, match=r"out\.toml: only `mirror` and `retime` of a clip|-o NAME\.npz"):

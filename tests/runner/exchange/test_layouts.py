@@ -56,7 +56,8 @@ def read(path, kind=None, fps=50.0):
 
 
 def arrays(path, **entries):
-    np.savez(path, **{name: np.asarray(value) for name, value in entries.items() if value is not None})
+    held: dict[str, Any] = {name: np.asarray(value) for name, value in entries.items() if value is not None}
+    np.savez(path, **held)
     return path
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pickle
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 import motions
 import numpy as np
@@ -93,7 +94,7 @@ def test_locomujoco_of_its_own_tool_has_joints_in_any_order(folder: Path, tmp_pa
     saved, order = moved(named("robot", folder)), [3, 0, 1, 2, 4]
     before = motions.samples(saved)
     names = [saved.figure.model.joint(1 + i).name for i in order]
-    entries = {
+    entries: dict[str, Any] = {
         "joint_names": np.array([*names, "root_free"]),
         "jnt_type": np.array([3] * 5 + [0], np.int32),
         "qpos": np.concatenate([before.qpos[:, 7:][:, order], before.qpos[:, :7]], axis=1).astype(np.float32),

@@ -37,7 +37,7 @@ def kept() -> Iterator[list[Figure]]:
 @pytest.mark.parametrize(("ending", "start"), [("svg", b"<?xml"), ("pdf", b"%PDF"), ("PNG", b"\x89PNG")])
 def test_the_chart_is_of_the_largest_amount_of_each_kind(sides, tmp_path, kept, ending, start):
     name = r"a$\frac$b"  # a name with dollars is no formula
-    draw(name, *sides, tmp_path / f"c.{ending}")
+    draw(name, sides[0], sides[1], tmp_path / f"c.{ending}")
     assert (tmp_path / f"c.{ending}").read_bytes().startswith(start)
     assert names(tmp_path) == [f"c.{ending}"]
     (axes,) = kept[0].axes
@@ -57,7 +57,7 @@ def test_the_chart_is_of_the_largest_amount_of_each_kind(sides, tmp_path, kept, 
 def test_a_chart_that_breaks_off_leaves_what_was_there(sides, tmp_path):
     (tmp_path / "c.png").write_bytes(b"before")
     with largest_file(1000), pytest.raises(UserError, match=r"cannot write '.*c\.png': "):
-        draw("c", *sides, tmp_path / "c.png")
+        draw("c", sides[0], sides[1], tmp_path / "c.png")
     assert (tmp_path / "c.png").read_bytes() == b"before"
     assert names(tmp_path) == ["c.png"]
     assert plt.get_fignums() == []

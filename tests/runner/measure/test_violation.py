@@ -62,7 +62,7 @@ def read(text: str, figure: str = "human") -> Clip:
     return recordings.from_text(f'figure = "{figure if is_shipped else "it"}"\n{text}', name="it", spec=spec)
 
 
-def keys(*rows: str, times: Sequence[float] | None = None) -> str:
+def keys(*rows: str, times: Sequence[float] | np.ndarray | None = None) -> str:
     """Keyframes at times [s], by default one a second."""
     when = range(len(rows)) if times is None else times
     return "".join(f"[[keyframe]]\ntime = {t:.9g}\n{row}\n" for t, row in zip(when, rows, strict=True))
@@ -72,7 +72,7 @@ def at(x: float, y: float, z: float, more: str = "", rotvec: str = "[0, 0, 0]") 
     return f"root = {{position = [{x:.12g}, {y:.12g}, {z:.12g}], rotation = {{rotvec = {rotvec}}}}}\n{more}\n"
 
 
-def hung(*heights: float, times: Sequence[float] | None = None) -> str:
+def hung(*heights: float, times: Sequence[float] | np.ndarray | None = None) -> str:
     """Keyframes of the hopper, whose foot is 0.45 m below its origin."""
     return keys(*(at(0, 0, z, "joints.knee = 0") for z in heights), times=times)
 

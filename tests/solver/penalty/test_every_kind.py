@@ -16,7 +16,7 @@ from random_models import at_times, random_samples
 from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.array import Array
+from dynsplines.solver.array import Array, Index
 from dynsplines.solver.contacts import Footing, Grasp, Rest, Stance
 from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.figure.figure import Figure, JointKind
@@ -214,7 +214,7 @@ def coupled(figure: Figure, rng: np.random.Generator) -> Case:
     return CouplingPenalty(couplings), random_samples(figure, rng)
 
 
-def ranges(figure: Figure, rng: np.random.Generator, **during: float) -> tuple[Range, ...]:
+def ranges(figure: Figure, rng: np.random.Generator, **during: Any) -> tuple[Range, ...]:
     """Every joint near a value."""
     out = []
     for i, link in enumerate(figure.links[1:], start=1):
@@ -308,7 +308,7 @@ def test_the_gradient_has_taylor_slope_two(kind: str, figure: Figure, rng: np.ra
     assert penalty_slope(penalty, samples, rng, any_length=kind not in OF_LENGTHS) > 1.9
 
 
-def two_sided(penalty: Penalty, samples: Samples) -> list[tuple[Array, Array]]:
+def two_sided(penalty: Penalty, samples: Samples) -> list[tuple[Array, Index]]:
     """The residuals of which the model consists, without the one-sided ones, each with its samples."""
     blocks = [block for block in penalty.nearby(samples) if not (isinstance(block, Block) and block.one_sided)]
     every = np.arange(samples.count)

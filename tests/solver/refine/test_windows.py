@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 
@@ -138,11 +139,11 @@ class Counted(CovariantAcceleration):
 
     calls, stop_at = 0, 0
 
-    def residuals(self, samples: Samples) -> list[Block | Dense]:
+    def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         Counted.calls += 1
         if Counted.calls == Counted.stop_at:
             raise KeyboardInterrupt
-        return list(super().residuals(samples))
+        return super().residuals(samples)
 
 
 @pytest.mark.slow
