@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from typing import get_args
+from typing import Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
@@ -166,7 +166,10 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
 
 def choices(field: FieldInfo) -> list[str]:
     """The texts that a key may have."""
-    within = [choice for part in get_args(field.annotation) if part is not float for choice in (part, *get_args(part))]
+    parts = get_args(field.annotation)
+    within = [
+        choice for part in parts for choice in ((part, *get_args(part)) if get_origin(part) is Literal else (part,))
+    ]
     return list(dict.fromkeys(choice for choice in within if isinstance(choice, str)))
 
 
