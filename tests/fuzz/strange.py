@@ -134,7 +134,7 @@ def _of_pickle(source: Callable[[], bytes], rng: Rng) -> bytes:
 
 def _amass() -> bytes:
     stream = io.BytesIO()
-    walk = np.array([[0, 0, 1.0], [0.1, -0.2, 1.1], [0.2, -0.4, 1.3]])
+    walk = np.array([[0, 0, 1.0], [0.01, -0.02, 1.01], [0.02, -0.04, 1.03]])
     poses = 0.3 * np.sin(np.arange(3.0 * 156)).reshape(3, 156)
     np.savez(stream, poses=poses, trans=walk, mocap_framerate=np.array(120.0), gender=np.array("male"))
     return stream.getvalue()
