@@ -488,14 +488,19 @@ class RecordedPoses:
 
 
 def followed(model: mujoco.MjModel, qpos: Array, poses: RecordedPoses, root: slice) -> Array:
-    """Return qpos (T, nq) that follow the targets, with all joints in their ranges; root: the columns that stay."""
+    """Return qpos (T, nq) that follow the targets, with hinges and slides in their ranges; root: the columns that stay.
+
+    Ball joints are those of people, who exceed their ranges a little.
+    """
     figure, out = Figure(model), np.array(qpos)
     free = np.ones(figure.width, bool)
     free[root] = False
     search = PoseSearch(figure, model.qpos0, free, (poses,), None)
+    balls = len(search.ranges.balls)  # their rows are the first ones
 
     def residuals(pose: Array) -> Residuals:
         _, (off, by_off), (over, by_over) = search.linearised(pose)
+        over, by_over = over[balls:], by_over[balls:]
         return Residuals.of_one(*joined([(off, by_off), (RANGE * over, RANGE * by_over)]), off.size)
 
     def descended(start: Array) -> tuple[Array, float]:
