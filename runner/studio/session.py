@@ -243,6 +243,7 @@ class Session:
 
     def _resume(self, words: str) -> None:
         """Resume after a crash: the new process gets the present text and the last path."""
+        self._show_state("loading")
         self.tell({"is": "note", "words": words})
         self.want_curves(self._has_curves)
         path = None if self._path is None else self._path[1]
