@@ -15,7 +15,7 @@ import os
 import re
 import secrets
 import stat
-from collections.abc import Collection, Iterator
+from collections.abc import Collection
 from contextlib import suppress
 from pathlib import Path
 
@@ -76,8 +76,7 @@ class Replacement:
             elif isinstance(value, OSError) and value.errno in NO_ROOM:
                 raise UserError(f"cannot write '{self.target}': {value.strerror}") from None
         finally:
-            for path in _parts(self.temporary):
-                path.unlink(missing_ok=True)
+            self.temporary.unlink(missing_ok=True)
             if os.name != "nt":
                 os.close(self._handle)
 
@@ -145,29 +144,15 @@ def clear_below(folder: Path) -> None:
             _remove_leftover(path)
 
 
-def sibling(temporary: Path, ending: str) -> Path:
-    """Return the name of a further temporary file, which is removed together with a first one."""
-    return temporary.with_name(f"{temporary.name}.{secrets.token_hex(8)}{ending}")
-
-
-def _parts(temporary: Path) -> Iterator[Path]:
-    """Yield the files from `sibling` of a temporary one, then that file itself."""
-    with suppress(OSError):
-        for name in os.listdir(temporary.parent):  # noqa: PTH208
-            if name.startswith(f"{temporary.name}."):
-                yield temporary.with_name(name)
-    yield temporary
-
-
 def _remove_leftover(path: Path) -> None:
-    """Remove leftovers, unless their writer is still running; files next to a temporary one are checked with it."""
+    """Remove a leftover, unless its writer is still running."""
     with suppress(OSError):
         if not stat.S_ISREG(path.lstat().st_mode) or os.name == "nt":
             return
         handle = os.open(path, os.O_RDWR | os.O_NOFOLLOW)
         try:
-            for part in _parts(path) if hold(handle, waits=False) else ():
-                part.unlink(missing_ok=True)
+            if hold(handle, waits=False):
+                path.unlink(missing_ok=True)
         finally:
             os.close(handle)
 
