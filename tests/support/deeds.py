@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from dynsplines.batch import solving
 from dynsplines.batch.task import Outcome, Task
 from dynsplines.errors import UserError
 
@@ -22,7 +23,9 @@ def perform(task: Task, folder: Path) -> Outcome:
         case "hang":
             while True:
                 np.linalg.norm(np.ones(100))
+                time.sleep(0.001)
         case "freeze":  # deaf to all but the end of the process
+            solving.GRACE_SECONDS = 1.0
             time.sleep(600)
         case "grab":  # far too much memory at once
             np.zeros(2**46)

@@ -62,7 +62,9 @@ def test_all_that_is_requested_goes_along_and_counts(folder: Path, tmp_path: Pat
 
 
 @pytest.mark.slow
-def test_each_is_cleaned_once_and_one_that_is_torn_stops_nothing(folder: Path, tmp_path: Path) -> None:
+def test_each_is_cleaned_once_and_one_that_is_torn_stops_nothing(
+    in_process: None, folder: Path, tmp_path: Path
+) -> None:
     shutil.copytree(folder, tmp_path / "in")
     options = Options(workers=1, cleaning=Source(Path(), "human"))
     into = tmp_path / "in" / "out"  # below what is read, which it is no part of
