@@ -44,9 +44,6 @@ FIGURE = figure_of(TINY)
 FINE = Quadrature(points=12)
 
 
-SETTINGS = Settings(frames=3 * SEGMENTS, tolerance=1e-6)
-
-
 def penalties() -> list[tuple[Penalty, float]]:
     contact = Contact((Point("foot", 2, np.array([0.01, 0, -0.3]), 0.06),), (FLOOR,))
     return [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 0.5), (RootAcceleration(), 1.0), (contact, 1.0)]
@@ -115,8 +112,8 @@ def test_long_clips_of_large_figures_are_long_and_loops_never(monkeypatch):
 
 @pytest.mark.slow
 def test_a_clip_in_windows_costs_no_more_than_the_whole_and_meets_its_keyframes(request):
-    keys, ends, slope = long_keys(), "clamped", np.zeros((2, FIGURE.width))
-    alike = replace(SETTINGS, variable=2)
+    keys, ends, slope = long_keys()[:15], "clamped", np.zeros((2, FIGURE.width))
+    alike = Settings(variable=2, frames=42, tolerance=1e-4)
     whole = inbetween(Problem(FIGURE, keys, penalties(), alike, ends=ends, end_slope=slope))
     request.getfixturevalue("short")
     seen: list[tuple[Improvement, Path]] = []
@@ -148,8 +145,8 @@ class Counted(CovariantAcceleration):
 
 @pytest.mark.slow
 def test_ctrl_c_anywhere_in_the_middle_returns_a_whole_motion_no_worse_than_the_raw_one(short):
-    keys, terms = long_keys(partial=True), [(Counted(), 1.0), *penalties()[1:]]
-    settings, values = Settings(variable=1, frames=2 * SEGMENTS, tolerance=1e-3), []
+    keys, terms = long_keys(partial=True)[:15], [(Counted(), 1.0), *penalties()[1:]]
+    settings, values = Settings(variable=1, frames=28, tolerance=1e-3), []
     Counted.calls = Counted.stop_at = 0
     inbetween(Problem(FIGURE, keys, terms, settings))
     total = Counted.calls
