@@ -2,6 +2,14 @@
 
 from __future__ import annotations
 
-from dynsplines.picture.graphics import choose
+import json
+import os
+from dataclasses import asdict
 
-GRAPHICS = choose()
+from dynsplines.picture.graphics import Graphics, choose
+
+CHOSEN = "DYNSPLINES_TESTS_GRAPHICS"  # of the first process; the others need no trial
+
+if CHOSEN not in os.environ:
+    os.environ[CHOSEN] = json.dumps(asdict(choose()))
+GRAPHICS = Graphics(**json.loads(os.environ[CHOSEN]))

@@ -96,7 +96,7 @@ def test_what_is_no_number_never_becomes_the_best(name, bad, part, rng):
         return Evaluation(value, evaluation.gradient * factor, evaluation.parts)
 
     problem = Watched(problem_of(rng), spoil)
-    found = searched(name, problem)
+    found = searched(name, problem, max_evaluations=20)
     assert np.isfinite(found.value)
     assert found.value == Discretised.__call__(problem, found.x).value <= problem.values[0]
 
