@@ -17,12 +17,7 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.inbetween import continue_from, inbetween
 from dynsplines.solver.objective import Objective
-from dynsplines.solver.penalty import (
-    Contact,
-    CovariantAcceleration,
-    RootAcceleration,
-    UnitMagnitude,
-)
+from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
 from dynsplines.solver.problem import SPACING, Problem, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA, split
 from dynsplines.solver.search.minimum import Stop, StopSearch

@@ -57,8 +57,7 @@ def start(tmp_path: Path) -> Iterator[Start]:
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("number", "module"),
-    [(signal.SIGINT, "dynsplines.cli"), (signal.SIGINT, "mujoco"), (signal.SIGTERM, "typer")],
+    ("number", "module"), [(signal.SIGINT, "dynsplines.cli"), (signal.SIGINT, "mujoco"), (signal.SIGTERM, "typer")]
 )
 def test_a_signal_in_the_first_imports_ends_in_one_line(start: Start, number: signal.Signals, module: str):
     process = start(INTERRUPTED, int(number), module, "dynsplines", "solve", "tiny.toml")

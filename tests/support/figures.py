@@ -20,14 +20,7 @@ from dynsplines.solver.cache import Cache
 from dynsplines.solver.contacts import Stance
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.penalty import (
-    Bend,
-    BendLimits,
-    CovariantAcceleration,
-    Penalty,
-    RootAcceleration,
-    UnitMagnitude,
-)
+from dynsplines.solver.penalty import Bend, BendLimits, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 

@@ -17,13 +17,7 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.objective import Discretised, Evaluation, Objective
-from dynsplines.solver.penalty import (
-    CovariantAcceleration,
-    Penalty,
-    RootAcceleration,
-    Torque,
-    UnitMagnitude,
-)
+from dynsplines.solver.penalty import CovariantAcceleration, Penalty, RootAcceleration, Torque, UnitMagnitude
 from dynsplines.solver.refine.subdivision import split
 from dynsplines.solver.search.minimum import Minimum
 from dynsplines.solver.search.nlopt_methods import minimise

@@ -87,10 +87,7 @@ def test_each_is_cleaned_once_and_one_that_is_torn_stops_nothing(
     [
         (("--clean", "--retarget", "human"), "--clean and --retarget: give one of them"),
         (("--figure", "human", "--within", "2cm"), "--figure and --max-displacement: of recordings; give --clean"),
-        (
-            ("--retarget", "human", "--figure", "human"),
-            "--figure human: the figure is the one to --retarget to",
-        ),
+        (("--retarget", "human", "--figure", "human"), "--figure human: the figure is the one to --retarget to"),
         (("--clean", "--map", "map.toml"), "--map: a bone map is used for retargeting only; add --retarget MODEL"),
         (("--retarget", "absent.xml"), "no file 'absent.xml'"),
         (("--retarget", "humann"), "did you mean 'human'"),

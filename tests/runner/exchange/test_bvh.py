@@ -242,12 +242,7 @@ def disguised(
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    "other",
-    [
-        {},
-        {"larger": 1.3, "z_up": True},
-        {"unit": 0.001, "orders": ["XYZ"], "every_place": True},
-    ],
+    "other", [{}, {"larger": 1.3, "z_up": True}, {"unit": 0.001, "orders": ["XYZ"], "every_place": True}]
 )
 def test_a_t_pose_skeleton_of_any_unit_and_axes_moves_our_figure_alike(other, rail, tmp_path):
     path = tmp_path / "t.bvh"

@@ -14,11 +14,7 @@ COMMAND = [sys.executable, "-c", browsers.COMMAND, "studio"]
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("words", "told"),
-    [
-        (["--host", "0.0.0.0"], "add --allow-remote to allow it"),
-        (["--port", "70000"], "65535"),
-    ],
+    ("words", "told"), [(["--host", "0.0.0.0"], "add --allow-remote to allow it"), (["--port", "70000"], "65535")]
 )
 def test_what_cannot_be_is_one_line_and_exit_code_2(tmp_path, words, told):
     done = subprocess.run([*COMMAND, *words, "--no-browser"], cwd=tmp_path, capture_output=True, text=True, check=False)

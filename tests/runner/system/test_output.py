@@ -34,12 +34,7 @@ def exported(saved: Saved, target: Path) -> None:
     formats.export(saved, formats.chosen(None, target).name, target)
 
 
-WRITERS: dict[str, Write] = {
-    ".npz": motion.save,
-    ".gif": filmed,
-    ".mp4": filmed,
-    ".csv": exported,
-}
+WRITERS: dict[str, Write] = {".npz": motion.save, ".gif": filmed, ".mp4": filmed, ".csv": exported}
 
 
 @pytest.fixture

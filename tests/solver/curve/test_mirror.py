@@ -103,10 +103,7 @@ def changed(old: str, new: str, text: str = ROBOT) -> Figure:
             "'LeftReach' and 'RightReach' differ in kind of joint or in parent",
         ),
         (changed('pos="0 -.2 0"', 'pos="0 -.2 .1"'), "'LeftPitch' at rest is no mirror image of 'RightPitch'"),
-        (
-            figure_of(BALL_TREE),
-            "no partner .* 'shoulder', 'elbow', 'hip'; .*\\[mirror\\] of a clip",
-        ),
+        (figure_of(BALL_TREE), "no partner .* 'shoulder', 'elbow', 'hip'; .*\\[mirror\\] of a clip"),
         (
             changed('"root"/><geom size=".1"', '"root"/><geom size=".1" pos="0 .3 0" mass="50"'),
             "no partner on the other side for: 'root'",

@@ -131,18 +131,12 @@ def with_key(index: int, state: np.ndarray, mask: np.ndarray | None = None, ends
         (lambda: Frame(0.0, np.array(1.0), np.array(True)), "must be vectors of one length"),
         (lambda: Frame.many([0, 1], [[1, 2], [np.inf, 3]], np.eye(2) > 0), "t = 1 s holds entries that are not finite"),
         (lambda: Frame.many([0, 1], np.zeros((3, 2)), np.eye(3, 2) > 0), "do not match"),
-        (
-            lambda: with_key(1, KEYS[1].state, np.arange(11) != 4),
-            r"\(t = 0\.4 s\): the quaternion of 'root' is fixed",
-        ),
+        (lambda: with_key(1, KEYS[1].state, np.arange(11) != 4), r"\(t = 0\.4 s\): the quaternion of 'root' is fixed"),
         (lambda: with_key(2, KEYS[2].state * ~ROOT), r"keyframe 3 \(t = 1 s\): the quaternion of 'root' is zero"),
         (lambda: with_key(0, np.ones(12)), "keyframe 1 .*: 12 entries, .* qpos has 11"),
         (lambda: raw_timeline(HINGED, KEYS, "clamped"), "clamped ends need end_slope of shape"),
         (lambda: raw_timeline(HINGED, KEYS, "clamped", np.zeros(3)), "clamped ends need end_slope of shape"),
-        (
-            lambda: raw_timeline(HINGED, KEYS, "looped"),
-            "not one of 'free', 'clamped', 'clamped start', 'clamped end'",
-        ),
+        (lambda: raw_timeline(HINGED, KEYS, "looped"), "not one of 'free', 'clamped', 'clamped start', 'clamped end'"),
     ],
 )
 def test_frames_that_make_no_timeline_are_refused(make, text):

@@ -128,11 +128,7 @@ SWAY = """<mujoco><worldbody><body name="foot"><joint type="slide" axis="1 0 0"/
 @pytest.mark.parametrize("seed", range(2))
 def test_a_single_joints_motion_has_at_most_one_keyframe_more_than_the_fewest(seed, ends):
     """All choices, one by one; and without any one of its keyframes the bound does not hold."""
-    figure, rng, times = (
-        figure_of(SWAY),
-        np.random.default_rng(seed),
-        np.linspace(0, 1, 9),
-    )
+    figure, rng, times = (figure_of(SWAY), np.random.default_rng(seed), np.linspace(0, 1, 9))
     bends = CubicSpline(np.linspace(0, 1, 5), rng.normal(size=5), bc_type="clamped" if ends == "clamped" else "natural")
     recorded = Recorded(figure, times, bends(times)[:, None], Bound(0.15, 1.0), ends)
     told: list[str] = []

@@ -23,17 +23,7 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.penalty import Bend, BendLimits
 from dynsplines.solver.penalty.joints.bend import bent
-from dynsplines.solver.posing import (
-    MET,
-    BodyGoal,
-    Goal,
-    LeastSquares,
-    PointGoal,
-    PoseSearch,
-    Residuals,
-    bounds,
-    posed,
-)
+from dynsplines.solver.posing import MET, BodyGoal, Goal, LeastSquares, PointGoal, PoseSearch, Residuals, bounds, posed
 from dynsplines.solver.surface.points import Point, site_points
 
 RANGED = """

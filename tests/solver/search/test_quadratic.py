@@ -26,10 +26,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.size import Size
 from dynsplines.solver.objective import Discretised, Objective
-from dynsplines.solver.penalty import (
-    Contact,
-    Penalty,
-)
+from dynsplines.solver.penalty import Contact, Penalty
 from dynsplines.solver.penalty.block import Block
 from dynsplines.solver.search.quadratic import Layout, Model, line_minimum
 from dynsplines.solver.surface.points import Point

@@ -18,14 +18,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.surface import Ellipsoid, cover
 from dynsplines.solver.surface.cover import covering_points
-from dynsplines.solver.surface.points import (
-    DIRECTIONS,
-    Point,
-    all_round,
-    arrays_of,
-    body_points,
-    placed,
-)
+from dynsplines.solver.surface.points import DIRECTIONS, Point, all_round, arrays_of, body_points, placed
 
 LIMBS_OF_SHAPES = """
 <mujoco><worldbody><body name="trunk" pos="0 0 1"><freejoint/>

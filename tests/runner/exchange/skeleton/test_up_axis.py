@@ -29,9 +29,7 @@ def turned(skeleton: Skeleton, world: Rotation, rest: Rotation) -> Skeleton:
     place[:, 0], turn[:, 0] = root
     joints = [
         replace(
-            joint,
-            offset=quat.rotated(r, joint.offset),
-            end=None if joint.end is None else quat.rotated(r, joint.end),
+            joint, offset=quat.rotated(r, joint.offset), end=None if joint.end is None else quat.rotated(r, joint.end)
         )
         for joint in skeleton.joints
     ]
@@ -147,10 +145,7 @@ def captured(walk):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(
-    ("axis", "degrees", "up"),
-    [("x", -90, "y"), ("xyz", (90, 90, 0), "?"), ("z", 90, "")],
-)
+@pytest.mark.parametrize(("axis", "degrees", "up"), [("x", -90, "y"), ("xyz", (90, 90, 0), "?"), ("z", 90, "")])
 def test_a_figure_built_in_other_axes_moves_as_the_one_that_stands(axis, degrees, up, captured):
     standing, other = person(Rotation.identity()), person(Rotation.from_euler(axis, degrees, degrees=True))
     wanted, _ = retarget.onto(captured, standing, "walk")
