@@ -11,122 +11,15 @@ from collections.abc import Callable, Sequence
 import mujoco
 import problems
 from fuzz.mangle import Rng, mangled_text
+from texts import read_data
 
 from dynsplines.clip.kinds import KINDS as PENALTIES
 from dynsplines.clip.text import written
 from dynsplines.solver.search.nlopt_methods import METHODS
 
-MODEL = """
-<mujoco model="rich">
-  <compiler angle="degree" autolimits="true"/>
-  <default><geom condim="3" friction="0.8 0.01 0.001"/>
-   <default class="soft"><geom rgba=".2 .4 .8 1"/></default></default>
-  <asset><material name="red" rgba=".8 .1 .1 1"/><texture name="t" type="2d" builtin="checker" width="8" height="8"/>
-    <mesh name="wedge" vertex="0 0 0  .1 0 0  0 .1 0  0 0 .1" inertia="convex"/></asset>
-  <worldbody>
-    <camera name="high" pos="0 -4 1" xyaxes="1 0 0 0 0 1"/><light pos="0 0 3"/>
-    <geom name="floor" type="plane" size="5 5 .1"/>
-    <body name="pelvis" pos="0 0 1"><freejoint name="root"/>
-      <geom name="trunk" class="soft" type="sphere" size=".1" mass="4"/>
-      <site name="left_hand" pos=".3 0 0"/>
-      <body name="left_shin" pos="0 0 -.2" euler="0 0 30"><joint name="left_knee" type="ball" range="0 120"/>
-        <geom name="shin" type="capsule" size=".04" fromto="0 0 0 0 0 -.3" mass="1" material="red"/>
-        <site name="left_heel" pos="0 0 -.3"/><site name="left_toe" pos=".1 0 -.3"/>
-      </body>
-      <body name="arm" pos=".1 0 .1"><joint name="elbow" type="hinge" axis="0 1 0" range="-90 90"/>
-        <geom type="mesh" mesh="wedge" mass=".2"/>
-        <body name="tip" pos=".1 0 0"><joint name="reach" type="slide" axis="1 0 0" range="-.1 .1"/>
-          <geom type="box" size=".02 .02 .02" mass=".1"/></body></body>
-    </body>
-    <body name="ball" pos="1 0 .2"><freejoint name="ball"/><geom size=".1" mass=".5"/></body>
-  </worldbody>
-  <equality><joint joint1="reach" joint2="elbow" polycoef="0 .001 0 0 0"/></equality>
-  <actuator><motor joint="elbow" ctrlrange="-1 1"/></actuator>
-  <sensor><jointpos joint="elbow"/></sensor>
-  <keyframe><key name="a" qpos="0 0 1 1 0 0 0 1 0 0 0 0 0 1 0 .2 1 0 0 0"/>
-    <key name="b" time="0.5" qpos=".2 0 1 1 0 0 0 1 0 0 0 .2 0 1 0 .2 1 0 0 0"/></keyframe>
-</mujoco>
-"""
+MODEL = read_data("rich.xml")
 
-CLIP = """# Every table.
-figure = "rich.xml"
-fps = 20
-
-[scene]
-step = {x = 2.0, height = 0.1}
-[[scene.box]]
-name = "crate"
-body = "crate"
-size = [0.2, 0.2, 0.2]
-mass = 2
-position = [0.3, 0.5, 0.1]
-[[scene.capsule]]
-radius = 0.05
-from = [3, 0, 0.5]
-to = [3, 1, 0.5]
-color = [1, 0, 0, 0.5]
-[[scene.sphere]]
-position = [0, -2, 0.3]
-radius = 0.3
-
-[solve]
-evaluations = 2
-frames = 2
-variable = 1
-ends = "clamped"
-coordinates = "auto"
-optimiser = "none"
-criterion = "weak"
-
-[[penalty]]
-kind = "torque"
-weight = 0.1
-[[penalty]]
-kind = "collision"
-points = ["left_heel", "left_toe"]
-margin = 0.01
-[[penalty]]
-kind = "limits"
-weight = {range = 10}
-bend_joints = ["left_knee"]
-least_bend = 5
-
-[[contact]]
-point = "left_heel"
-from = 0.05
-to = 0.15
-
-[[grasp]]
-hand = "left_hand"
-body = "crate"
-from = 0.2
-to = 0.45
-
-[[keyframe]]
-time = 0
-others = "rest"
-root.position = [0, 0, 0.62]
-
-[[keyframe]]
-time = 0.2
-root.position = [0.1, 0, "free"]
-root.rotation = {euler = [0, 10, 20], order = "xyz"}
-joints.left_knee = {rotvec = [0, 40, 0]}
-joints.elbow = 12.5
-roots.crate = {position = [0.4, 0, 0.7], rotation = {quat = [1, 0, 0, 0]}}
-roots.ball = {position = [1, 0, 0.2]}
-
-[[keyframe]]
-time = 0.41
-root.position = [0.3, 0, 0.7]
-joints.reach = 0.02
-sites.left_toe = {position = [0.35, 0, 0.2], by = "search"}
-
-[[keyframe]]
-time = 0.6
-joints.left_knee = {rotvec = [0, 0, 0]}
-bodies.pelvis = {position = [0.4, 0, 0.62]}
-"""
+CLIP = read_data("every_table.toml")
 
 SIMPLE = problems.changed("evaluations = 8", "evaluations = 2")
 SOURCES = (SIMPLE, SIMPLE, CLIP)

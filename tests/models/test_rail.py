@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 from paper.penetration import penetration
 from processes import quiet
+from texts import read_data
 
 from dynsplines import recordings, solving
 from dynsplines.motion import sampled
@@ -31,22 +32,7 @@ OBSTACLES = {
     "ridge": 'type="hfield" hfield="ridge" pos="0 0 .36"',
     "beam": 'type="box" size=".03 .4 .03" pos="0 0 .46"',
 }
-CLIP = """
-figure = "limb.xml"
-[[keyframe]]
-time = 0
-root.position = [-0.5, 0, 1]
-root.rotation = {rotvec = [0, 0, 0]}
-joints.shoulder = {rotvec = [0, 0, 0]}
-[[keyframe]]
-time = 1
-root.position = [0.5, 0, 1]
-root.rotation = {rotvec = [0, 0, 0]}
-joints.shoulder = {rotvec = [0, 0, 0]}
-[[penalty]]
-kind = "collision"
-margin = 0.002
-"""
+CLIP = read_data("limb.toml")
 
 
 @pytest.mark.slow

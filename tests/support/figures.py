@@ -10,6 +10,7 @@ from pathlib import Path
 
 import mujoco
 import numpy as np
+from texts import read_data
 
 from dynsplines import models
 from dynsplines.clip import load
@@ -26,56 +27,13 @@ from dynsplines.solver.surface.points import Point
 
 # Small figures as MJCF, and figures of them.
 
-BALL_TREE = """
-<mujoco><option gravity="0 0 -9.81"/>
-<worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/>
-  <geom type="capsule" size=".1" fromto="0 0 0 .05 0 .4"/>
-  <body name="arm" pos="0.02 .2 .4" quat=".9 .1 -.2 .3"><joint name="shoulder" type="ball"/>
-    <geom type="box" size=".05 .06 .2" pos="0 .03 -.2" euler="10 20 30"/>
-    <body name="forearm" pos="0 .01 -.4"><joint name="elbow" type="ball"/>
-      <geom type="capsule" size=".04" fromto="0 0 0 .02 0 -.3"/></body></body>
-  <body name="leg" pos="0 -.1 -.1"><joint name="hip" type="ball" pos=".01 .02 .03"/>
-    <geom type="capsule" size=".06" fromto="0 0 0 0 0 -.5"/>
-    <body name="pack" pos=".1 0 -.2"><geom type="sphere" size=".07"/></body></body>
-</body></worldbody></mujoco>"""
+BALL_TREE = read_data("ball_tree.xml")
 
 ONE_BALL = '<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>'
 
-EVERY_JOINT = """
-<mujoco><compiler autolimits="true"/><option gravity="0 0 -9.81"/>
-<worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/>
-  <geom type="capsule" size=".1" fromto="0 0 0 .05 0 .4"/>
-  <body name="arm" pos="0 .2 .4" quat=".9 .1 -.2 .3">
-    <joint name="yaw" type="hinge" axis="0 0 1" pos=".02 0 .01"/>
-    <joint name="pitch" type="hinge" axis="0 1 .2" ref="20"/>
-    <geom type="box" size=".05 .06 .2" pos="0 .03 -.2"/>
-    <body name="piston" pos="0 0 -.4"><joint name="reach" type="slide" axis="0 .3 -1" ref=".02"/>
-      <geom type="capsule" size=".04" fromto="0 0 0 .02 0 -.3"/>
-      <body name="wrist" pos="0 0 -.3"><joint name="wrist" type="ball" armature=".02"/>
-        <geom type="box" size=".03 .05 .06" pos="0 0 -.06"/></body></body></body>
-</body>
-<body name="post" pos="1 0 0" quat=".8 .1 .5 0"><joint name="swing" type="ball" pos="0 0 .1"/>
-  <geom type="capsule" size=".04" fromto="0 0 0 .02 0 -.3"/>
-  <body name="tip" pos="0 0 -.3"><joint name="turn" type="hinge" axis="1 0 0" armature=".01"/>
-    <geom type="box" size=".03 .05 .06" pos="0 .02 -.06"/></body></body>
-</worldbody></mujoco>"""
+EVERY_JOINT = read_data("every_joint.xml")
 
-MIXED = """
-<mujoco><compiler angle="degree" autolimits="true"/><option gravity="0.5 0 -9.81"/>
-<worldbody><body name="trunk" pos="0 1 1"><joint name="root" type="free"/>
-  <geom type="capsule" size=".1" fromto="0 0 0 .05 0 .4"/>
-  <body name="neck" pos="0 0 .4" euler="5 10 0"><joint name="neck" type="ball"/>
-    <geom type="capsule" size=".04" fromto="0 0 0 0 0 .1"/>
-    <body name="head" pos="0 .01 .1" euler="20 0 0"><joint name="head" type="ball" armature=".01" pos="0 0 .01"/>
-      <geom type="ellipsoid" size=".1 .08 .12" pos="0 0 .12"/>
-      <body name="jaw" pos=".05 0 0"><joint name="jaw" type="hinge" axis="0 1 0" ref="10"/>
-        <geom type="box" size=".05 .04 .01"/></body></body></body>
-  <body name="thigh" pos="0 .1 -.1"><joint name="hip" type="hinge" axis="0 1 0"/>
-    <geom type="capsule" size=".05" fromto="0 0 0 0 0 -.4"/>
-    <body name="shin" pos="0 0 -.4"><joint name="ankle" type="ball"/>
-      <geom type="capsule" size=".04" fromto="0 0 0 .1 0 -.3"/></body></body>
-</body>
-</worldbody></mujoco>"""
+MIXED = read_data("mixed.xml")
 
 FIGURES = {
     "ball tree, world": (BALL_TREE, "world"),
@@ -92,15 +50,7 @@ TINY = """
     <geom type="capsule" size=".04" fromto="0 0 0 .01 0 -.3" mass="1"/></body></body></worldbody></mujoco>"""
 
 
-LEG = """
-<mujoco><worldbody>
-  <body name="thigh" pos="0 0 1"><freejoint/><geom type="capsule" size=".1" fromto="0 0 0 0 0 -.4"/>
-    <body name="foot" pos="0 0 -.5" quat=".9 .1 .2 .3"><geom type="box" size=".05 .1 .2" pos="0 .1 0"/>
-      <site name="heel" pos="0.1 0.2 0.3"/></body>
-    <body name="shin" pos="0 0 -.4"><joint type="ball"/><geom type="sphere" size=".2" pos="0 0 .1"/>
-      <site name="toe" pos="0 0 -.1"/><geom type="ellipsoid" size=".1 .2 .3"/>
-      <geom type="cylinder" size=".1 .3"/></body></body>
-</worldbody></mujoco>"""
+LEG = read_data("leg_of_shapes.xml")
 CHAIN = (
     '<mujoco><worldbody><body><joint type="ball"/><geom size=".1" pos="0 0 .2"/><body pos="0 0 .4"><joint type="{}"/>'
     '<geom size=".1" pos="0 0 .2"/></body></body></worldbody></mujoco>'
@@ -369,27 +319,7 @@ def stl(size: float) -> bytes:
 
 
 # Two figures, a chain that hangs on the world, welded bodies, and a joint with two joints on it.
-WOOD = """
-<mujoco><option gravity="0.3 0 -9.81"/>
-<worldbody>
-<body name="post" pos="1 0 0" quat=".8 .1 .5 0"><joint name="swing" type="ball"/>
-  <geom type="capsule" size=".04" fromto="0 0 0 .02 0 -.3"/>
-  <body name="tip" pos="0 .02 -.3"><joint name="turn" type="ball"/><geom type="box" size=".03 .05 .06" pos="0 .02 0"/>
-    <body name="cap" pos="0 0 -.1" quat=".9 .3 0 .1"><geom size=".03"/></body></body></body>
-<body name="trunk" pos="0 0 1"><freejoint name="root"/><geom type="capsule" size=".1" fromto="0 0 0 .05 0 .4"/>
-  <body name="arm" pos="0.02 .2 .4" quat=".9 .1 -.2 .3"><joint name="shoulder" type="ball"/>
-    <geom type="box" size=".05 .06 .2" pos="0 .03 -.2" euler="10 20 30"/>
-    <body name="forearm" pos="0 .01 -.4"><joint name="elbow" type="ball"/>
-      <geom type="capsule" size=".04" fromto="0 0 0 .02 0 -.3"/>
-      <body name="thumb" pos="0 .03 -.3"><joint name="thumb" type="ball"/><geom size=".02" pos=".01 0 0"/></body>
-      <body name="hand" pos="0 0 -.3"><joint name="wrist" type="ball"/><geom size=".03" pos="0 .01 -.02"/></body>
-    </body></body>
-  <body name="leg" pos="0 -.1 -.1"><joint name="hip" type="ball"/>
-    <geom type="capsule" size=".06" fromto="0 0 0 0 0 -.5"/></body>
-</body>
-<body name="other" pos="0 2 1"><freejoint name="root2"/><geom type="box" size=".1 .2 .3"/>
-  <body name="head" pos="0 0 .3"><joint name="neck" type="ball"/><geom size=".1" pos="0 .02 .1"/></body></body>
-</worldbody></mujoco>"""
+WOOD = read_data("two_trees.xml")
 
 
 def assert_near(actual: Array, expected: Array, rtol: float) -> None:

@@ -9,6 +9,7 @@ from typing import Any
 import mujoco
 import numpy as np
 from figures import biped, figure_of
+from texts import read_data
 
 from dynsplines import models, motion, solving
 from dynsplines.clip import load as clip
@@ -33,27 +34,7 @@ from dynsplines.system.progress import Progress
 # Motions without any symmetry, for tests of formats: a root that travels and turns about all axes, joints anywhere.
 
 FPS = 50.0
-ROBOT = """
-<mujoco model="robot">
-  <compiler angle="radian"/>
-  <worldbody>
-    <body name="base" pos="0 0 .8"><freejoint name="floating"/>
-      <geom type="box" size=".1 .15 .1" pos=".02 0 0" mass="5"/>
-      <body name="left_leg" pos="0 .1 -.1" quat=".9 .1 -.2 .3">
-        <joint name="left_hip_pitch" type="hinge" axis="0 1 0"/>
-        <joint name="left_hip_roll" type="hinge" axis="1 0 0"/>
-        <joint name="left_hip_yaw" type="hinge" axis="0 0 1"/>
-        <geom type="capsule" size=".04" fromto="0 0 0 .03 0 -.3" mass="1"/>
-        <body name="left_shin" pos=".03 0 -.3"><joint name="left_knee" type="hinge" axis="0 1 .1"/>
-          <geom type="capsule" size=".03" fromto="0 0 0 0 .02 -.3" mass=".5"/>
-          <site name="left_toe" pos=".1 0 -.3"/></body>
-      </body>
-      <body name="arm" pos="0 -.2 .2"><joint name="arm_pitch" type="hinge" axis="0 1 0"/>
-        <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3" mass=".5"/></body>
-    </body>
-  </worldbody>
-</mujoco>
-"""
+ROBOT = read_data("robot.xml")
 
 
 def motion_of(figure: str, *, seed: int = 3, spread: float = 0.9, start: float = 0.25) -> Saved:
@@ -124,40 +105,7 @@ def came_back(saved: Saved, target: Path, figure: str | None = "human", toleranc
 
 # A lopsided figure of every joint and every kind of geom, and a motion of it that turns about no axis of the world.
 
-PUPPET = """
-<mujoco model="puppet">
-  <compiler angle="degree"/>
-  <asset>
-    <mesh name="wedge" vertex="0 0 0  .3 0 0  0 .2 0  0 0 .4" inertia="convex"/>
-    <hfield name="hills" nrow="3" ncol="4" size="1 .8 .3 .1" elevation="0 1 2 3 1 4 2 0 3 1 0 2"/>
-    <material name="glass" rgba=".2 .4 .9 .5" shininess=".9"/>
-    <material name="red" rgba=".8 .1 .1 1"/>
-  </asset>
-  <worldbody>
-    <geom name="hills" type="hfield" hfield="hills" pos="2 1 0"/>
-    <geom name="pillar" type="cylinder" size=".1 .5" pos="-1 .3 .5" euler="20 0 10" material="red"/>
-    <body name="hips" pos=".1 -.2 .9" euler="10 20 30"><freejoint name="root"/>
-      <geom name="trunk" type="capsule" size=".1" fromto="0 0 0 .05 0 .4" mass="8"/>
-      <geom name="bag" type="mesh" mesh="wedge" pos=".1 0 .2" euler="0 40 0" material="red" mass="1"/>
-      <geom name="ghost" size=".3" group="3" mass="0"/>
-      <body name="left_upper_arm" pos="0.02 .2 .4" quat=".9 .1 -.2 .3"><joint name="shoulder" type="ball"/>
-        <geom name="sleeve" type="box" size=".05 .06 .2" pos="0 .03 -.2" euler="10 20 30" mass="1"/>
-        <body name="left_forearm" pos="0 .01 -.4" euler="0 30 0">
-          <joint name="elbow" type="hinge" axis="0 1 .2"/>
-          <geom name="wrist" type="ellipsoid" size=".04 .05 .15" pos="0 0 -.15" material="glass" mass="1"/>
-          <site name="left_hand" pos=".02 0 -.3"/></body></body>
-      <body name="right_thigh" pos="0 -.1 -.1"><joint name="hip" type="ball" pos=".01 .02 .03"/>
-        <geom name="thigh" type="cylinder" size=".06 .2" pos="0 0 -.25" mass="3"/>
-        <body pos="0 0 -.5"><joint name="piston" type="slide" axis="0 .3 -1"/>
-          <joint name="twist" type="hinge" axis="0 0 1" pos=".02 0 .01"/>
-          <geom name="boot" type="sphere" size=".07" mass="1"/>
-          <site name="right_toe" pos=".1 0 -.05"/></body></body>
-    </body>
-    <body name="swing" pos="1 0 1"><joint name="swing" axis="0 1 0"/>
-      <geom type="capsule" size=".02" fromto="0 0 0 0 0 -.3" mass="1"/></body>
-  </worldbody>
-</mujoco>
-"""
+PUPPET = read_data("puppet.xml")
 
 
 def moved(fps: float = 24.0, text: str = PUPPET, name: str = "puppet", count: int = 12) -> Saved:

@@ -9,6 +9,7 @@ import numpy as np
 from figures import ONE_BALL, TINY, figure_of
 from gradients import clip, every_penalty, taylor_slope, tiny_clip
 from random_models import evenly, mask_without
+from texts import read_data
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
@@ -96,47 +97,9 @@ def by_nlopt(
 
 # A figure of two bodies and a clip of three keyframes, solved in a moment, for tests of what surrounds the solver.
 
-FIGURE = """
-<mujoco model="tiny">
-  <compiler angle="degree"/>
-  <worldbody>
-    <camera name="high" pos="0 -4 1" xyaxes="1 0 0 0 0 1"/>
-    <body name="pelvis" pos="0 0 1"><freejoint name="root"/>
-      <geom name="trunk" type="sphere" size=".1" mass="4"/>
-      <site name="left_toe" pos="0 0 -.1"/>
-      <body name="left_shin" pos="0 0 -.2" euler="0 0 30"><joint name="left_knee" type="ball"/>
-        <geom name="shin" type="capsule" size=".04" fromto="0 0 0 0 0 -.3" mass="1"/>
-      </body>
-    </body>
-  </worldbody>
-</mujoco>
-"""
+FIGURE = read_data("tiny.xml")
 
-CLIP = """# Three keyframes, the second of them partial.
-figure = "tiny.xml"
-fps = 20
-
-[solve]
-evaluations = 8
-frames = 2
-
-[[keyframe]]
-time = 0
-root.position = [0, 0, 1]
-root.rotation = {rotvec = [0, 0, 0]}
-joints.left_knee = {rotvec = [0, 0, 0]}
-
-[[keyframe]]
-time = 0.2
-root.position = [0.1, 0, "free"]
-joints.left_knee = {rotvec = [0, 40, 0]}
-
-[[keyframe]]
-time = 0.41
-root.position = [0.3, 0, 1]
-root.rotation = {rotvec = [0, 10, 170]}
-joints.left_knee = {rotvec = [0, 0, 0]}
-"""
+CLIP = read_data("tiny.toml")
 
 HINGE = """
 <mujoco>

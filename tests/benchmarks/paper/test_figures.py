@@ -12,24 +12,14 @@ from paper.figures import drawing, scenes
 from paper.figures.drawing import FIGURES, Results
 from problems import names
 from processes import quiet
+from texts import read_data
 
 from dynsplines import recordings, solving
 from dynsplines.motion import Saved
 from dynsplines.picture.graphics import Graphics
 
 SOFTWARE = Graphics("software", "renderer: software")
-STEP_UP = """
-figure = "human"
-[scene]
-step = {x = 0.4, height = 0.27}
-[[keyframe]]
-time = 0
-others = "rest"
-[[keyframe]]
-time = 0.8
-root.position = [0.7, 0, 1.2]
-others = "rest"
-"""
+STEP_UP = read_data("step_up.toml")
 
 
 @pytest.fixture(scope="module")

@@ -7,6 +7,7 @@ import shipped
 from motions import Take, kneeling
 from paper.penetration import penetration
 from processes import quiet
+from texts import read_data
 
 from dynsplines import recordings, solving
 from dynsplines.clean import cleaning
@@ -161,26 +162,7 @@ def test_a_foot_lands_and_lifts_as_recorded(is_given):
     assert np.sqrt(np.mean(ankle_error(take, result) ** 2)) < 2.3
 
 
-SIDE_STEP = """
-figure = "human"
-[[keyframe]]
-time = 0.0
-others = "rest"
-[[keyframe]]
-time = 0.7
-root.position = [0, 0.3, "free"]
-sites = {left_heel = [-0.055, 0.65, 0], right_heel = [-0.055, -0.09, 0]}
-bodies = {left_foot = {flat = true, heading = 0}, right_foot = {flat = true, heading = 0}}
-others = "previous"
-[[keyframe]]
-time = 1.3
-root.position = [0.0, 0.65, 0.91]
-sites.left_heel = [-0.055, 0.65, 0]
-bodies.left_foot = {flat = true, heading = 0}
-joints.right_hip = {rotvec = [0, -80, 0]}
-joints.right_knee = {rotvec = [0, 95, 0]}
-others = "previous"
-"""
+SIDE_STEP = read_data("side_step.toml")
 
 
 @pytest.fixture(scope="module")

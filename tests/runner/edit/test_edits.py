@@ -16,6 +16,7 @@ from motions import moved
 from oracles import aligned, kinematics
 from processes import quiet
 from rich.console import Console
+from texts import read_data
 
 from dynsplines import Keyframe, Motion, build, inbetween, models, motion, recordings, solving
 from dynsplines.clip import load as clip
@@ -255,40 +256,7 @@ def test_rotations_are_written_as_one_would_write_them(rng):
     assert str(rotation([1, 0, -1e-17, 0]).rotvec) == "(0.0, 0.0, 0.0)"
 
 
-ROUND = """
-figure = "human"
-[scene]
-step = {x = 1, height = 0.2, y = 0.1}
-box = [{position = [1, 2, 0.5], size = [1, 1, 1], rotation = {rotvec = [0, 0, 20]}}]
-capsule = [{radius = 0.1, from = [0, 1, 1], to = [1, 2, 1]}]
-[[penalty]]
-kind = "flight"
-intervals = [[0.2, 0.4]]
-[[penalty]]
-kind = "limits"
-bend_joints = ["left_knee", "right_elbow"]
-[[penalty]]
-kind = "cycle"
-period = 2.0
-[[contact]]
-point = "left_toe"
-from = 0.6
-to = 1.0
-position = [0.2, 0.1, 0.0]
-[[keyframe]]
-time = 0.0
-others = "rest"
-root.position = [0.0, 0.1, "free"]
-joints.spine = {euler = [5, 6, 7], order = "zyx"}
-[[keyframe]]
-time = 1.0
-others = "previous"
-root.position = [0.0, 0.02, 0.9]
-sites.left_toe = [0.2, 0.1, 0.0]
-sites.right_hand = {position = [0.4, -0.3, "free"], by = "search"}
-bodies.left_foot = {euler = [5, 10, 0], order = "zyx"}
-bodies.right_foot = {flat = true}
-"""
+ROUND = read_data("sides.toml")
 
 
 @pytest.mark.slow

@@ -15,6 +15,7 @@ import pytest
 import shipped
 from oracles import kinematics
 from scipy.spatial.transform import Rotation
+from texts import read_data
 
 from dynsplines import models
 from dynsplines.errors import UserError
@@ -344,28 +345,7 @@ def test_toes_turn_the_feet_of_a_figure_that_has_none(cartwheel):
         assert np.all(own[angles > 0.1, 2] * own[angles > 0.1, 0] < 0)  # about −y of the foot: its tip goes up
 
 
-GOOD = """HIERARCHY
-ROOT Hips
-{
-  OFFSET 0 0 0
-  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
-  JOINT Chest
-  {
-    OFFSET 0 50 0
-    CHANNELS 3 Zrotation Xrotation Yrotation
-    End Site
-    {
-      OFFSET 0 40 0
-    }
-  }
-}
-MOTION
-Frames: 3
-Frame Time: 0.0083333
-0 100 0 0 0 0 0 0 0
-1 100 0 0 10 0 0 0 0
-2 100 0 0 20 0 0 30 0
-"""
+GOOD = read_data("two_joints.bvh")
 
 
 def test_a_rounded_frame_time_is_the_rate_that_is_meant(tmp_path):

@@ -9,6 +9,7 @@ import pytest
 import shipped
 from oracles import inverse_dynamics
 from random_models import motion_of
+from texts import read_data
 
 from dynsplines import recordings, solving
 from dynsplines.errors import UserError
@@ -127,28 +128,7 @@ def test_a_figure_without_a_root_has_torques_but_no_wrench(tmp_path):
     assert [note.partition(":")[0] for note in trajectory.notes[:2]] == ["no columns `wrench`", "no columns `ground`"]
 
 
-ARM = """
-<mujoco>
-  <compiler angle="degree"/>
-  <option density="300" viscosity=".6" wind="1 -2 .5" gravity="1.2345678 -3 -4.5"/>
-  <default>
-    <joint stiffness="40" springref="25" damping="3" frictionloss="2" armature=".2" actuatorgravcomp="true"/>
-  </default>
-  <worldbody>
-    <site name="hook" pos=".3 .1 1.2"/>
-    <body name="upper" pos="0 0 1" gravcomp=".7"><joint name="shoulder" axis="0 1 0" range="-40 40"/>
-      <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.4" mass="1.23456789"/>
-      <body name="fore" pos="0 0 -.4" gravcomp=".7"><joint name="elbow" axis=".1 1 0"/>
-        <geom type="capsule" size=".025" fromto="0 0 0 0 0 -.3" mass=".7"/><site name="hand" pos="0 0 -.3"/></body>
-    </body>
-  </worldbody>
-  <tendon>
-    <spatial stiffness="90" springlength=".2" damping="5" frictionloss="3"><site site="hook"/>
-      <site site="hand"/></spatial>
-    <fixed stiffness="90" damping="5"><joint joint="shoulder" coef=".7"/><joint joint="elbow" coef="-1.1"/></fixed>
-  </tendon>
-</mujoco>
-"""
+ARM = read_data("arm_of_three.xml")
 
 
 def test_torques_include_every_passive_force_of_the_users_own_file_and_large_ones_of_limits_are_reported(tmp_path):

@@ -10,6 +10,7 @@ import shipped
 from motions import between, clip_file, played
 from motions import exported_scene as exported
 from processes import quiet
+from texts import read_data
 
 from dynsplines import inbetween, load, solving
 from dynsplines.clip import load as clip
@@ -19,24 +20,7 @@ from dynsplines.exchange.trajectory import SampledTrajectory
 
 LASTS = 1.0  # [s] of simulation
 FALLEN = 0.03  # [m]
-RIG = """
-<mujoco>
-  <worldbody>
-    <geom name="floor" type="plane" size="0 0 1" contype="0" conaffinity="0"/>
-    <geom name="sign" type="sphere" size=".05" pos="9 0 3" contype="4" conaffinity="0"/>
-    <body name="base" pos="0 0 .5"><freejoint name="root"/>
-      <geom name="hull" type="box" size=".2 .2 .05" mass="5" contype="2" conaffinity="2"/>
-      <geom name="badge" type="box" size=".3 .3 .01" mass="0" contype="0" conaffinity="0"/>
-      <body name="lift" pos="0 0 .05"><joint name="lift" type="slide" axis="0 0 1" range="0 .3"/>
-        <geom size=".05" mass="1"/>
-        <body name="lid" pos="0 0 .1"><joint type="hinge" axis="0 1 0"/>
-          <geom type="box" size=".1 .1 .01" mass=".5"/></body></body>
-    </body>
-  </worldbody>
-  <actuator><motor joint="lift" name="old"/></actuator>
-  <sensor><actuatorpos actuator="old"/><jointpos joint="lift"/></sensor>
-</mujoco>
-"""
+RIG = read_data("rig.xml")
 KEYS = ('time = 0\nothers = "rest"', 'time = 1\njoints.lift = 0.2\nothers = "rest"')
 SLIDER = """<mujoco><worldbody><geom type="plane" size="0 0 1"/>
   <body name="base" pos="0 0 .1"><joint name="rootx" type="slide" axis="1 0 0"/>

@@ -3,6 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
+from texts import read_data
 
 from dynsplines.picture.camera import View, axes
 from dynsplines.picture.graphics import Graphics, choose
@@ -10,39 +11,8 @@ from dynsplines.picture.raster import SHADE, SHADE_HEIGHT
 from dynsplines.picture.stage import Ghost, Stage
 from dynsplines.scene.assets import Scene
 
-SCENE = """
-<mujoco>
-  <visual><headlight ambient=".3 .3 .3" diffuse=".3 .3 .3" specular="0 0 0"/></visual>
-  <worldbody>
-    <light directional="true" dir="0 0 -1" diffuse=".5 .5 .5" specular="0 0 0"/>
-    <geom type="plane" size="0 0 1" rgba=".6 .6 .6 1"/>
-    <camera name="high" pos="0 -.01 5" xyaxes="1 0 0 0 1 0"/>
-    <body pos="0 0 1"><freejoint/><geom type="sphere" size=".4" rgba=".8 .1 .1 1"/></body>
-  </worldbody>
-</mujoco>
-"""
-SHAPES = """
-<mujoco>
-  <asset>
-    <mesh name="wedge" vertex="0 0 0 .4 0 0 0 .4 0 0 0 .4"/>
-    <hfield name="hill" nrow="3" ncol="3" size=".5 .5 .3 .1" elevation="0 0 0 0 1 0 0 0 0"/>
-  </asset>
-  <visual><headlight ambient="1 1 1" diffuse="0 0 0" specular="0 0 0"/></visual>
-  <worldbody>
-    <geom type="plane" size="0 0 1" rgba="1 0 0 1"/>
-    <geom type="box" size=".2 .1 .3" pos="1 0 .4" euler="20 30 0" rgba="0 1 0 1"/>
-    <geom type="mesh" mesh="wedge" pos="-.6 -.6 .3" rgba="0 0 1 1"/>
-    <geom type="hfield" hfield="hill" pos="-1.2 .8 0" rgba="1 1 0 1"/>
-    <geom type="sphere" size="2" group="4" pos="0 -3 0"/>
-    <geom type="sphere" size="2" rgba="1 1 1 0" pos="0 -3 0"/>
-    <body pos="0 0 1"><freejoint/>
-      <geom type="ellipsoid" size=".4 .2 .3" rgba="1 0 1 1"/>
-      <geom type="capsule" size=".1 .2" pos=".1 .6 0" euler="40 0 10" rgba="0 1 1 1"/>
-      <geom type="sphere" size=".15" pos=".4 -.3 .3" rgba=".5 0 0 1"/>
-      <geom type="cylinder" size=".1 .2" pos="-.5 .3 .1" euler="0 70 10" rgba="0 .5 0 1"/></body>
-  </worldbody>
-</mujoco>
-"""
+SCENE = read_data("lights.xml")
+SHAPES = read_data("shapes.xml")
 SIDE = View((0.0, 0.0, 1.0), 5.0, 90.0, -15.0)
 HERE = np.array([0, 0, 1, 1, 0, 0, 0.0])
 SOFTWARE = Graphics("software", "renderer: software")

@@ -11,6 +11,7 @@ import pytest
 from figures import stl
 from PIL import Image
 from processes import quiet
+from texts import read_data
 
 from dynsplines import motion, solving
 from dynsplines.clip import load as clip
@@ -18,22 +19,7 @@ from dynsplines.errors import UserError
 from dynsplines.picture.show import Look, images
 from dynsplines.scene.compose import compose, figure_spec
 
-MODEL = """
-<mujoco><compiler meshdir="parts/mesh" texturedir="parts"/>
-<include file="parts/more.xml"/>
-<asset>
-  <mesh file="a/bone.stl"/><mesh name="other" file="b/bone.stl" scale="2 2 2"/><mesh name="obj" file="b/corner.obj"/>
-  <texture name="wood" type="2d" file="wood.png"/><material name="wood" texture="wood"/>
-  <texture name="dice" type="cube" fileup="side.png" filedown="side.png" fileleft="wood.png"/>
-  <hfield name="hill" file="hill.png" size="1 1 .2 .1"/>
-</asset>
-<worldbody><geom name="hill" type="hfield" hfield="hill" pos="3 0 0"/>
-  <body name="trunk" pos="0 0 1"><freejoint name="root"/><geom type="mesh" mesh="bone" material="wood"/>
-    <body name="arm" pos="0 0 .3"><joint name="arm" axis="0 1 0"/><geom type="mesh" mesh="other"/>
-      <body pos="0 0 .3"><joint name="hand" type="ball"/><geom type="mesh" mesh="obj"/></body></body></body>
-</worldbody>
-<keyframe><key qpos="0 0 1 1 0 0 0 0 1 0 0 0"/>
-  <key time="0.6" qpos="0.5 0 1 1 0 0 0 0.5 1 0 0 0"/></keyframe></mujoco>"""
+MODEL = read_data("assets.xml")
 
 
 def png(folder: Path, name: str, colours: np.ndarray) -> None:

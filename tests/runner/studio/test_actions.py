@@ -7,6 +7,7 @@ import tomllib
 
 import numpy as np
 import pytest
+from texts import read_data
 
 from dynsplines import recordings
 from dynsplines.errors import UserError
@@ -16,55 +17,9 @@ from dynsplines.studio.loop import SolverLoop
 from dynsplines.studio.session import Session
 from dynsplines.studio.stage import limbs
 
-FIGURE = """
-<mujoco model="leg">
-  <compiler angle="degree"/>
-  <worldbody>
-    <body name="pelvis" pos="0 0 1"><freejoint name="root"/>
-      <geom name="trunk" type="sphere" size=".1" mass="4"/>
-      <body name="thigh"><joint name="hip" axis="0 1 0" range="-90 90"/>
-        <geom name="thigh" type="capsule" size=".04" fromto="0 0 0 0 0 -.4" mass="1"/>
-        <body name="shin" pos="0 0 -.4"><joint name="knee" axis="0 1 0" range="0 140"/>
-          <geom name="shin" type="capsule" size=".04" fromto="0 0 0 0 0 -.4" mass="1"/>
-          <body name="foot" pos="0 0 -.4"><joint name="ankle" axis="0 1 0" range="-60 60"/>
-            <geom name="sole" type="capsule" size=".03" fromto="0 0 -.05 .15 0 -.05" mass=".5"/>
-            <site name="toe" pos=".15 0 -.05"/>
-          </body>
-        </body>
-      </body>
-    </body>
-    <body name="crate" pos="1 0 .2"><freejoint name="crate"/><geom name="crate" size=".1" mass="1"/></body>
-  </worldbody>
-</mujoco>
-"""
+FIGURE = read_data("leg.xml")
 
-CLIP = """figure = "leg.xml"
-
-[[keyframe]]
-time = 0
-root.position = [0, 0, 0.85]
-root.rotation = {rotvec = [0, 0, 0]}
-roots.crate = {position = [1, 0, 0.1], rotation = {rotvec = [0, 0, 0]}}
-joints.hip = -20
-joints.knee = 40
-joints.ankle = -20
-
-[[keyframe]]                            # the toe is where it was
-time = 0.5
-root.position = [0.1, 0, 0.85]          # forward
-root.rotation = {rotvec = [0, 0, 0]}
-roots.crate = {position = [1, 0, 0.1], rotation = {rotvec = [0, 0, 0]}}
-joints.ankle = -15
-sites.toe = [0.16, 0, 0.05]
-
-[[keyframe]]
-time = 1
-root.position = [0.2, 0, 0.85]
-root.rotation = {rotvec = [0, 0, 0]}
-joints.hip = -20
-joints.knee = 40
-joints.ankle = -20
-"""
+CLIP = read_data("leg.toml")
 COLUMNS = {"root": slice(0, 7), "hip": slice(7, 8), "knee": slice(8, 9), "ankle": slice(9, 10), "crate": slice(10, 17)}
 
 

@@ -9,6 +9,7 @@ import problems
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from texts import read_data
 
 from dynsplines import models
 from dynsplines.clip.parse import table_of
@@ -17,32 +18,7 @@ from dynsplines.studio.document import Document, opened
 from dynsplines.studio.edits import EDITS
 from dynsplines.studio.stage import weights
 
-TEXT = """# A clip with remarks.
-figure = "human"   # who
-
-[scene]
-step = {x = 2.90, height = 0.35}      # front face
-
-[[penalty]]
-kind = "limits"                       # knees
-weight = 1
-
-[[keyframe]]                          # begins
-time = 0.0
-root.position = [0.0, 0, 0.93]        # stands
-joints.left_hip = {rotvec = [0, -70, 0]}   # lifted
-others = "rest"
-
-[[keyframe]]   # goes on
-time = 0.50
-joints.left_knee = {euler = [0, 70, 0]}
-others = "previous"
-
-# a remark before the last
-[[keyframe]]
-time = 1.0
-others = "rest"
-"""
+TEXT = read_data("remarks.toml")
 
 times = st.one_of(st.floats(-1, 3).map(lambda x: round(x, 3)), st.just(float("nan")))
 angles = st.one_of(st.floats(-180, 180), st.sampled_from([float("nan"), None, "free", "much"]))
@@ -228,28 +204,7 @@ def test_every_shipped_clip_is_split_into_blocks_and_joined_again():
     assert len(found.text.splitlines()) == len(texts[-1].splitlines())
 
 
-WITH_HEADERS = """figure = "human"
-
-[[keyframe]]
-time = 0.0
-others = "rest"
-
-[keyframe.joints]
-left_hip = {rotvec = [0, -70, 0]}   # lifted
-
-[[keyframe]]
-time = 0.5
-others = "previous"
-
-[keyframe.root]
-position = [0.1, 0, 0.93]
-[keyframe.joints]
-left_hip = {rotvec = [0, -20, 0]}
-
-[[keyframe]]
-time = 1.0
-others = "rest"
-"""
+WITH_HEADERS = read_data("headers.toml")
 
 
 def test_tables_under_headers_of_their_own_belong_to_their_keyframe():

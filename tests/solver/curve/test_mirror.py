@@ -8,6 +8,7 @@ import pytest
 from figures import BALL_TREE, figure_of, link_named
 from oracles import kinematics
 from random_models import evenly, random_qpos
+from texts import read_data
 
 from dynsplines import models
 from dynsplines.solver import quaternion as quat
@@ -18,19 +19,7 @@ from dynsplines.solver.curve.symmetry import MirrorError, other_side
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 
-ROBOT = """
-<mujoco><compiler angle="radian"/><worldbody>
-  <body name="trunk" pos="0 0 1"><freejoint name="root"/><geom size=".1"/>
-    <body name="head" pos="0 0 .2"><joint name="neck" axis="0 1 0" ref=".1"/><geom size=".1"/></body>
-    <body name="LeftArm" pos="0 .2 0" quat=".9 .1 .2 .3"><joint name="LeftPitch" axis="0 1 0" ref=".2"/>
-      <joint name="LeftRoll" axis="1 0 0"/><geom size=".1"/>
-      <body name="LeftHand" pos="0 0 -.2"><joint name="LeftReach" type="slide" axis="0 1 -1" ref=".05"/>
-        <geom size=".05"/></body></body>
-    <body name="RightArm" pos="0 -.2 0" quat=".9 -.1 .2 -.3"><joint name="RightPitch" axis="0 1 0"/>
-      <joint name="RightRoll" axis="1 0 0"/><geom size=".1"/>
-      <body name="RightHand" pos="0 0 -.2"><joint name="RightReach" type="slide" axis="0 1 1"/>
-        <geom size=".05"/></body></body>
-  </body></worldbody></mujoco>"""
+ROBOT = read_data("mirrored_robot.xml")
 
 REFLECTION = np.diag([1.0, -1, 1])
 

@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from oracles import SiteGoal, kinematics
 from scipy.optimize import least_squares, lsq_linear, minimize
 from scipy.spatial.transform import Rotation
+from texts import read_data
 
 from dynsplines import models
 from dynsplines.clip.kinds import Options, posing_limits
@@ -26,18 +27,7 @@ from dynsplines.solver.penalty.joints.bend import bent
 from dynsplines.solver.posing import MET, BodyGoal, Goal, LeastSquares, PointGoal, PoseSearch, Residuals, bounds, posed
 from dynsplines.solver.surface.points import Point, site_points
 
-RANGED = """
-<mujoco><compiler angle="radian"/><worldbody><body name="trunk" pos="0 0 1"><freejoint/><geom size=".1"/>
-  <body name="arm" pos="0 .2 .4" quat=".9 .1 -.2 .3"><joint name="shoulder" type="ball" range="0 1.2"/>
-    <geom size=".1" pos=".3 0 0"/>
-    <body name="fore" pos=".3 0 0"><joint name="elbow" type="hinge" axis="0 1 0" range="-.1 2"/><geom size=".1"/>
-      <body name="rod" pos=".3 0 0"><joint name="reach" type="slide" axis="1 0 0" range="-.4 .1"/><geom size=".05"/>
-        <site name="tip" pos=".1 .02 .03"/></body></body></body>
-  <body name="leg" pos="0 -.2 0"><joint name="hip" type="hinge" axis="0 1 0" range="-2 .2"/><geom size=".1"/>
-    <body name="shin" pos="0 0 -.4" quat=".7 .1 .2 -.1"><joint name="knee" type="ball"/><geom size=".1" pos="0 0 -.2"/>
-      <body name="foot" pos="0 0 -.4"><joint name="free" type="hinge" axis="1 0 0"/><geom size=".1"/>
-        <site name="toe" pos=".1 0 0"/></body></body></body>
-</body></worldbody></mujoco>"""
+RANGED = read_data("ranged.xml")
 
 
 def somewhere(model: mujoco.MjModel, rng: np.random.Generator, size: float = 1.0) -> Array:

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from gradients import taylor_slope
 from scipy.spatial.transform import Rotation
+from texts import read_data
 
 from dynsplines.clip.load import obstacles
 from dynsplines.clip.table import SceneTable
@@ -285,21 +286,7 @@ def test_of_two_surfaces_as_high_as_each_other_the_first_is_the_nearest_and_deep
         assert (found.item(), which.item()) == (height, nearest)
 
 
-ARM = """
-<mujoco><asset><mesh name="rock" vertex="0 0 0 .1 0 0 0 .1 0 0 0 .1 .1 .1 .1"/></asset>
-<worldbody>
-  <geom name="floor" type="plane" size="1 1 1"/><geom name="wall" type="box" size=".1 1 1" pos="2 0 0"/>
-  <body name="base"><geom name="base" type="cylinder" size=".1 .05"/>
-    <geom name="cover" type="mesh" mesh="rock" contype="0" conaffinity="0"/>
-    <body name="one" pos="0 0 .04"><joint name="yaw" axis="0 0 1"/><geom name="one" type="capsule" size=".05"
-      fromto="0 0 0 0 0 .3"/><geom name="look" type="mesh" mesh="rock" contype="0" conaffinity="0"/>
-      <body name="two" pos="0 0 .3"><joint name="pitch" axis="0 1 0"/><geom name="two" type="mesh" mesh="rock"/></body>
-    </body></body>
-  <body name="mark" mocap="true" pos="0 0 3"><geom name="mark" size=".1" contype="0" conaffinity="0"/></body>
-  <body name="cart" pos="0 1 .1"><joint name="rail" type="slide" axis="1 0 0"/><geom name="cart" size=".15"/></body>
-  <body name="lift" pos="0 -1 .1"><joint name="lift" type="slide" axis="0 0 1"/><geom name="lift" size=".15"/></body>
-  <body name="die" pos="1 0 0"><freejoint/><geom name="die" size=".1"/></body>
-</worldbody></mujoco>"""
+ARM = read_data("meshed_arm.xml")
 
 
 def named(model: mujoco.MjModel, geoms: list[int]) -> list[str]:

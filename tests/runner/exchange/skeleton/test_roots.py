@@ -9,6 +9,7 @@ from figures import CART, biped, joints, scene
 from figures import OBJECT_BALL as BALL
 from oracles import kinematics
 from scipy.spatial.transform import Rotation
+from texts import read_data
 
 from dynsplines import inbetween, load
 from dynsplines.errors import UserError
@@ -17,20 +18,7 @@ from dynsplines.exchange.skeleton import bvh_file, retarget
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 from dynsplines.solver.array import Array
 
-CLIP = """
-figure = "human"
-[solve]
-evaluations = 1
-[[keyframe]]
-time = 0
-others = "rest"
-[[keyframe]]
-time = 0.6
-root = {position = [0.3, 0.4, 0.9], rotation = {heading = 100}}
-joints.left_hip = {rotvec = [0, -40, 0]}
-joints.left_knee = {rotvec = [0, 60, 0]}
-others = "rest"
-"""
+CLIP = read_data("two_roots.toml")
 
 
 @pytest.fixture(scope="module")
