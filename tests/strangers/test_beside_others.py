@@ -15,26 +15,13 @@ import mujoco
 import numpy as np
 import pytest
 from processes import quiet
+from texts import read_data
 
 from dynsplines import recordings, solving
 from dynsplines.exchange import formats
 from dynsplines.motion import Saved
 
-SQUAT = """
-figure = "{file}"
-[solve]
-evaluations = 4
-[[keyframe]]
-time = 0
-others = "rest"
-[[keyframe]]
-time = 0.5
-root.position = [0, 0, 0.68]
-joints.left_elbow_joint = 40
-[[keyframe]]
-time = 1
-others = "rest"
-"""
+SQUAT = read_data("squat.toml")
 
 
 def motion_of(text: str) -> Saved:

@@ -101,19 +101,7 @@ FIGURE = read_data("tiny.xml")
 
 CLIP = read_data("tiny.toml")
 
-HINGE = """
-<mujoco>
-  <compiler angle="degree"/>
-  <worldbody>
-    <body name="rail" pos="0 0 1"><joint name="slide" type="slide" axis="1 0 0"/><geom name="rail" size=".1" mass="1"/>
-      <body name="arm" pos="0 0 -.2"><joint name="swing" type="hinge" axis="0 1 0"/>
-        <geom name="arm" type="capsule" size=".04" fromto="0 0 0 0 0 -.3" mass="1"/>
-      </body>
-    </body>
-  </worldbody>
-  {keys}
-</mujoco>
-"""
+HINGE = read_data("hinge.xml")
 
 
 def written(folder: Path, text: str = CLIP, name: str = "tiny.toml") -> Path:

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 import shipped
 from rich.console import Console
+from texts import read_data
 
 from dynsplines import UserError
 from dynsplines.exchange import formats, gaps
@@ -108,15 +109,7 @@ def test_a_jump_out_of_a_pose_at_the_start_is_reported(angles, seconds, tmp_path
     assert found == ([] if seconds is None else [f"{seconds:g}"])
 
 
-ARM = """
-<mujoco model="arm"><compiler angle="degree"/><worldbody><body name="base"><freejoint name="root"/>
-  <geom type="box" size=".1 .1 .1" mass="5"/>
-  <body name="turret" pos="0 0 .2"><joint name="turret" axis="0 0 1"/><geom size=".04" mass="1"/>
-    <body name="upper" pos="0 0 .2"><joint name="shoulder" axis="0 1 0" range="-180 180"/><geom size=".04" mass="1"/>
-      <body name="fore" pos="0 0 .2"><joint name="elbow" axis="0 1 0" range="-170 180"/><geom size=".04" mass="1"/>
-        <body name="rail" pos="0 0 .2"><joint name="rail" type="slide" axis="1 0 0"/><geom size=".04" mass="1"/>
-</body></body></body></body></body></worldbody></mujoco>
-"""
+ARM = read_data("arm_on_base.xml")
 TIME = np.linspace(0, 2, 61)
 
 

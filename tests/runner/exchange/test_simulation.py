@@ -125,26 +125,8 @@ def test_actuators_of_the_model_are_replaced_and_what_has_no_name_gets_one(rig):
     assert model.nsensor == 1
 
 
-BIPED = """
-<mujoco>
-  <compiler angle="radian" {compiler}/>
-  <option {option}>{flags}</option>
-  <default>{default}</default>
-  <worldbody>{world}
-    <body name="pelvis" pos="0 0 .8" {child}><freejoint name="root"/>
-      <geom type="box" size=".08 .12 .08" mass="8" {geom}/>{legs}</body>
-  </worldbody>
-  {rest}
-</mujoco>
-"""
-LEG = """
-  <body name="{0}_hip" pos="0 {1} -.05"><joint name="{0}_hip_pitch" axis="0 1 0" range="-1.5 1" {joint}/>
-    <geom type="capsule" fromto="0 0 0 0 0 -.33" size=".05" mass="3" {geom}/>
-    <body name="{0}_shin" pos="0 0 -.35"><joint name="{0}_knee" axis="0 1 0" range="0 2.2" {joint}/>
-      <geom type="capsule" fromto="0 0 0 0 0 -.32" size=".04" mass="2" {geom}/>
-      <body name="{0}_foot" pos="0 0 -.36"><joint name="{0}_ankle" axis="0 1 0" range="-.8 .8" {joint}/>
-        <geom type="box" size=".1 .04 .02" pos=".04 0 -.02" mass="1" {geom}/></body></body></body>
-"""
+BIPED = read_data("optional_biped.xml")
+LEG = read_data("optional_leg.xml")
 FLOOR = '<geom name="floor" type="plane" size="0 0 1" {}/>'
 REST = 'others = "rest"'
 SQUAT, LEAN = "root.position = [0, 0, 0.72]", "root.position = [0.3, 0, 0.72]"

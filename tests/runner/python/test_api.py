@@ -14,6 +14,7 @@ import pytest
 from figures import EVERY_JOINT
 from problems import names, written
 from scipy.spatial.transform import Rotation
+from texts import read_data
 
 import dynsplines
 from dynsplines import (
@@ -115,35 +116,7 @@ def test_the_verb_takes_what_load_takes(tmp_path):
 
 @pytest.mark.slow
 def test_a_clip_built_is_the_clip_written():
-    text = """
-figure = "human"
-fps = 60.0
-[scene]
-step = {x = 0.3, height = 0.27}
-[solve]
-variable = 1
-[[penalty]]
-kind = "torque"
-weight = 0.1
-[[penalty]]
-kind = "collision"
-margin = 0.002
-[[contact]]
-point = "right_heel"
-from = 0.0
-to = 0.5
-[[keyframe]]
-time = 0.0
-others = "rest"
-[[keyframe]]
-time = 0.8
-root.position = [0.1, "free", 0.93]
-joints.left_hip = {rotvec = [0, -70, 0]}
-joints.left_knee = {euler = [70, 0], order = "yx"}
-sites.right_heel = [-0.05, -0.09, 0.05]
-bodies.right_foot = {flat = true}
-others = "previous"
-"""
+    text = read_data("built.toml")
     made = build(
         "human",
         [

@@ -9,6 +9,7 @@ import figures
 import mujoco
 import pytest
 from processes import Command, commanded
+from texts import read_data
 
 from dynsplines import Keyframe, build, inbetween
 from dynsplines.batch import solving
@@ -21,16 +22,7 @@ SINGULAR = """<mujoco><worldbody><geom type="plane" size="1 1 1"/><body pos="0 0
     <freejoint/><geom size=".2"/><body>
     <joint name="a" axis="0 1 0"/><joint name="b" axis="0 1 0"/><geom size=".1" pos=".3 0 0"/></body></body>
     </worldbody></mujoco>"""
-CLIP = """figure = "arm.xml"
-[[keyframe]]
-time = 0
-joints = {a = 0, b = 0}
-others = "rest"
-[[keyframe]]
-time = 1
-joints = {a = 20, b = 30}
-others = "rest"
-"""
+CLIP = read_data("warned.toml")
 
 
 @pytest.fixture

@@ -8,6 +8,7 @@ import pytest
 from figures import figure_of
 from oracles import kinematics
 from scipy.optimize import minimize
+from texts import read_data
 
 from dynsplines import models
 from dynsplines.solver.figure.figure import Figure
@@ -22,15 +23,7 @@ from dynsplines.solver.posing import (
 )
 from dynsplines.solver.posing.drag import MAX_MISS, TARGET_WEIGHT
 
-ARM = """
-<mujoco><compiler angle="radian"/><worldbody>
-  <body name="upper" pos="0 0 1"><joint name="a" type="hinge" axis="0 1 0"/>
-    <joint name="b" type="hinge" axis="1 0 0"/><inertial mass="1" pos="0.5 0 0" diaginertia="1 1 1"/>
-    <body name="lower" pos="1 0 0"><joint name="c" type="hinge" axis="0 1 0"/>
-      <inertial mass="1" pos="0.5 0 0" diaginertia="1 1 1"/>
-    </body></body>
-</worldbody></mujoco>
-"""
+ARM = read_data("dragged_arm.xml")
 STEP = 1e-6  # [rad, m] of differences
 TIP = np.array([1.0, 0, 0])
 

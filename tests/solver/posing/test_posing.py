@@ -193,14 +193,7 @@ def test_nothing_to_move_stays(rng):
 HUMAN = {c: Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")), c) for c in ("world", "joint")}
 BENDS, _ = posing_limits(HUMAN["world"], {"limits": Options(least_bend=2.0)})
 SITES = [f"{side}_{part}" for side in ("left", "right") for part in ("heel", "toe", "hand", "wrist")]
-ARM = """
-<mujoco><compiler angle="degree"/><worldbody>
-  <body name="one" pos="0 0 1"><joint name="one" type="hinge" axis="0 1 0"/><geom size=".05"/>
-    <body name="two" pos="1 0 0"><joint name="two" type="hinge" axis="0 1 0" range="-150 150"/><geom size=".05"/>
-      <body name="three" pos="1 0 0"><joint name="three" type="hinge" axis="0 1 0"/><geom size=".05"/>
-        <body name="rod" pos="1 0 0"><joint name="rod" type="slide" axis="1 0 0" range="-.1 .2"/><geom size=".05"/>
-          <site name="tip" pos="0 0 0"/></body></body></body></body>
-</worldbody></mujoco>"""
+ARM = read_data("arm_with_rod.xml")
 
 
 def seen(figure: Figure, qpos: Array) -> mujoco.MjData:

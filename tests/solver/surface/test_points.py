@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from oracles import kinematics
 from random_models import random_qpos
 from scipy.spatial import ConvexHull
+from texts import read_data
 
 from dynsplines import Keyframe, build, solving
 from dynsplines.clip.build import Clip
@@ -20,15 +21,7 @@ from dynsplines.solver.surface import Ellipsoid, cover
 from dynsplines.solver.surface.cover import covering_points
 from dynsplines.solver.surface.points import DIRECTIONS, Point, all_round, arrays_of, body_points, placed
 
-LIMBS_OF_SHAPES = """
-<mujoco><worldbody><body name="trunk" pos="0 0 1"><freejoint/>
-  <geom name="ball" type="sphere" size=".12" pos="0 0 .5"/>
-  <geom name="bone" type="capsule" size=".05" fromto="0 0 0 .1 0 .4"/>
-  <geom name="chest" type="box" size=".2 .1 .15" pos="0 .1 .2" euler="20 30 10"/>
-  <body name="arm" pos="0 .3 .3" quat=".9 .1 -.2 .3"><joint type="ball"/>
-    <geom name="upper" type="capsule" size=".03" fromto="0 0 0 0 0 -.4"/>
-    <body name="cuff" pos=".1 0 -.4" quat=".8 .1 .2 0"><geom name="cuff" type="box" size=".04 .05 .1"/></body></body>
-</body></worldbody></mujoco>"""
+LIMBS_OF_SHAPES = read_data("limbs_of_shapes.xml")
 
 
 def reach(model: mujoco.MjModel, figure: Figure, link: int, ways: Array) -> Array:
@@ -343,16 +336,7 @@ def test_the_edge_of_a_step_in_a_foot_between_its_corners_is_a_violation(half, d
     assert 0.6 * expected < reported < expected + 0.001
 
 
-PAIR = """<mujoco><asset><mesh name="hand" vertex="0 0 0 .2 0 0 0 .1 0 0 0 .05"/></asset><worldbody>
-  <body name="trunk" pos="0 0 1"><freejoint/>
-  <geom name="trunk" type="capsule" size=".1" fromto="0 0 0 .05 0 .4"/>
-  <geom name="inner" type="sphere" size=".02" pos="0 0 .1"/>
-  <geom name="mark" type="sphere" size=".5" contype="0" conaffinity="0"/>
-  <body name="pack" pos="-.1 0 .2" quat=".9 .1 .2 .1"><geom name="pack" type="box" size=".05 .1 .15" euler="10 20 30"/></body>
-  <body name="arm" pos="0 .2 .4" quat=".9 .1 -.2 .3"><joint name="shoulder" type="ball"/>
-    <geom name="arm" type="ellipsoid" size=".04 .05 .2" pos=".01 .02 -.2" euler="40 5 0"/>
-    <geom name="hand" type="mesh" mesh="hand" pos=".2 0 -.4" euler="20 40 0"/></body></body>
-  <geom name="floor" type="plane" size="1 1 1"/></worldbody></mujoco>"""  # noqa: E501
+PAIR = read_data("mesh_pair.xml")
 
 
 def test_the_points_of_a_figure_are_the_spheres_of_its_geoms_where_mujoco_has_them(rng):

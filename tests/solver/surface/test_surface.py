@@ -38,17 +38,7 @@ from dynsplines.solver.surface.static import DOWN
 from dynsplines.solver.surface.surface import GROUNDED
 from dynsplines.solver.surface.touch import SCENERY, bolted, counts_all, grounds, movers, solids
 
-SCENE = """
-<mujoco><worldbody>
-  <geom name="floor" type="plane" size="0 0 1" pos="0 0 -.1"/>
-  <geom name="ramp" type="plane" size="5 5 1" pos="1 2 .3" euler="20 30 10"/>
-  <body name="platform" pos="0 0 .5" quat=".9 .1 .2 .1">
-    <geom name="crate" type="box" size=".5 .6 .4" pos=".2 .1 .3" euler="10 0 20"/></body>
-  <geom name="step" type="box" size="1 1 .2" pos="4 0 .1"/>
-  <geom name="sunk" type="box" size="1 1 .2" pos="4 0 -.5"/>
-  <body name="ball" pos="0 0 3"><freejoint/><geom name="ball" type="sphere" size=".15"/>
-    <geom type="box" size=".1 .1 .1"/></body>
-</worldbody></mujoco>"""
+SCENE = read_data("surfaces.xml")
 
 
 @pytest.fixture(scope="module")
@@ -300,17 +290,7 @@ def test_what_is_only_to_be_seen_and_what_a_programme_moves_do_not_count():
     assert [surface.name for surface in static_surfaces(model)] == ["floor", "wall", "base"]
 
 
-MOCAP = """
-<mujoco><worldbody>
-  <body name="table" mocap="true"><geom name="top" type="box" size="1 1 .1"/>
-    <body name="vase" pos="0 0 .2"><geom name="vase" size=".1"/><geom name="look" size=".2" {seen}/></body></body>
-  <body name="base" mocap="true" pos="2 0 0"><geom name="base" size=".1"/>
-    <body name="arm" pos="0 0 .5"><joint name="elbow"/><geom name="arm" size=".1"/></body></body>
-  <body name="pull" mocap="true" pos="3 0 0"><geom name="pull" size=".1"/></body>
-  <body name="grip" mocap="true" pos="4 0 0"><geom name="grip" size=".1"/><site name="grip"/></body>
-  <body name="ball" pos="0 0 1"><freejoint/><geom name="ball" size=".1"/><site name="ball"/></body>
-</worldbody><equality><connect body1="ball" body2="pull" anchor="0 0 0"/><weld site1="grip" site2="ball"/></equality>
-</mujoco>"""
+MOCAP = read_data("mocap.xml")
 
 
 def test_colliding_mocap_bodies_are_obstacles_unless_they_are_handles_of_the_figure():
