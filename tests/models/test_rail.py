@@ -12,17 +12,7 @@ from texts import read_data
 from dynsplines import recordings, solving
 from dynsplines.motion import sampled
 
-LIMB = """
-<mujoco><compiler angle="degree"/>
-<asset><mesh name="rock" vertex="-.06 -.3 -.05 .06 -.3 -.05 -.06 .3 -.05 .06 .3 -.05 0 -.3 .06 0 .3 .06"/>
-  <hfield name="ridge" nrow="7" ncol="13" size=".3 .4 .12 .1" elevation="{ridge}"/></asset>
-<worldbody>
-  <geom name="obstacle" {obstacle}/>
-  <body name="shoulder" pos="0 0 1"><freejoint name="root"/><geom name="trunk" size=".05" mass="1"/>
-    <body name="arm"><joint name="shoulder" type="ball"/>
-      <geom name="arm" type="capsule" size=".04" fromto="0 0 -.1 0 0 -.5" mass="1"/>
-      <geom name="muscle" type="ellipsoid" size=".05 .06 .12" pos="0 0 -.3" mass="1"/></body></body>
-</worldbody></mujoco>""".replace("{ridge}", " ".join(["0 .2 .4 .6 .8 .9 1 .9 .8 .6 .4 .2 0"] * 7))
+LIMB = read_data("rail_limb.xml").replace("{ridge}", " ".join(["0 .2 .4 .6 .8 .9 1 .9 .8 .6 .4 .2 0"] * 7))
 OBSTACLES = {
     "rail": 'type="capsule" size=".02 .6" euler="90 0 0" pos="0 0 .47"',
     "ball": 'type="sphere" size=".05" pos="0 0 .44"',

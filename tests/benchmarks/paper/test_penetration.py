@@ -7,15 +7,9 @@ import numpy as np
 import pytest
 from oracles import tells_height_fields
 from paper.penetration import penetration
+from texts import read_data
 
-SCENE = """
-<mujoco><worldbody>
-  <geom name="floor" type="plane" size="1 1 1"/>
-  <geom name="step" type="box" size=".5 .5 .15" pos="2 0 .15"/>
-  <geom name="pillar" type="cylinder" size=".1 1" pos="-2 0 1"/>
-  <body name="a"><freejoint/><geom name="ball" size=".1"/>
-    <body name="b" pos="0 0 .5"><joint/><geom type="capsule" size=".05" fromto="0 0 0 0 0 .4"/></body></body>
-</worldbody></mujoco>"""
+SCENE = read_data("penetration.xml")
 
 
 @pytest.fixture(scope="module")

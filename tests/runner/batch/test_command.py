@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from problems import written
 from processes import commanded, refusal
+from texts import read_cases
 
 import dynsplines.batch
 
@@ -29,23 +30,7 @@ def refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Capt
     return lambda *words: refusal(run("batch", *words))
 
 
-@pytest.mark.parametrize(
-    ("words", "line"),
-    [
-        (
-            ("tiny.toml", "--workers", 2, "--cluster", "tcp://here:8786"),
-            "--workers are of this machine and --cluster is elsewhere; give one of them",
-        ),
-        (("tiny.toml", "-o", "tiny.xml"), "cannot write to 'tiny.xml': File exists"),
-        (("tiny.toml", "absent.toml"), "no file 'absent.toml'"),
-        (("tiny.toml", "--to", "cvs"), "no format 'cvs'; did you mean 'csv'? Formats: "),
-        (
-            ("tiny.toml", "other/Tiny.toml", "-o", "out"),
-            "'../tiny.toml' and '../other/Tiny.toml' have the same output, 'Tiny.npz'; rename one of them",
-        ),
-        ((), "no clips; give names, .toml or .xml files, folders, patterns, or --list FILE"),
-    ],
-)
+@pytest.mark.parametrize(("words", "line"), read_cases("batch_words.toml"))
 def test_what_makes_no_sense_is_refused(refused: Refused, words: tuple[object, ...], line: str):
     pytest.importorskip("distributed")
     assert refused(*words).startswith(line)

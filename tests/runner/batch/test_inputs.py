@@ -9,6 +9,7 @@ from pathlib import Path, PurePosixPath
 
 import pytest
 from problems import CLIP, FIGURE, changed, written
+from texts import read_cases
 
 from dynsplines.batch import solving
 from dynsplines.batch.inputs import Source, sources, task_of
@@ -58,16 +59,7 @@ def test_a_list_names_more_a_line_each(tree: Path, monkeypatch: pytest.MonkeyPat
     assert names(sources([], "-")) == ["walk"]
 
 
-@pytest.mark.parametrize(
-    ("word", "complaint"),
-    [
-        ("walk_lop", "did you mean 'walk_loop'"),
-        ("clips/none.toml", "no file 'clips/none.toml'"),
-        ("clips/readme.txt", "a clip is a .toml file.*; add --clean or --retarget for recordings"),
-        ("clips/*.xml", "no .toml or .xml file is called so"),
-        ("empty", "no .toml file in it"),
-    ],
-)
+@pytest.mark.parametrize(("word", "complaint"), read_cases("absent_clips.toml"))
 def test_what_is_not_there_is_reported(tree: Path, word: str, complaint: str):
     (tree / "empty").mkdir()
     with pytest.raises(UserError, match=complaint):

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 import shipped
 from processes import commanded, quiet, refusal
+from texts import read_cases
 
 pytest.importorskip("distributed")
 
@@ -82,20 +83,7 @@ def test_each_is_cleaned_once_and_one_that_is_torn_stops_nothing(
     assert again.good[0].violations == entries[again.good[0].clip].violations
 
 
-@pytest.mark.parametrize(
-    ("words", "line"),
-    [
-        (("--clean", "--retarget", "human"), "--clean and --retarget: give one of them"),
-        (("--figure", "human", "--within", "2cm"), "--figure and --max-displacement: of recordings; give --clean"),
-        (("--retarget", "human", "--figure", "human"), "--figure human: the figure is the one to --retarget to"),
-        (("--clean", "--map", "map.toml"), "--map: a bone map is used for retargeting only; add --retarget MODEL"),
-        (("--retarget", "absent.xml"), "no file 'absent.xml'"),
-        (("--retarget", "humann"), "did you mean 'human'"),
-        (("--clean", "--scene", "absent.toml"), "--scene: no file 'absent.toml'"),
-        (("--clean", "--report"), "--report is for clips, not for recordings"),
-        (("--clean", "--max-displacement", "-1cm"), "--max-displacement"),
-    ],
-)
+@pytest.mark.parametrize(("words", "line"), read_cases("batch_of_recordings.toml"))
 def test_what_does_not_go_together_is_reported(
     folder: Path, words: tuple[str, ...], line: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

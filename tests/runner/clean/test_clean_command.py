@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from motions import kneeling
 from oracles import kinematics
+from texts import read_cases
 
 from dynsplines import UserError, load_motion, motion
 from dynsplines.clip import load as clips
@@ -160,20 +161,7 @@ def test_a_heel_at_rest_in_the_air_is_named_and_does_not_stand(command, tmp_path
     assert "," not in stands
 
 
-@pytest.mark.parametrize(
-    ("words", "told"),
-    [
-        (["nowhere.bvh"], "no file 'nowhere.bvh'"),
-        (["{f}/bobs.npz", "-o", "{f}/bobs.npz"], "is what is read; give another -o"),
-        (["{f}/bobs.npz", "-o", "x.txt"], "is of no known format"),
-        (["{f}/bobs.npz", "--within", "3"], "the unit is missing; give 3cm"),
-        (["{f}/bobs.npz", "--scene", "s.toml"], "brings its scene along"),
-        (["{f}/bobs.npz", "--contacts", "bad.toml"], "no key 'figure'. Keys: scene, contact"),
-        (["{f}/bobs.npz", "--contacts", "far.toml"], "is not within the recording, 0 to 1.46667 s"),
-        (["{f}/bobs.npz", "--contacts", "odd.toml"], "contact 1 ('left_hel')"),
-        (["{f}/bobs.csv"], "--figure"),
-    ],
-)
+@pytest.mark.parametrize(("words", "told"), read_cases("clean_words.toml"))
 def test_what_cannot_be_cleaned_is_told_and_nothing_is_written(command, squats, tmp_path, monkeypatch, words, told):
     monkeypatch.chdir(tmp_path)
     text = '[[contact]]\npoint = "{}"\nfrom = {}\nto = {}\n'

@@ -15,7 +15,7 @@ import pytest
 import shipped
 from oracles import kinematics
 from scipy.spatial.transform import Rotation
-from texts import read_data
+from texts import read_cases, read_data
 
 from dynsplines import models
 from dynsplines.errors import UserError
@@ -360,27 +360,7 @@ def test_a_rounded_frame_time_is_the_rate_that_is_meant(tmp_path):
     assert back.figure.model.nq == 11
 
 
-@pytest.mark.parametrize(
-    ("old", "new", "line", "told"),
-    [
-        ("HIERARCHY", "HIERARCHI", 1, "begins with HIERARCHY"),
-        ("OFFSET 0 50 0", "OFFSET 0 50", 8, "OFFSET of 'Chest' takes 3 numbers, not '0 50'"),
-        ("OFFSET 0 50 0", "OFFSET 0 nan 0", 8, "3 numbers"),
-        ("CHANNELS 3 Z", "CHANNELS 2 Z", 9, "CHANNELS 2 of 'Chest' is followed by 3"),
-        ("3 Zrotation", "3 Wrotation", 9, "no channel 'Wrotation'"),
-        ("  JOINT Chest", "  JIONT Chest", 6, "'JIONT Chest' where JOINT"),
-        ("  }\n}\n", "}\n", 15, "the joint 'Hips' is not closed"),
-        ("Frames: 3", "Frames: three", 17, "where 'Frames: N' should be"),
-        ("Frames: 3", "Frames: 4", 21, "ends after 3 frames; 'Frames:' declares 4"),
-        ("Frames: 3", "Frames: 2", 21, "more frames than the 2"),
-        ("0.0083333", "0", 18, "more than nought"),
-        ("1 100 0 0 10", "1 100 0 0", 20, "8 numbers for the 9 channels"),
-        ("1 100 0", "1 1OO 0", 20, "'1OO' is no number"),
-        ("ROOT Hips", "JOINT Hips", 2, "JOINT before ROOT"),
-        ("MOTION", "", 17, "where JOINT"),
-        ("10 0 0 0 0\n", "10 0 0 0 nan\n", 20, "a number that is not finite"),
-    ],
-)
+@pytest.mark.parametrize(("old", "new", "line", "told"), read_cases("broken_bvh.toml"))
 def test_a_broken_file_is_told_by_its_line(old, new, line, told, tmp_path):
     assert old in GOOD
     path = tmp_path / "bad.bvh"

@@ -5,6 +5,7 @@ from pathlib import Path
 import motions
 import pytest
 from processes import commanded, refusal
+from texts import read_cases
 
 from dynsplines import motion
 from dynsplines.exchange import formats
@@ -66,37 +67,13 @@ def test_the_longest_ending_selects_the_format_and_is_dropped_and_one_that_fits_
         assert formats.chosen(kind, Path(name)).name == kind
 
 
-@pytest.mark.parametrize(
-    ("words", "told"),
-    [
-        (["--to", "bvh", "-o", "a.csv"], "'a.csv': the name of a file of the format bvh ends in .bvh"),
-        (["--to", "html", "-o", ".html.gz"], "'.html.gz': the name of a file of the format html ends in .html"),
-        (
-            ["--to", "mjlab", "-o", "a.csv"],
-            "'a.csv': the name of a file of the format mjlab ends in .mjlab.npz or .npz",
-        ),
-        (["--to", "mjcf", "-o", "a.simulate.xml"], "of the format mjcf ends in .keys.xml or .xml"),
-        (["--to", "csv", "-o", "a.mjlab.csv"], "of the format csv ends in .csv"),
-        (["-o", "a.amass.npz"], "the format 'amass' is read only"),
-        (["-o", "a.foo"], "'a.foo': its ending is of no known format; give --to"),
-        ([], "name the format, --to, or a file with its ending, -o; formats: csv"),
-    ],
-)
+@pytest.mark.parametrize(("words", "told"), read_cases("export_names.toml"))
 def test_a_name_that_does_not_fit_is_refused_before_anything_is_written(run, tmp_path, words, told):
     assert told in refusal(run("export", "wild.npz", *words))
     assert sorted(path.name for path in tmp_path.iterdir()) == ["robot.xml", "wild.npz"]
 
 
-@pytest.mark.parametrize(
-    ("words", "told"),
-    [
-        (["x.html"], "the format 'html' is only written; read are: csv"),
-        (["x.y", "--from", "gltf"], "the format 'gltf' is only written; read are: csv"),
-        (["x.GLB"], "'x.GLB': .glb is not read; convert it to BVH, for example with Blender"),
-        (["x.npy"], "'x.npy': .npy is not read; save qpos and time in an .npz"),
-        (["x.usdc"], "'x.usdc': .usdc is not read; convert it to BVH"),
-    ],
-)
+@pytest.mark.parametrize(("words", "told"), read_cases("import_names.toml"))
 def test_a_file_that_is_not_read_is_refused(run, words, told):
     assert told in refusal(run("import", *words, "-o", "new.npz"))
 

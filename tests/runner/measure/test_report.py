@@ -14,6 +14,7 @@ from processes import quiet
 from random_models import evenly
 from rekeyed import with_keys
 from rich.console import Console
+from texts import read_data
 
 from dynsplines import solving
 from dynsplines.clip import load as clip
@@ -25,13 +26,7 @@ from dynsplines.solver.figure.dynamics import velocities
 from dynsplines.solver.search.descent import optimised
 from dynsplines.solving import Solved
 
-FOOT = """
-<mujoco><worldbody>
-  <body name="box" pos="0 0 .1"><freejoint name="root"/>
-    <geom name="box" type="box" size=".1 .1 .1" mass="2"/>
-    <site name="heel" pos="-.05 0 -.1"/><site name="toe" pos=".05 0 -.1"/>
-  </body>
-</worldbody></mujoco>"""
+FOOT = read_data("foot.xml")
 
 
 def unsolved(folder, keys: list[tuple[float, float, float, float]], head: str = "") -> Solved:

@@ -13,6 +13,7 @@ import pytest
 from oracles import kinematics
 from paper.penetration import penetration
 from processes import quiet
+from texts import read_data
 
 from dynsplines import Keyframe, build, inbetween, load, load_motion, motion, recordings, solving
 from dynsplines.clip import load as clip
@@ -39,13 +40,7 @@ TWIN = """<body name="twin" pos="0 {} 2"><joint name="twin" type="hinge" axis="0
   <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/></body>"""
 FOLLOWS = '<equality><joint joint1="twin" joint2="swing" polycoef="0 1 0 0 0"/></equality>'
 TIED = '<equality><connect name="bolt" body1="upper" body2="twin" anchor="0 0 -.3"/></equality>'
-TRUNK = """<mujoco><compiler angle="degree"/><worldbody><body name="trunk" pos="0 0 2"><freejoint name="root"/>
-  <geom name="trunk" type="capsule" size=".1" fromto="0 0 -.2 0 0 .2" mass="9"/>
-  <body name="arm" pos="0 .3 .2"><joint name="shoulder" type="ball"/>
-    <geom name="arm" type="capsule" size=".03" fromto="0 0 -.02 0 0 -.1" mass="1"/>
-    <body name="hand" pos="0 0 -.2"><joint name="wrist" type="ball"/>
-      <geom name="hand" type="capsule" size=".04" fromto="0 0 0 0 0 -.15" mass="1"/></body></body>
-</body></worldbody></mujoco>"""
+TRUNK = read_data("trunk.xml")
 HOPPER = """<mujoco>{}<worldbody>{}<body name="trunk" pos="0 0 .5"><freejoint name="root"/><geom size=".1"/>
     <body pos="0 0 -.2"><joint name="knee" axis="0 1 0"/><geom type="capsule" fromto="0 0 0 0 0 -.2" size=".05"/></body>
     </body></worldbody></mujoco>"""

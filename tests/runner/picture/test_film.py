@@ -9,6 +9,7 @@ import av
 import imageio.v3 as iio
 import numpy as np
 import pytest
+from texts import read_cases
 
 from dynsplines.errors import UserError
 from dynsplines.picture.film import MOST_WAITING, SHEET_PICTURES, _in_a_thread, check_target, write
@@ -153,16 +154,7 @@ def test_images_stream_through(tmp_path: Path):
     assert max(counts) < 20
 
 
-@pytest.mark.parametrize(
-    ("name", "size", "told"),
-    [
-        ("run.avi", (64, 48), r"run\.avi: no way to write '\.avi'; endings: \.mp4, \.webm, \.gif, \.png"),
-        ("nowhere/run.mp4", (64, 48), r"no folder .*nowhere'; create it"),
-        ("folder.mp4", (64, 48), "it is a folder"),
-        ("run.mp4", (641, 359), r"641x359 pixels; .* take 642x360, or write \.gif"),
-        ("run.webm", (641, 359), r"641x359 pixels; .* take 642x360, or write \.gif"),
-    ],
-)
+@pytest.mark.parametrize(("name", "size", "told"), read_cases("film_targets.toml"))
 def test_a_target_that_cannot_be_written_is_refused(tmp_path: Path, name: str, size: tuple[int, int], told: str):
     (tmp_path / "folder.mp4").mkdir()
     with pytest.raises(UserError, match=told):

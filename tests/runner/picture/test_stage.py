@@ -92,15 +92,7 @@ def test_every_pixel_shows_the_geom_that_mujocos_rays_meet_there_and_the_height_
 
 
 def test_a_checker_has_its_colours_near_and_their_mean_far_away():
-    scene = """
-    <mujoco>
-      <asset>
-        <texture name="t" type="2d" builtin="checker" rgb1="1 0 0" rgb2="0 0 1" width="64" height="64"/>
-        <material name="m" texture="t" texrepeat="1 1" texuniform="true" specular="0"/>
-      </asset>
-      <visual><headlight ambient="1 1 1" diffuse="0 0 0"/></visual>
-      <worldbody><geom type="plane" size="0 0 1" material="m"/></worldbody>
-    </mujoco>"""
+    scene = read_data("checker.xml")
     near = drawn(scene, None, View((0.0, 0.0, 0.0), 3.0, 90.0, -89.0))
     assert near[..., 0].max() > 230
     assert near[..., 2].max() > 230

@@ -32,13 +32,7 @@ from dynsplines import (
 )
 from dynsplines.clip.table import ClipTable, KeyframeTable
 
-ARM = """
-<mujoco model="arm"><worldbody>
-  <body name="upper" pos="0 0 1"><joint name="shoulder" type="ball"/>
-    <geom type="capsule" size=".04" fromto="0 0 0 0 0 -.3"/>
-    <body name="lower" pos="0 0 -.3"><joint name="elbow" axis="0 1 0"/>
-      <geom type="capsule" size=".03" fromto="0 0 0 0 0 -.3"/><site name="hand" pos="0 0 -.3"/></body></body>
-</worldbody></mujoco>"""
+ARM = read_data("waving_arm.xml")
 WAVE = (
     Keyframe(0.0, qpos=[1, 0, 0, 0, 0.2]),
     Keyframe(0.5, joints={"shoulder": Rotation.from_euler("y", -60, degrees=True), "elbow": -45.0}),

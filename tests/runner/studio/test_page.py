@@ -13,6 +13,7 @@ import problems
 import psutil
 import pytest
 from browser import Studio, Tab
+from texts import read_data
 
 from dynsplines import models
 from dynsplines.clip.starter import starter
@@ -446,14 +447,7 @@ def test_a_robot_crouches_and_reaches_in_two_drags(browser, tmp_path):
         tab.page.close()
 
 
-CRATE = """
-[[scene.box]]
-body = "crate"
-name = "side"
-position = [0.3, 0, 0.1]
-size = [0.1, 0.1, 0.2]
-mass = 1
-"""
+CRATE = read_data("page_crate.toml")
 
 
 def test_what_is_part_of_a_thing_that_moves_is_moved_in_its_axes(browser, tmp_path):

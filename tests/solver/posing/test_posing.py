@@ -336,13 +336,7 @@ def test_with_joints_at_their_ranges_it_is_as_near_as_scipys(reach, side):
     assert cost(found.qpos) == pytest.approx(best.fun, rel=1e-6)
 
 
-HOLDING = """
-<mujoco><worldbody>
-  <body name="box" pos="1 .2 .3" quat=".9 .1 .2 -.1"><freejoint/><geom size=".1"/><site name="grip" pos=".1 -.2 .05"/></body>
-  <body name="arm" pos="0 0 1" quat=".8 .1 -.3 .2"><joint type="ball"/><geom size=".1" pos=".2 0 0"/>
-    <body name="hand" pos=".5 0 0"><joint type="hinge" axis="0 1 1"/><geom size=".1"/><site name="palm" pos=".1 .02 0"/>
-    </body></body>
-</worldbody></mujoco>"""  # noqa: E501
+HOLDING = read_data("holding.xml")
 
 
 def test_a_hold_misses_what_mujoco_has_between_its_places_and_changes_as_both_bodies_move(rng):

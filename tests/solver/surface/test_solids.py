@@ -9,6 +9,7 @@ from gradients import taylor_slope
 from oracles import kinematics, tells_height_fields
 from scipy.optimize import nnls
 from scipy.spatial.transform import Rotation
+from texts import read_data
 
 from dynsplines import Keyframe, build, solving
 from dynsplines.solver.array import Array, Index
@@ -21,23 +22,7 @@ ELEVATION = " ".join(f"{z:.3f}" for z in rough.uniform(0, 1, 42))
 CLOUD = " ".join(f"{x:.3f}" for x in rough.normal(size=90) * np.tile([0.3, 0.2, 0.25], 30))
 WEDGE = "-.4 -.3 0 .4 -.3 0 .4 .3 0 -.4 .3 0 .4 -.3 .3 .4 .3 .3"
 
-SCENE = f"""
-<mujoco><asset>
-  <mesh name="rock" vertex="{CLOUD}"/><mesh name="wedge" vertex="{WEDGE}"/>
-  <hfield name="ground" nrow="6" ncol="7" size="1.2 .9 .4 .1" elevation="{ELEVATION}"/></asset>
-<worldbody>
-  <geom name="stone" type="sphere" size=".4" pos="1 2 3"/>
-  <geom name="rail" type="capsule" size=".03 .8" pos="0 1 1" euler="70 10 5"/>
-  <geom name="pole" type="capsule" size=".05 .8" pos="0 1 1"/>
-  <geom name="log" type="cylinder" size=".2 .6" pos="1 -1 2" euler="70 20 5"/>
-  <geom name="post" type="cylinder" size=".2 .6" pos="1 -1 2"/>
-  <geom name="egg" type="ellipsoid" size=".5 .3 .2" pos="2 0 1" euler="20 30 40"/>
-  <geom name="rock" type="mesh" mesh="rock" pos="-2 0 1" euler="20 30 40"/>
-  <geom name="wedge" type="mesh" mesh="wedge" pos="-2 0 1" euler="0 0 30"/>
-  <geom name="crate" type="box" size=".5 .3 .2" pos="2 3 1" euler="20 30 40"/>
-  <geom name="ground" type="hfield" hfield="ground" pos="-4 0 .3" euler="0 0 20"/>
-  <body name="ball" pos="0 0 9"><freejoint/><geom name="ball" type="sphere" size=".15"/></body>
-</worldbody></mujoco>"""
+SCENE = read_data("solids.xml").format(CLOUD=CLOUD, WEDGE=WEDGE, ELEVATION=ELEVATION)
 MODEL = mujoco.MjModel.from_xml_string(SCENE)
 SURFACES: dict[str, Surface] = {surface.name: surface for surface in static_surfaces(MODEL)}
 CONVEX = [name for name in SURFACES if name != "ground"]

@@ -329,14 +329,7 @@ def test_a_clips_obstacle_is_bolted_to_the_first_limb_alone():
         assert {model.body(body).name for body, _ in bolted(model)} == bodies
 
 
-ROOM = """
-<mujoco><worldbody>
-  <geom name="ground" type="plane" size="1 1 1" contype="0" conaffinity="0"/>
-  <geom name="hull" type="box" size="4 4 3" {hull}/><geom name="bench" type="box" size=".1 1 .2" pos="2 0 0" {bench}/>
-  <body name="leg" pos="0 0 1"><freejoint/><geom name="bone" type="capsule" size=".05 .2" contype="0" conaffinity="0"/>
-    <geom name="skin" type="capsule" size=".06 .2" {skin}/>
-    <body name="toe"><joint/><geom name="nail" size=".01" contype="0" conaffinity="0"/></body></body>
-</worldbody>{more}</mujoco>"""
+ROOM = read_data("room.xml")
 
 
 SEEN = 'contype="0" conaffinity="0"'
