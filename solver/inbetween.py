@@ -107,7 +107,8 @@ def _search_result(
             timeline = search(loop)
         except KeyboardInterrupt:
             timeline, loop.stop = loop.best() if loop.best is not None else begin, Stop.INTERRUPTED
-    return Solution(problem.figure, loop.objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
+    objective = replace(loop.objective, terms=problem.objective.terms)
+    return Solution(problem.figure, objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
 
 
 @contextmanager
@@ -162,7 +163,7 @@ class _Loop:
         is_clear = self.trace and self.trace[-1][2] < CLEARLY * self.trace[0][2]
         if is_clear and is_resolved(self.objective.figure, candidate):
             return candidate
-        return select_best(self.objective, [candidate, raw])
+        return select_best(self.objective.watching(path_of(raw)), [candidate, raw])
 
     def over(self, raw: Timeline) -> Timeline:
         """Return the best timeline through the keyframes of a raw one. Long clips are solved in windows."""
@@ -248,14 +249,14 @@ class _Loop:
         """
         ends: list[tuple[Timeline, Stop]] = []
         values: list[float] = []
-        objective, cuts = self.objective, set[float]()
+        quadrature, cuts = self.objective.quadrature, set[float]()
         waiting = self._starts(timeline)
         while waiting:
             if ends:
                 self.round += 1
                 self.optimiser = self.new_optimiser()
-                if self.objective is not objective:  # its added samples are for other paths
-                    self.objective, self.least = objective, self._least_of(objective)
+                if self.objective.quadrature is not quadrature:  # its added samples are for other paths
+                    self._replace(replace(self.objective, quadrature=quadrature))
             ends += self.run(waiting.pop(0)(), segments, budget)
             cuts |= set(self.objective.quadrature.cuts)
             values.append(sum(self.last.values()))
@@ -263,7 +264,7 @@ class _Loop:
                 break
             if self._is_settled(ends[-1][0], values):
                 break
-        self.objective = objective.cut_at(cuts)
+        self.objective = replace(self.objective, quadrature=quadrature).cut_at(cuts)
         selected = select_best(self.objective, [timeline for timeline, _ in reversed(ends)])
         stop = next(stop for timeline, stop in reversed(ends) if timeline is selected)
         self.stop = Stop.INTERRUPTED if self.stop is Stop.INTERRUPTED else stop
@@ -299,6 +300,7 @@ class _Loop:
         tolerance, refinements = self.settings.tolerance, 0
         budget = MOST_FRAMES * segments if budget is None else budget
         rough = max(ROUGH, tolerance)
+        self._replace(self.objective.watching(path_of(timeline)))
         while True:
             is_last = timeline.variable_count >= budget
             timeline = self.descend(timeline, tolerance if is_last else rough)
@@ -307,7 +309,7 @@ class _Loop:
                 return ends
             finer = self.objective
             if self.stop is Stop.CONVERGED and refinements < MOST_REFINEMENTS:
-                finer = self.objective.finer(path_of(timeline))
+                finer = self.objective.watching(path_of(timeline)).finer(path_of(timeline))
             is_finer = finer is not self.objective
             chosen, promise = (np.zeros(0), 0.0) if is_last else self.chosen(timeline, budget - timeline.variable_count)
             if not chosen.size and (is_last or rough <= tolerance):
@@ -315,17 +317,19 @@ class _Loop:
                     return ends
                 refinements += 1
             if is_finer:
-                self.objective, self.least = finer, self._least_of(finer)
+                self._replace(finer)
             rough = float(np.clip(SHARE_OF_PROMISE * promise, tolerance, rough)) if chosen.size else tolerance
             timeline = split(timeline, chosen)
             self.round += bool(chosen.size) or is_finer
 
-    def _least_of(self, objective: Objective) -> float:
-        """Return the value of the best path under an objective with other samples, so high that the path counts again.
+    def _replace(self, objective: Objective) -> None:
+        """Change the objective, and the value of the best path under it, which is so high that the path counts again.
 
         It may be larger than before. The path is not that of the present search if an earlier one ended better.
         """
-        return np.inf if self.best is None else objective.value(path_of(self.best())) * (1 + ROUNDING)
+        if objective is not self.objective:
+            self.objective = objective
+            self.least = np.inf if self.best is None else objective.value(path_of(self.best())) * (1 + ROUNDING)
 
     def loosened(self, timeline: Timeline) -> Timeline:
         """Return the minimum of a rough search without limits of joints, which can trap a limb on the wrong side."""

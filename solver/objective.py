@@ -243,6 +243,20 @@ class Objective:
         """Return E of a path, integrated over the spans between `times` [s]; None: between its knots."""
         return float(sum(term.factor * v for term, v in zip(self.terms, self.integrals(path, times), strict=True)))
 
+    def watching(self, path: Path) -> Objective:
+        """Return E with terms that evaluate, of all pairs of limbs, those that touch on a path or did so on others."""
+        lazy = [type(term.penalty).watching is not Penalty.watching for term in self.terms]
+        if not any(lazy):
+            return self
+        edges = self.quadrature.panels(path.spline.times)
+        t = np.sort(np.append(edges, 0.5 * (edges[1:] + edges[:-1])))
+        parts = self.samples(path, t).parts(run_of(self.figure))
+        penalties = [term.penalty.watching(parts) for term in self.terms]
+        if all(penalty is term.penalty for penalty, term in zip(penalties, self.terms, strict=True)):
+            return self
+        terms = (replace(term, penalty=penalty) for penalty, term in zip(penalties, self.terms, strict=True))
+        return replace(self, terms=tuple(terms))
+
     def finer(self, path: Path) -> Objective:
         """Return E with more samples where they miss a collision of a path, or this one if they miss none.
 

@@ -126,6 +126,10 @@ class Penalty(ABC):
         """
         return self.residuals(samples)
 
+    def watching(self, parts: Iterable[Samples]) -> Penalty:
+        """Return the constraint without the parts that are zero in all samples, until it is called with others."""
+        return self
+
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         """Return f_j at every sample, (S,). If `into` is given, add the gradient of Σ_s scale_s f_j(s) to `into`."""
         return summed(self.residuals(samples), samples, into, scale)

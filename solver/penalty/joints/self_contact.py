@@ -3,27 +3,33 @@
 The depth of two capsules is the sum of their radii minus the distance of their segments. By the envelope theorem the
 gradient of this distance is that of two points fixed on the links. Ellipsoids, boxes and cylinders are represented by
 spheres that fill them. Meshes, links joined to each other, and geoms that overlap at rest are excluded.
+
+Few pairs are near each other. Bounds find them: first the links' bounding capsules, then a link's shapes against the
+bounding capsule of the other link, then the bounding spheres of the shapes. A search evaluates only the pairs of links
+that penetrate each other on one of its paths.
 """
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from functools import cached_property
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 
 import mujoco
 import numpy as np
 
 from ... import quaternion as quat
-from ...array import Array, Index, Mask
-from ...figure.algebra import cross, dot
+from ...array import Array, Index
+from ...curve.frame import Timeline
+from ...figure.algebra import applied, cross, dot, turned
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...figure.model import kinematics
+from ...figure.size import Size
 from ...figure.wrenches import of_point
 from ...surface.cover import filling_spheres
 from ...surface.touch import movers
+from ..allowance import Allowance
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
@@ -32,6 +38,7 @@ GAP = 0.008  # [m] maximum gap between spheres and the geom that they fill
 HAIR = 0.015  # [m] protrusion from a thicker shape up to which a shape is omitted
 PARALLEL = 1e-16  # [1] squared sine of the angle below which two segments are parallel
 CROSSING = 1e-12  # [m] distance below which axes intersect, so that their direction of separation is arbitrary
+UNWATCHED = 0.005  # [m] depth up to which links of an adult need not be watched
 FARTHEST = 0.01  # [m] limit of MuJoCo's distance computation, of which only the sign is used
 
 
@@ -48,45 +55,21 @@ class Bar:
 
 
 @dataclass(frozen=True)
-class Meeting:
-    """Nearest points of q pairs of capsules at samples.
-
-    Attributes:
-        at: The samples, (q,).
-        first: The links of the first capsules, (q,).
-        last: The links of the second capsules, (q,).
-        first_offset: The first points relative to their links' origins, (3, q) [m].
-        last_offset: The second points relative to their links' origins, (3, q) [m].
-        depth: The depths, negative if the capsules do not touch, (q,) [m].
-        direction: Unit vectors from the second points to the first, (3, q).
-    """
-
-    at: Index
-    first: Index
-    last: Index
-    first_offset: Array
-    last_offset: Array
-    depth: Array
-    direction: Array
-
-    def select(self, which: Index) -> Meeting:
-        chosen = (self.at[which], self.first[which], self.last[which])
-        vectors = (self.first_offset[:, which], self.last_offset[:, which])
-        return Meeting(*chosen, *vectors, self.depth[which], self.direction[:, which])
-
-
-@dataclass(frozen=True)
 class SelfContact(Penalty):
     """Σ over pairs of capsules of depth² [m²], with a `margin` [m] between them.
 
     Attributes:
-        pairs: Indices of the bars of each pair, with the links in ascending order, (2, n).
+        pairs: Indices of the bars of each pair, (2, n).
         margin: The minimum distance [m].
+        allowed: Depths that keyframes fix, (P, K) for pairs of links.
+        watched: The pairs of links to evaluate, ascending; None: all of them.
     """
 
     bars: tuple[Bar, ...]
     pairs: Index
     margin: float = 0.0
+    allowed: Allowance | None = None
+    watched: Index | None = None
 
     name = "collision.self"
     role = Role.OBSTACLE
@@ -95,8 +78,31 @@ class SelfContact(Penalty):
     @classmethod
     def of(cls, figure: Figure, margin: float = 0.0) -> SelfContact:
         """Return the penalty of all pairs of a figure's shapes that can collide."""
-        bars = _outer([bar for geom in movers(figure.model) for bar in _bars(figure, geom)])
-        return cls(bars, _pairs(figure, bars), margin)
+        return cls(*_shapes(figure), margin)
+
+    def allowing(self, figure: Figure, keys: Timeline) -> SelfContact:
+        """Return the penalty without the depths, including the margin, of links whose relative pose keyframes fix."""
+        if not self.pairs.size:
+            return self
+        pairs, pair_of = self._link_pairs
+        excess = np.zeros((pairs.shape[1], keys.times.size))
+        at, i, j, depth, *_ = self._met(Samples.still(figure, keys.states), 0.0, None)
+        np.maximum.at(excess, (pair_of[i, j], at), depth)
+        path = figure.tables.path[:, 1:] > 0
+        specified = np.array([keys.fixed[:, link.columns].all(axis=1) for link in figure.links[1:]])
+        for row, (first, last) in zip(excess, self._bounds[0][pairs].T, strict=True):
+            row *= specified[path[first] != path[last]].all(axis=0)
+        return replace(self, allowed=Allowance(keys.times, excess)) if excess.any() else self
+
+    def watching(self, parts: Iterable[Samples]) -> SelfContact:
+        """Return the penalty of the watched pairs of links and those that are in each other."""
+        found = [np.zeros(0, np.intp) if self.watched is None else self.watched]
+        for part in parts:
+            _, i, j, depth, *_ = self._met(part, 0.0, None)
+            deep = depth > UNWATCHED * Size.of(part.figure).length
+            found.append(self._link_pairs[1][i[deep], j[deep]])
+        watched = np.unique(np.concatenate(found))
+        return self if np.array_equal(watched, self.watched) else replace(self, watched=watched)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         return self._met_by(samples, 0.0)
@@ -106,48 +112,76 @@ class SelfContact(Penalty):
 
     def _met_by(self, samples: Samples, near: float) -> Iterator[Block]:
         """Yield the pairs of capsules less than `near` [m] apart."""
-        if not self.pairs.size:
-            return
-        met = self.meetings(samples, near)
-        if met is None:
-            yield Block.joined([])
-            return
-        first = of_point(met.at, met.first, met.first_offset, -met.direction)
-        last = of_point(met.at, met.last, met.last_offset, met.direction)
-        yield Block(met.at, met.depth, (first, last), one_sided=True)
+        if self.pairs.size and (self.watched is None or self.watched.size):
+            links = self._arrays[0]
+            at, i, j, depth, first, last, direction = self._met(samples, near, self.watched)
+            wrenches = of_point(at, links[i], first, -direction), of_point(at, links[j], last, direction)
+            yield Block(at, depth, wrenches, one_sided=True)
 
-    def meetings(self, samples: Samples, near: float) -> Meeting | None:
-        """Return the pairs of capsules less than `near` [m] apart, or None."""
-        reach_limit = near + self.margin
-        results = []
-        for (_, _, pairs), is_close in zip(self._groups, self._close(samples, reach_limit), strict=True):
-            at = np.flatnonzero(is_close)
-            if at.size:
-                met = self._met(samples, at, pairs, reach_limit)
-                results.append(met.select(np.flatnonzero(met.depth > -near)))
-        if not any(met.at.size for met in results):
-            return None
-        names = ("at", "first", "last", "first_offset", "last_offset", "depth", "direction")
-        return Meeting(*(np.concatenate([getattr(met, name) for met in results], axis=-1) for name in names))
+    def _met(
+        self, samples: Samples, near: float, watched: Index | None
+    ) -> tuple[Index, Index, Index, Array, Array, Array, Array]:
+        """Return the pairs of capsules less than `near` [m] apart, of the `watched` pairs of links.
+
+        Returns:
+            Samples and both bars, (q,); depths, negative if the capsules do not touch, (q,) [m]; the nearest points
+            relative to their links' origins, (3, q) [m]; and unit vectors from the second points to the first, (3, q).
+        """
+        links, centres, axes, halves, radii = self._arrays
+        at, i, j = self._candidates(samples, near + self.margin, watched)
+        (x, a, u), (y, b, v) = (
+            (origin, applied(rotation, centres[:, bar]), applied(rotation, axes[:, bar]))
+            for bar in (i, j)
+            for origin, rotation in [samples.links.poses(links[bar] * samples.count + at)]
+        )
+        s, t, apart = nearest_on_segments(x - y + a - b, u, v, halves[i], halves[j])
+        gap = np.sqrt(dot(apart, apart))
+        depth = radii[i] + radii[j] + self.margin - gap
+        if self.allowed is not None:
+            depth -= self.allowed.of(self._link_pairs[1][i, j], samples.t[at])
+        direction = np.where(gap > CROSSING, apart / np.maximum(gap, CROSSING), np.array([[0.0], [0], [1]]))
+        k = np.flatnonzero(depth > -near)
+        return at[k], i[k], j[k], depth[k], (a + s * u)[:, k], (b + t * v)[:, k], direction[:, k]
+
+    def _candidates(self, samples: Samples, reach: float, watched: Index | None) -> tuple[Index, Index, Index]:
+        """Return samples and both bars of pairs, (q,), among them all pairs less than `reach` [m] apart."""
+        links, centres, _, halves, radii = self._arrays
+        carriers, middles, directions, lengths, bounds = self._bounds
+        pairs, pair_of = self._link_pairs
+        place, _ = samples.links.points(carriers, middles)
+        axis = turned(samples.links.rotation[:, :, carriers], directions)
+        a, b = pairs if watched is None else pairs[:, watched]
+        *_, apart = nearest_on_segments(
+            place[:, a] - place[:, b], axis[:, a], axis[:, b], lengths[a, None], lengths[b, None]
+        )
+        pair, at = np.nonzero(dot(apart, apart) < ((bounds[a] + bounds[b] + reach) ** 2)[:, None])
+        a, b = a[pair], b[pair]
+
+        extent = halves + radii
+        centre, _ = samples.links.points(links, centres)
+        centre, place, axis = (part.reshape(3, -1) for part in (centre, place, axis))
+        order, count = np.argsort(links, kind="stable"), np.bincount(np.searchsorted(carriers, links))
+        first, sides = np.cumsum(count) - count, []
+        for one, other in ((a, b), (b, a)):
+            entry, bar = _expanded(first[one], count[one])
+            bar, bound = order[bar], other * samples.count + at
+            d = centre.take(bar * samples.count + at[entry], axis=1) - place.take(bound, axis=1).take(entry, axis=1)
+            v, half = axis.take(bound, axis=1).take(entry, axis=1), lengths[other][entry]
+            along = dot(d, v)
+            squared = dot(d, d) - along**2 + (along - np.clip(along, -half, half)) ** 2
+            near = np.flatnonzero(squared < (extent[bar] + (bounds[other] + reach)[entry]) ** 2)
+            sides.append((entry[near], bar[near]))
+        (entry, i), (entries, bars) = sides
+        count = np.bincount(entries, minlength=pair.size)
+        which, j = _expanded((np.cumsum(count) - count)[entry], count[entry])
+        at, i, j = at[entry[which]], i[which], bars[j]
+        d = centre.take(i * samples.count + at, axis=1) - centre.take(j * samples.count + at, axis=1)
+        near = np.flatnonzero((dot(d, d) < (extent[i] + extent[j] + reach) ** 2) & (pair_of[i, j] >= 0))
+        return at[near], i[near], j[near]
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array, Array, Array]:
-        """Links (n,), centres and axes (3, n), half lengths and radii (n,) of the bars."""
-        links = np.array([bar.link for bar in self.bars], np.intp)
-        centres, axes = (np.array([getattr(bar, name) for bar in self.bars]).T for name in ("centre", "axis"))
-        halves, radii = (np.array([getattr(bar, name) for bar in self.bars]) for name in ("half", "radius"))
-        return links, centres, axes, halves, radii
-
-    def _close(self, samples: Samples, margin: float) -> Mask:
-        """Return whether the bounding capsules of each pair of links are less than `margin` [m] apart, (pairs, S)."""
-        carriers, middles, axes, halves, radii = self._bounds
-        place, _ = samples.links.points(carriers, middles)
-        axis = np.einsum("ijns,jn->ins", samples.links.rotation[:, :, carriers], axes)
-        a, b = np.searchsorted(carriers, [(first, last) for first, last, _ in self._groups]).T
-        d, u, v = place[:, a] - place[:, b], axis[:, a], axis[:, b]
-        s, t = nearest_on_segments(d, u, v, halves[a, None], halves[b, None])
-        apart = d + s * u - t * v
-        return dot(apart, apart) < ((radii[a] + radii[b] + margin) ** 2)[:, None]
+        return _arrays(self.bars)
 
     @cached_property
     def _bounds(self) -> tuple[Index, Array, Array, Array, Array]:
@@ -169,45 +203,32 @@ class SelfContact(Penalty):
         return carriers, middles, directions, lengths, reaches
 
     @cached_property
-    def _groups(self) -> list[tuple[int, int, Index]]:
-        """Pairs of links with their pairs of bars (2, p)."""
-        links = self._arrays[0]
-        both = links[self.pairs]
-        link_pairs = np.unique(both, axis=1).T
-        return [(int(a), int(b), self.pairs[:, (both[0] == a) & (both[1] == b)]) for a, b in link_pairs]
-
-    def _placed(self, samples: Samples, at: Index, bars: Index) -> tuple[Array, Array]:
-        """Return offsets from the link's origin to the middles, and axes, of bars of one link at samples, (3, n, k)."""
-        links, centres, axes, _, _ = self._arrays
-        rotation = samples.links.rotation[:, :, links[bars[0]]][:, :, at]
-        centre, axis = (np.einsum("ijk,jn->ink", rotation, local[:, bars]) for local in (centres, axes))
-        return centre, axis
-
-    def _met(self, samples: Samples, at: Index, pairs: Index, margin: float) -> Meeting:
-        """Return the contacts of all pairs of bars of two links at samples `at`."""
-        links, _, _, halves, radii = self._arrays
-        (a, ia), (b, ib) = (np.unique(side, return_inverse=True) for side in pairs)
-        (a_arm, a_axis), (b_arm, b_axis) = (self._placed(samples, at, bars) for bars in (a, b))
-        first, last = int(links[a[0]]), int(links[b[0]])
-        between = (samples.links.x[:, first] - samples.links.x[:, last]).take(at, axis=1)
-        reach = np.full((a.size, b.size), -1.0)  # squared; negative for excluded pairs
-        reach[ia, ib] = (halves[a[ia]] + radii[a[ia]] + halves[b[ib]] + radii[b[ib]] + margin) ** 2
-        from_last = a_arm + between[:, None]
-        squared = -2 * np.einsum("ink->kni", from_last) @ np.einsum("imk->kim", b_arm)
-        squared += dot(from_last, from_last).T[:, :, None] + dot(b_arm, b_arm).T[:, None, :]
-        k, i, j = np.nonzero(squared < reach)
-        d, u, v = from_last[:, i, k] - b_arm[:, j, k], a_axis[:, i, k], b_axis[:, j, k]
-        s, t = nearest_on_segments(d, u, v, halves[a[i]], halves[b[j]])
-        apart = d + s * u - t * v
-        gap = np.sqrt(dot(apart, apart))
-        depth = radii[a[i]] + radii[b[j]] + self.margin - gap
-        direction = np.where(gap > CROSSING, apart / np.maximum(gap, CROSSING), np.array([[0.0], [0], [1]]))
-        arms = a_arm[:, i, k] + s * u, b_arm[:, j, k] + t * v
-        return Meeting(at[k], np.full(k.size, first), np.full(k.size, last), *arms, depth, direction)
+    def _link_pairs(self) -> tuple[Index, Index]:
+        """Pairs of links that can collide, as indices in `_bounds`, (2, P); and the pair (n, n) of two bars, or −1."""
+        carriers, (i, j) = self._bounds[0], self.pairs
+        owners = np.searchsorted(carriers, self._arrays[0])
+        numbers, which = np.unique(owners[i] * carriers.size + owners[j], return_inverse=True)
+        pair_of = np.full((len(self.bars), len(self.bars)), -1)
+        pair_of[i, j] = pair_of[j, i] = which
+        return np.array(np.divmod(numbers, carriers.size)), pair_of
 
 
-def nearest_on_segments(d: Array, u: Array, v: Array, h: Array, g: Array) -> tuple[Array, Array]:
-    """Return the nearest points of two segments, as s and t (p,) along their axes from the middles.
+def _arrays(bars: Sequence[Bar]) -> tuple[Index, Array, Array, Array, Array]:
+    """Return the links (n,), centres and axes (3, n), half lengths and radii (n,) of bars."""
+    names = "link", "centre", "axis", "half", "radius"
+    links, centres, axes, halves, radii = (np.array([getattr(bar, name) for bar in bars]) for name in names)
+    return links, centres.reshape(-1, 3).T, axes.reshape(-1, 3).T, halves, radii
+
+
+def _expanded(first: Index, count: Index) -> tuple[Index, Index]:
+    """Return for ranges of `count` (n,) integers from `first` (n,) each integer's range, and the integers."""
+    owner = np.repeat(np.arange(count.size), count)
+    return owner, np.arange(owner.size) + np.repeat(first - np.cumsum(count) + count, count)
+
+
+def nearest_on_segments(d: Array, u: Array, v: Array, h: Array, g: Array) -> tuple[Array, Array, Array]:
+    """Return the nearest points of two segments, as s and t (p,) along their axes from the middles, and the vectors
+    from the second points to the first, (3, p).
 
     Args:
         d: Vectors from the second middle to the first, (3, p).
@@ -221,22 +242,29 @@ def nearest_on_segments(d: Array, u: Array, v: Array, h: Array, g: Array) -> tup
     steep = dot(across, across)  # for nearly parallel axes, 1 − b² would be rounding
     s = np.clip(np.where(steep > PARALLEL, (b * f - c) / np.maximum(steep, PARALLEL), 0.0), -h, h)
     t = np.clip(b * s + f, -g, g)
-    return np.clip(b * t - c, -h, h), t
+    s = np.clip(b * t - c, -h, h)
+    return s, t, d + s * u - t * v
+
+
+@lru_cache(maxsize=2)  # editing a clip needs them repeatedly
+def _shapes(figure: Figure) -> tuple[tuple[Bar, ...], Index]:
+    """Return the bars of a figure, and the pairs of them that can collide, (2, n)."""
+    bars = _outer([bar for geom in movers(figure.model) for bar in _bars(figure, geom)])
+    return bars, _pairs(figure, bars)
 
 
 def _pairs(figure: Figure, bars: Sequence[Bar]) -> Index:
-    """Return the pairs of bars that can collide, (2, n): not on one or joined links, and not overlapping at rest."""
-    carrying = {bar.link for bar in bars}
-    joined = {(_carrier(figure, link, carrying), link) for link in carrying}
-    resting = _overlapping(figure.model, {bar.geom for bar in bars})
-    pairs = []
-    for i, j in itertools.combinations(range(len(bars)), 2):
-        if bars[i].link > bars[j].link:
-            i, j = j, i
-        links, geoms = (bars[i].link, bars[j].link), sorted((bars[i].geom, bars[j].geom))
-        if links[0] != links[1] and links not in joined and tuple(geoms) not in resting:
-            pairs.append((i, j))
-    return np.array(pairs, np.intp).reshape(-1, 2).T
+    """Return the pairs of bars that can collide, (2, n): not on one or joined links, and not overlapping at rest. The
+    link of the first bar has the smaller index."""
+    links, geoms = (np.array([getattr(bar, name) for bar in bars], np.intp) for name in ("link", "geom"))
+    i, j = np.triu_indices(links.size, 1)
+    i, j = np.where(links[i] < links[j], (i, j), (j, i))
+    carrier = np.array([_carrier(figure, link, set(links.tolist())) for link in range(len(figure.links))], np.intp)
+    joined = (links[i] == links[j]) | (links[i] == carrier[links[j]])
+    resting = np.zeros((figure.model.ngeom,) * 2, bool)
+    for one, other in _overlapping(figure.model, set(geoms.tolist())):
+        resting[one, other] = resting[other, one] = True
+    return np.array([i, j])[:, ~joined & ~resting[geoms[i], geoms[j]]]
 
 
 def _carrier(figure: Figure, link: int, carrying: set[int]) -> int:
@@ -266,22 +294,19 @@ def _bars(figure: Figure, geom: int) -> list[Bar]:
 
 
 def _outer(bars: list[Bar]) -> tuple[Bar, ...]:
-    """Return the bars without those that hardly protrude from a thicker one on their link."""
-    outer: list[Bar] = []
-    for bar in sorted(bars, key=lambda bar: -bar.radius):
-        if not any(_inside(bar, other) for other in outer if other.link == bar.link):
-            outer.append(bar)
-    return tuple(outer)
-
-
-def _inside(bar: Bar, other: Bar) -> bool:
-    """Return whether a bar is inside another within HAIR. Both its ends are tested, because the other is convex."""
-    for side in (-1, 1):
-        away = bar.centre + side * bar.half * bar.axis - other.centre
-        away = away - np.clip(other.axis @ away, -other.half, other.half) * other.axis
-        if np.linalg.norm(away) + bar.radius > other.radius + HAIR:
-            return False
-    return True
+    """Return the bars without those that protrude by at most HAIR from a thicker one on their link."""
+    bars = sorted(bars, key=lambda bar: -bar.radius)
+    links, centres, axes, halves, radii = _arrays(bars)
+    is_outer = np.zeros(len(bars), bool)
+    for k, bar in enumerate(bars):
+        others = np.flatnonzero(is_outer & (links == bar.link))
+        axis, half = axes[:, others, None], halves[others, None]
+        away = np.stack([bar.centre - bar.half * bar.axis, bar.centre + bar.half * bar.axis], axis=1)[:, None]
+        away = away - centres[:, others, None]
+        away -= np.clip(dot(axis, away), -half, half) * axis
+        limit = np.maximum(radii[others] - bar.radius + HAIR, 0)  # at both ends, as the thicker bar is convex
+        is_outer[k] = not np.any(dot(away, away).max(axis=1) <= limit**2)
+    return tuple(bars[k] for k in np.flatnonzero(is_outer))
 
 
 def _overlapping(model: mujoco.MjModel, geoms: set[int]) -> set[tuple[int, int]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from dataclasses import replace
 
 import mujoco
 import numpy as np
@@ -17,7 +18,11 @@ from rich.console import Console
 from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.measure.report import report, tables
+from dynsplines.solver import quaternion as quat
+from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
@@ -93,6 +98,44 @@ def test_a_figure_at_rest_costs_nothing_and_nothing_to_meet_has_no_sides(figure,
     assert none.one_sided_residuals(samples) is None
     assert not none.evaluate(samples, Cotangent(samples)).any()
     assert geom_pairs(none).shape == (2, 0)
+
+
+def shoulder_turned(figure: Figure, angle: float) -> Array:
+    """The figure at rest, with a shoulder turned about the x axis: at −2 rad the hand is in the trunk."""
+    qpos = np.array(figure.model.qpos0)
+    start = int(figure.model.joint("shoulder").qposadr[0])
+    qpos[start : start + 4] = quat.from_rotation_vector(np.array([angle, 0, 0]))
+    return qpos
+
+
+def test_only_links_that_have_penetrated_each_other_are_evaluated_once_paths_are_watched(rng):
+    figure = spider()
+    penalty, every = SelfContact.of(figure), tangled(figure, rng)
+    apart, together = (Samples.still(figure, figure.to_state(shoulder_turned(figure, a))[None]) for a in (0.0, -2.0))
+    assert penalty.evaluate(together)[0] > 0.05**2 and not penalty.evaluate(apart).any()
+    idle = penalty.watching([apart])
+    assert not idle.evaluate(together).any() and idle.one_sided_residuals(together) is None
+    assert idle.watching([apart]) is idle
+    watching = idle.watching([apart, together])
+    assert watching.watching([apart]) is watching
+    np.testing.assert_array_equal(watching.evaluate(together), penalty.evaluate(together))
+    assert 0 < watching.evaluate(every).sum() < penalty.evaluate(every).sum()
+    np.testing.assert_allclose(watching.watching([every]).evaluate(every), penalty.evaluate(every), atol=1e-4)
+
+
+def test_a_depth_that_keyframes_specify_is_tolerated_and_fades_towards_the_next_keyframe():
+    figure, angles = spider(), (-2.0, 0.0)
+    specified = np.ones(figure.model.nq, bool)
+    keys = [Frame(t, shoulder_turned(figure, angle), specified) for t, angle in enumerate(angles)]
+    penalty, timeline = SelfContact.of(figure), raw_timeline(figure, keys)
+    tolerant, times = penalty.allowing(figure, timeline), np.array([0, 0.5, 1])
+    same_pose = Samples.still(figure, np.tile(figure.to_state(keys[0].state), (3, 1)), times)
+    depth = np.sqrt(penalty.evaluate(same_pose))
+    np.testing.assert_allclose(np.sqrt(tolerant.evaluate(same_pose)), depth * [0, 0.5, 1], atol=1e-9)
+    loose = np.array(specified)
+    loose[figure.model.joint("shoulder").qposadr[0] + np.arange(4)] = False
+    partial = raw_timeline(figure, [replace(key, fixed=loose, posed=specified) for key in keys])
+    assert penalty.allowing(figure, partial).allowed is None
 
 
 ARMS = """
