@@ -41,6 +41,7 @@ EDITS = ("export", "import", "new", "thin")
 SEARCHING = ("solve", "thin")  # which keep what they have found by then
 CODES = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129, signal.SIGXCPU: 152}
 SHARES = (0.02, 0.6, 0.97, 0.3)  # of a command's calls
+QUICK = changed("evaluations = 8\nframes = 2", "evaluations = 1\nframes = 0")
 MOMENTS = list(zip(COMMANDS, cycle(CODES), cycle(SHARES), strict=False))
 
 
@@ -75,7 +76,7 @@ def tried(server: Tried, tmp_path: Path, motion_file: Path) -> Tried:
     """In the test's folder, which has the tiny clip in it, its motion, and a table of that."""
     from dynsplines.exchange import formats
 
-    written(tmp_path, changed("evaluations = 8\nframes = 2", "evaluations = 1\nframes = 0"))
+    written(tmp_path, QUICK)
     (tmp_path / "motion.npz").write_bytes(motion_file.read_bytes())
     formats.export(motion.load(motion_file), "csv", tmp_path / "there.csv", fps=20.0)
 
@@ -229,13 +230,20 @@ HARMLESS = {
 }
 
 
+@pytest.fixture(scope="module")
+def usual(server: Tried, tmp_path_factory: pytest.TempPathFactory) -> bytes:
+    """The motion file of the clip, solved under no such condition."""
+    folder = tmp_path_factory.mktemp("usual")
+    written(folder, QUICK)
+    assert server(*COMMANDS["solve"], before=f"import os; os.chdir({str(folder)!r})\n")["code"] == 0
+    return (folder / "out.npz").read_bytes()
+
+
 @pytest.mark.parametrize("before", HARMLESS.values(), ids=HARMLESS)
-def test_a_clip_is_solved_as_usual_in_spite_of(before: str, tried: Tried, tmp_path: Path):
-    words, target = ("solve", "tiny.toml", "-o", "out.npz"), tmp_path / "out.npz"
-    assert tried(*words)["code"] == 0
-    usual = target.read_bytes()
+def test_a_clip_is_solved_as_usual_in_spite_of(before: str, usual: bytes, tried: Tried, tmp_path: Path):
+    target = tmp_path / "out.npz"
     target.write_bytes(b"older")
-    ended = tried(*words, before=before)
+    ended = tried(*COMMANDS["solve"], before=before)
     assert (ended["code"], "Traceback" in ended["err"]) == (0, False), ended
     assert target.read_bytes() == usual and is_whole(target)
 

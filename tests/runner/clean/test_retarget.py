@@ -34,6 +34,7 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("robot")
     saved = shipped.solved("walk_loop").saved(Progress(), with_report=False)
     formats.export(repeated(saved, 2), "bvh", folder / "walk.bvh", fps=30)
+    formats.export(saved, "bvh", folder / "short.bvh", fps=30)
     (folder / "android.xml").write_text(ANDROID, encoding="utf-8")
     return folder
 
@@ -94,7 +95,7 @@ def test_the_robot_walks_on_the_ground_in_its_ranges(walked):
 @pytest.mark.slow
 def test_a_map_is_written_read_back_and_obeyed(command, files, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    words = ["retarget", files / "walk.bvh", "--to", files / "android.xml"]
+    words = ["retarget", files / "short.bvh", "--to", files / "android.xml"]
     done = command(*words, "--map", "who.toml", "--write-map", "-o", "a.npz")
     assert done.code == 0, done.err
     text = (tmp_path / "who.toml").read_text(encoding="utf-8")
