@@ -13,7 +13,7 @@ import pytest
 from oracles import kinematics
 from paper.penetration import penetration
 from processes import quiet
-from texts import read_data
+from texts import read_cases, read_data
 
 from dynsplines import Keyframe, build, inbetween, load, load_motion, motion, recordings, solving
 from dynsplines.clip import load as clip
@@ -329,16 +329,7 @@ def test_limbs_in_each_other_are_as_deep_as_mujoco_has_them_whatever_the_clip_pe
     assert found.kind == "self" and found.amount == pytest.approx(deepest(problem, 500), abs=0.002)
 
 
-@pytest.mark.parametrize(
-    ("one", "other", "count"),
-    [
-        ('geom name="trunk"', 'geom name="trunk" contype="0" conaffinity="2"', 0),
-        ('geom name="trunk"', 'geom name="trunk" contype="0" conaffinity="1"', 1),
-        ("</worldbody>", '</worldbody><contact><exclude body1="trunk" body2="hand"/></contact>', 0),
-        ("</worldbody>", '</worldbody><contact><exclude body1="trunk" body2="arm"/></contact>', 1),
-        ("<geom ", '<geom contype="0" conaffinity="0" ', 1),
-    ],
-)
+@pytest.mark.parametrize(("one", "other", "count"), read_cases("colliding_bodies.toml"))
 def test_bodies_collide_as_mujoco_has_it_or_all_of_them_if_none_would(one, other, count):
     problem = read(swinging(40, -40), TRUNK.replace(one, other))
     assert [each.kind for each in wrong(problem)] == ["self"] * count
