@@ -214,7 +214,7 @@ def kinds() -> Iterator[str]:
         for i, part in enumerate(kind.parts):
             small = re.sub(r'(<\w+>|\[\[\w+\]\]|by = "\w+")', r"`\1`", part.quantity)
             weight = f"{part.weight:g}" + (
-                f" with `{part.option}`" if part.option else "" if kind.is_default else ", if listed"
+                f" with `{part.option}`" if not part.is_default else "" if kind.is_default else ", if listed"
             )
             first = (f"`{kind.name}`", options) if i == 0 else ("", "")
             yield f"| {first[0]} | {f'`{part.name}`' if part.name else ''} | {weight} | {small} | {first[1]} |"

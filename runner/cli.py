@@ -242,7 +242,7 @@ def list_penalties(as_json: option.AsJson = False) -> None:
         if kind.parts[0].name:
             print(kind.name)
         for part in kind.parts:
-            on = f"; on with {part.option}" if part.option else "" if kind.is_default else "; on where listed"
+            on = f"; on with {part.option}" if not part.is_default else "" if kind.is_default else "; on where listed"
             print(f"{f'  {part.name}' if part.name else kind.name:13} {part.weight:4g}  {part.quantity}{on}")
         for name, values in kind.choices().items():
             print(f"{'':20}{name} ({values})")

@@ -150,7 +150,7 @@ def _stretches(times: Array) -> Iterator[tuple[float, float]]:
 
 def _is_deep(ground: Ground, recorded: RecordedMotion) -> bool:
     times = even_times(recorded.path.span, RATE)
-    return bool(depth(ground, recorded.path, times).max() > Thresholds.of(ground.figure).deep)
+    return bool(depth(ground, recorded.path, times).max() > Thresholds.of(ground.figure).hovers)
 
 
 def _with_soft_start(
@@ -201,7 +201,7 @@ def _curve(problem: Problem) -> Path:
 def _without_ends(ground: Ground, recorded: RecordedMotion, rest: Rest) -> Rest:
     """Return a stance without the times in which the point may already move, hidden by noise."""
     first, last = recorded.path.span
-    unsure = min(Thresholds.of(ground.figure).unsure, SHARE * (rest.last - rest.first))
+    unsure = min(Thresholds.of(ground.figure).moment, SHARE * (rest.last - rest.first))
     return replace(
         rest,
         first=rest.first + unsure * (rest.first > first),
@@ -218,7 +218,7 @@ def _refined_stances(ground: Ground, recorded: RecordedMotion, soft_problem: Pro
     averaged = max(1.0, recorded.rate * Thresholds.of(ground.figure).blurred)  # samples
     noise = largest_noise(recorded, ground.points) / np.sqrt(averaged)
     stances = infer_stances(smoothed, ground.points, ground.surfaces, noise)
-    unsure, (first, last) = Thresholds.of(ground.figure).unsure, recorded.path.span
+    unsure, (first, last) = Thresholds.of(ground.figure).moment, recorded.path.span
 
     def is_sure(stance: RecordedStance) -> bool:
         is_cut_off = stance.first < first + unsure or stance.last > last - unsure

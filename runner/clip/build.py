@@ -38,8 +38,6 @@ AT_REST = {
     (False, True): ("clamped end", "ends at rest, like its last keyframe"),
 }
 FREE_NOTE = "; [solve] ends = 'free' leaves the speed there open"
-CARRIED = ("flight", "support", "peak")  # kinds that are on by default only if the ground's support is known
-LINEAR_WEIGHT_CARRIED = 0.45  # [1] weight of acceleration.linear with these kinds, which penalise similar errors
 NO_CYCLE = "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none"
 AROUND = ("travel", "turn")  # keys of [solve] for the displacement of a loop per period
 
@@ -179,27 +177,17 @@ def constraints(
     context = _with_options(context, options, listed.keys())
     if "cycle" in listed and _weight("cycle", options["cycle"]) > 0 and context.schedule.gait_cycle is None:
         notes.append(NO_CYCLE)
-    notes += context.assumed_steps
+    notes += context.unmet_falls
     notes += context.missing_steps if _weight("cycle", options["cycle"]) > 0 else []
-    is_carried = context.schedule.has_support
-    absent = {kind for kind in CARRIED if kind not in listed and not is_carried}
     penalties = list[tuple[Penalty, float]]()
-    for name in [name for name in options if name not in absent]:
-        kind = _carried(KINDS[name]) if is_carried else KINDS[name]
+    for name in options:
+        kind = KINDS[name]
         terms = list(_built(context, kind, options[name]))
         if name in listed and name != "cycle" and not terms and any(kind.weights(options[name]).values()):
             measured = "; ".join(part.quantity for part in kind.parts)
             notes.append(f"penalty '{name}' has no effect in this clip; it measures: {measured}")
         penalties += terms
     return context, tuple((p, weight) for p, weight in penalties if weight > 0), notes
-
-
-def _carried(kind: Kind) -> Kind:
-    """Return a kind with the weights for a figure whose support by the ground is known."""
-    if kind.name != "acceleration":
-        return kind
-    parts = [replace(part, weight=LINEAR_WEIGHT_CARRIED) if part.name == "linear" else part for part in kind.parts]
-    return replace(kind, parts=tuple(parts))
 
 
 def _built(context: Context, kind: Kind, options: Options) -> Iterator[tuple[Penalty, float]]:

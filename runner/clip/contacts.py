@@ -80,7 +80,7 @@ def contacts(
             stances += [Stance(point, *stretch) for stretch in stretches(spots, table.start, table.end)]
         else:
             rests.append(requested[-1])
-    _check_bodies(stances, where, Thresholds.of(figure).stretch)
+    _check_bodies(stances, where, Thresholds.of(figure).near_surface)
     return Contacts(tuple(stances), tuple(rests), tuple(requested))
 
 
@@ -267,7 +267,7 @@ def _grasp_spots(figure: Figure, keys: Timeline, grasp: Grasp, name: str) -> lis
         short = float(np.linalg.norm(places[:, k] - spot[:, 0]))
         if short <= limits.out_of_reach:
             # without slack a stretched limb whips there and back
-            spots[t], slack[t] = places[:, k].copy(), short * (short > limits.met)
+            spots[t], slack[t] = places[:, k].copy(), short * (short > limits.tiny)
     return [
         replace(stance, slack=(slack.get(stance.first, 0.0), slack.get(stance.last, 0.0)))
         for stance in _grasp_stances(spots, grasp)

@@ -18,7 +18,7 @@ from dynsplines.solver.figure.dynamics import height
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.root import has_fixed_base
-from dynsplines.solver.penalty import Bend, Holds, Lean, Placed, Support, leans
+from dynsplines.solver.penalty import Bend, Lean, Placed, Range, Support, holds, leans
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, displacements
 
@@ -102,9 +102,9 @@ class Context:
     def is_stationary_at_ends(self) -> tuple[bool, bool]:
         """Whether the figure is stationary at the first and at the last keyframe.
 
-        An end is stationary if its keyframe equals the neighbouring keyframe, if all feet are planted and then step in
-        turn or the root is slow (0.5 m/s for an adult), or if the figure has a fixed base and no feet, like a robot
-        arm. Both are False unless the clip has free ends. A partial keyframe is never stationary.
+        An end is stationary if its keyframe equals the neighbouring keyframe, if all feet are planted and the root is
+        slow (0.5 m/s for an adult), or if the figure has a fixed base and no feet, like a robot arm. Both are False
+        unless the clip has free ends. A partial keyframe is never stationary.
         """
         keys, schedule, limits = self.keys, self.schedule, Thresholds.of(self.figure)
         if keys.ends != "free":
@@ -116,15 +116,12 @@ class Context:
             {stance.point.link for stance in inferred if stance.last >= keys.times[-1]},
         )
 
-        stepping = {steps.segment for steps in schedule.footsteps}
-
         def is_stationary(end: int, neighbour: int, links: set[int]) -> bool:
             moves = keys.states[neighbour] - keys.states[end]
             if not keys.fixed[end].all():
                 return False
             travel = np.linalg.norm(moves[self.figure.tables.position_columns[:2]], axis=0).max(initial=0.0)
             is_slow = travel < limits.travels * abs(keys.times[neighbour] - keys.times[end])
-            is_slow |= (0 if end == 0 else keys.times.size - 2) in stepping
             return bool(is_arm or np.abs(moves).max() < REPEATED or (feet and feet <= links and is_slow))
 
         return is_stationary(0, 1, planted[0]), is_stationary(-1, -2, planted[1])
@@ -146,8 +143,7 @@ class Context:
         """A note on pairs of neighbouring keyframes that imply steps which the motion will lack.
 
         In such a pair, both keyframes are complete and touch the ground, every foot has moved by more than a step, and
-        neither a flight, a hop nor two inferred steps are between them. There is no note if the keyframes form a gait
-        cycle.
+        no flight is between them. There is no note if the keyframes form a gait cycle.
         """
         keys, schedule, limits = self.keys, self.schedule, Thresholds.of(self.figure)
         if schedule.root is None or schedule.gait_cycle is not None or not self.points:
@@ -159,8 +155,6 @@ class Context:
         stands = whole & schedule.touches
         strides = moves > STEP * height(self.figure, schedule.root)
         lost = (gaps >= limits.far_apart) & strides & stands[:-1] & stands[1:]
-        lost[[steps.segment for steps in schedule.footsteps]] = False
-        lost &= ~schedule.hops
         for first, last in schedule.flights:
             lost &= (keys.times[1:] <= first) | (last <= keys.times[:-1])
         if not feet or not lost.any():
@@ -168,23 +162,23 @@ class Context:
         worst, others = int(np.where(lost, moves, 0.0).argmax()), int(lost.sum()) - 1
         more = f", as for {others} more pair{'s' if others > 1 else ''} of keyframes" if others else ""
         return [
-            f"keyframes {worst + 1} and {worst + 2}, {gaps[worst]:.2g} s apart, form no gait cycle and leave no "
-            f"time or level ground for steps, though every foot moves {moves[worst]:.2g} m{more}; add a keyframe, or "
-            "[[penalty]] kind = 'cycle' with its period"
+            f"keyframes {worst + 1} and {worst + 2}, {gaps[worst]:.2g} s apart, form no gait cycle, but "
+            f"every foot moves {moves[worst]:.2g} m{more}; add keyframes in which one foot has landed, or [[penalty]] "
+            "kind = 'cycle' with its period"
         ]
 
     @property
-    def assumed_steps(self) -> list[str]:
-        """A note on the order of the steps that are inferred between two keyframes."""
-        inferred = self.schedule.footsteps
-        if not inferred:
+    def unmet_falls(self) -> list[str]:
+        """A note on keyframes in the air that no free fall meets."""
+        schedule = self.schedule
+        if schedule.specified_flights is not None:
             return []
-        steps, others = inferred[0], len(inferred) - 1
-        more = f", likewise in {others} more pair{'s' if others > 1 else ''} of keyframes" if others else ""
         return [
-            f"both feet move between keyframes {steps.segment + 1} and {steps.segment + 2}, so they take {steps.count} "
-            f"steps, {self.figure.links[steps.leading].name} first{more}; for other steps, add a keyframe in which "
-            "one foot has landed"
+            f"no free fall meets the keyframes in the air from {fall.first:.2f} to {fall.last:.2f} s: keyframe "
+            f"{fall.misses + 1} is {abs(fall.by):.2f} m too {'high' if fall.by > 0 else 'low'}; change its height by "
+            "this, or the times of the keyframes"
+            for fall in schedule.falls
+            if not fall.is_met
         ]
 
     @property
@@ -203,19 +197,11 @@ class Context:
         return lines
 
     @cached_property
-    def holds(self) -> Holds:
-        """The values of joints in two neighbouring keyframes, where they are equal or similar."""
-        repeats = self.keys.ends == "periodic" or self.schedule.gait_cycle is not None
-        schedule = self.schedule
-        return Holds.of(
-            self.figure,
-            self.keys,
-            repeats=repeats,
-            aloft=schedule.flights,
-            grasped=schedule.grasped,
-            steps=schedule.steps,
-            durations=schedule.step_durations,
-        )
+    def holds(self) -> list[Range]:
+        """The values of joints that two neighbouring keyframes fix alike; none in loops and gait cycles."""
+        if self.keys.ends == "periodic" or self.schedule.gait_cycle is not None:
+            return []
+        return holds(self.figure, self.keys, self.schedule.flights)
 
     @property
     def leans(self) -> tuple[Lean, ...]:

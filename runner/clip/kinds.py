@@ -29,7 +29,6 @@ from dynsplines.solver.penalty import (
     GraspPenalty,
     HoverPenalty,
     JointRange,
-    OvershootPenalty,
     PeakAcceleration,
     Penalty,
     Posture,
@@ -47,7 +46,8 @@ from dynsplines.solver.penalty import (
     closures,
     couplings,
     joint_ranges,
-    root_limits,
+    overshoot,
+    root_ranges,
 )
 from dynsplines.solver.surface import Box, Plane, Surface
 from dynsplines.solver.surface.cover import covering_points, wide_points
@@ -57,7 +57,6 @@ from dynsplines.solver.surface.touch import bolted
 from ..errors import UserError, unknown
 from .contacts import moving_bodies
 from .context import Context, knees_and_elbows
-from .posing.stepping import SteppingStances
 from .table import Angle, Flag, Names, Number, Real, Table
 
 BEND_BOUND = 8.0  # [degrees] default bound; the soft constraint then rarely exceeds 10°
@@ -87,7 +86,7 @@ class Options(Table):
         default=None, description="distance to keep, m; for the parts body and self"
     )
     points: Names | None = Field(default=None, description="sites instead of heels and toes")
-    self: Flag | None = Field(default=None, description="true or false")
+    self: Flag = Field(default=True, description="true or false; default true")
     reach: Annotated[Real, Field(gt=0, le=1)] | None = Field(default=None, description="m")
     bend_joints: Names | None = Field(default=None, description="ball joints that are knees or elbows")
     least_bend: Annotated[Real, Field(ge=-360, le=360)] | None = Field(
@@ -118,7 +117,7 @@ class Part:
         weight: The default α in E.
         build: Returns the penalty for a clip's context and the options of its table; None if it does not apply.
         name: The key in a table of weights; the term is KIND.NAME. Empty for the only part of a kind.
-        option: The option that switches it on; None: always on.
+        option: The option that switches it on or off; None: always on.
     """
 
     weight: float
@@ -126,6 +125,11 @@ class Part:
     build: Callable[[Context, Any], Penalty | None]
     name: str = ""
     option: str | None = None
+
+    @property
+    def is_default(self) -> bool:
+        """Whether it is on without its option."""
+        return self.option is None or bool(getattr(Options(), self.option))
 
 
 @dataclass(frozen=True)
@@ -154,7 +158,7 @@ class Kind:
                 "term": self.term(part),
                 "weight": part.weight,
                 "quantity": part.quantity,
-                "is on": self.is_default and part.option is None,
+                "is on": self.is_default and part.is_default,
             }
             for part in self.parts
         ]
@@ -252,11 +256,14 @@ def bolted_links(figure: Figure) -> dict[str, frozenset[int]]:
     return {name: frozenset(numbers) for name, numbers in links.items()}
 
 
+def _self(context: Context, options: Options) -> Penalty | None:
+    contact = SelfContact.of(context.figure, options.margin or 0.0)
+    return contact.allowing(context.figure, context.keys) if contact.pairs.size else None
+
+
 def _stance(context: Context, options: Options) -> Penalty | None:
     schedule = context.schedule
     stances = (*schedule.stances, *schedule.resting_objects)
-    if schedule.footsteps:
-        return SteppingStances.of(schedule, BendLimits(context.bends), stances)
     return Attachment(stances) if context.points or schedule.resting_objects else None
 
 
@@ -277,20 +284,16 @@ def _placement(context: Context, options: Options) -> Penalty | None:
 def _no_slip(context: Context, options: Options) -> Penalty | None:
     if not context.points:
         return None
-    swings = None if context.schedule.flights else SwingSegments.of(context.figure, context.keys, context.points)
+    swings = SwingSegments.of(context.figure, context.keys, context.points)
     return Skate(context.points, context.surfaces, options.reach or Thresholds.of(context.figure).slip_reach, swings)
 
 
 def _grounded(context: Context, options: Options) -> Penalty | None:
-    """Return the penalty on the height of the lowest point between keyframes on the ground, except in flights."""
-    if not context.points and not context.figure.tables.free_links.size:
-        return None
     schedule, limits = context.schedule, Thresholds.of(context.figure)
-    reach, blend = options.reach or limits.float_reach, limits.float_blend
-    hover = HoverPenalty(
-        schedule.low_points, context.surfaces, schedule.grounded, reach, blend, firm=schedule.held_down
-    )
-    return hover.allowing(context.figure, context.keys)
+    if not schedule.is_grounded or not (context.points or context.figure.tables.free_links.size):
+        return None
+    reach = options.reach or limits.highest
+    return HoverPenalty(schedule.low_points, context.surfaces, reach, limits.float_blend, schedule.landed)
 
 
 def _equality(context: Context, options: Options) -> Penalty | None:
@@ -305,8 +308,10 @@ def _equality(context: Context, options: Options) -> Penalty | None:
 
 
 def _flight(context: Context, options: Options) -> Penalty | None:
-    support = _supported(context, "flight")
-    if not support.flights:
+    if options.intervals:
+        _supported(context, "flight")  # raises without a free joint
+    support = context.support
+    if support is None or not support.flights:
         return None
     return Flight.of(context.figure, support.root, support.flights, options.angular or 0.0)
 
@@ -332,7 +337,7 @@ def _posture(context: Context, options: Options) -> Penalty:
 
 
 def _overshoot(context: Context, options: Options) -> Penalty | None:
-    return OvershootPenalty.of(context.figure, context.holds, context.keys.times)
+    return overshoot(context.holds)
 
 
 def _speed(context: Context, options: Options) -> Penalty | None:
@@ -347,7 +352,8 @@ def _trunk(context: Context, options: Options) -> Penalty | None:
 
 
 def _root(context: Context, options: Options) -> Penalty | None:
-    return root_limits(context.holds, context.keys.times, context.schedule.step_durations)
+    ranges = root_ranges(context.figure, context.keys, context.schedule.flights, context.schedule.grasped)
+    return JointRange(tuple(ranges), term_name="upright.root") if ranges else None
 
 
 def _bodies(context: Context, options: Options) -> Penalty | None:
@@ -382,20 +388,17 @@ KINDS = {
         Kind("collision", (
             Part(30.0, "depth of heels and toes in static geoms", _soles, "soles"),
             Part(30.0, "depth of all geoms of the figure in static geoms and held objects", _body, "body"),
-            Part(
-                30.0, "depth of limbs in the trunk and in each other",
-                lambda context, options: SelfContact.of(context.figure, options.margin or 0.0), "self", "self",
-            ),
+            Part(30.0, "depth of limbs in the trunk and in each other", _self, "self", "self"),
         ), ("margin", "points", "self")),
         Kind("attach", (
-            Part(20.0, "movement of soles between two keyframes with the same sole position", _stance, "stance"),
+            Part(30.0, "movement of soles between two keyframes with the same sole position", _stance, "stance"),
             Part(750.0, "movement of [[contact]] points", _contact, "contact"),
             Part(750.0, "movement of [[grasp]] sites relative to the held body", _grasp, "grasp"),
             Part(30.0, 'distance of sites with by = "search" from their targets', _placement, "placement"),
         )),
         Kind("no_slip", (Part(1.4, "speed of heels and toes near a surface", _no_slip),), ("reach",)),
         Kind("grounded", (
-            Part(0.3, "height of the lowest point, between keyframes that touch the ground", _grounded),
+            Part(0.003, "height of the lowest point of a figure that is on the ground in any keyframe", _grounded),
         ), ("reach",)),
         Kind("posture", (Part(0.7, "velocity of joints and roots", _posture),)),
         Kind("limits", (
@@ -407,21 +410,18 @@ KINDS = {
         Kind("equality", (Part(300.0, "violation of <equality> constraints", _equality),)),
         Kind("upright", (
             Part(1.0, "tilt of the trunk in keyframes that leave the rotation of the root free", _trunk, "trunk"),
-            Part(
-                0.1, "movement of a free root away from its positions and rotations in the two keyframes around",
-                _root, "root",
-            ),
+            Part(0.1, "movement of a root away from its positions and rotations in the two keyframes", _root, "root"),
             Part(30.0, "tilt of listed bodies, such as a head or a tray", _bodies, "bodies", "bodies"),
         ), ("bodies", "axis")),
         Kind("flight", (
-            Part(3.0, "force on the figure during flights, except gravity", _flight),
+            Part(6.0, "force on the figure during flights, except gravity", _flight),
         ), ("intervals", "angular")),
         Kind("support", (
             Part(0.01, "force and moment that feet on the ground cannot supply", _support),
-        ), ("friction",)),
+        ), ("friction",), is_default=False),
         Kind("peak", (
             Part(0.01, "peaks of angular acceleration of joints", lambda context, options: PeakAcceleration()),
-        )),
+        ), is_default=False),
         Kind("cycle", (Part(0.1, "deviation from the gait cycle of the keyframes", _cycle),), ("period",)),
         Kind("torque", (
             Part(

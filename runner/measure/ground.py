@@ -64,11 +64,11 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
     limits = Thresholds.of(figure)
     carried = RootWrench(samples, root).force[2] / max(weight(figure, root), 1e-9)
     is_explained = within((*carrying, *(schedule.specified_flights or ())), samples.t)
-    for start, end in runs((height > limits.aloft) & ~is_explained):
+    for start, end in runs((height > limits.clear) & ~is_explained):
         run = np.arange(start, end)
         t, top, key = samples.t[run], run[height[run].argmax()], None
         seconds = np.ptp(t) * np.mean(np.abs(carried[run]) >= CARRIED)
-        if np.ptp(t) < limits.brief_flight or seconds < min(np.ptp(t) / 2, limits.push_off):
+        if np.ptp(t) < limits.moment or seconds < min(np.ptp(t) / 2, limits.push_off):
             continue
         keys = np.flatnonzero(np.isin(motion.key_at, at[run[carried[run] >= CARRIED]]))
         if keys.size:
@@ -103,8 +103,8 @@ def _sliding(motion: Measurement, samples: Samples) -> Iterator[Excess]:
     for foot in np.unique(feet):
         sole = np.flatnonzero(feet == foot)
         top, speed = height[sole].max(axis=0), speeds[sole].min(axis=0)
-        slides = top < limits.swings
-        for start, end in runs((top < limits.touching) & (speed > limits.dragged)):
+        slides = top < limits.near_surface
+        for start, end in runs((top < limits.clear) & (speed > limits.travels)):
             slides[start:end] |= np.ptp(samples.t[start:end]) >= limits.step
         for start, end, distance in _moves(centres[:2, sole], slides & ~rests[sole].any(axis=0), BOUNDS["slide"]):
             drags[sole, start:end] = False

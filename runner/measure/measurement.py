@@ -167,10 +167,9 @@ def _checks(
     if joints:
         fixed_joints = fixed.joints([joint.link for joint in joints])
         yield checks.ranges(joints, ("range", "travel"), "{joint.name} is {} beyond its range", fixed_joints)
-    held = (*context.holds.swinging, *context.holds.roots)
-    if held and not clip.has_recording:
+    if context.holds and not clip.has_recording:
         text = "{joint.name} swings {} away from its values in the keyframes at {joint.first:g} and {joint.last:g} s"
-        yield checks.ranges(held, ("overshoot", "overshoot travel"), text)
+        yield checks.ranges(context.holds, ("overshoot", "overshoot travel"), text)
     if context.placed:
         yield checks.misses(context.placed)
     optional = (

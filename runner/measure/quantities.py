@@ -147,7 +147,7 @@ def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
     if not clip.context.points or not clip.context.surfaces:
         return {}
     centres, radii = places_of(clip.context.points, samples)
-    low = np.abs(height_above(clip.context.surfaces, centres, radii[:, None])) < Thresholds.of(clip.figure).rests
+    low = np.abs(height_above(clip.context.surfaces, centres, radii[:, None])) < Thresholds.of(clip.figure).near_surface
     steps = displacements(centres[:2])
     together = low[:, 1:] & low[:, :-1]
     pace = np.diff(samples.t)

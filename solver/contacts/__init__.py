@@ -1,22 +1,20 @@
 """Inference of when and where figures touch their surroundings, from keyframes, clips and recordings.
 
-schedule          all contacts of one clip: stances, grasps, flights, gait, intervals near the ground
+schedule          all contacts of one clip: stances, grasps, flights, gait
 stance            points that stay in one place
 grasp             points that hold another body, and bodies at rest between holds
 footing           points that carry
-steps             legs that swing while another one stands
-footsteps         the steps of two feet between keyframes in which both stand
-flight            free fall between contacts
+flight            free fall around keyframes in the air
 keyframe_points   positions and heights of points at keyframes, from which all these are inferred
 gait              the walking or running cycle of keyframes, as a Gaussian process of poses
 gait_period       the choice of the cycle: its period suits the size of the body, and feet do not slip
 pose_vectors      poses as vectors: the joints' deviation from their mean, without position and heading
 recorded_stances  the stances of a recording's soles, by the likelihood of their positions
 ground_alignment  vertical alignment of a recording with the ground
+steps             legs that swing while another one stands
 thresholds        all distances, times and speeds that decide, relative to the size of the figure
 """
 
-from .flight import flights as flights
 from .footing import Footing as Footing
 from .footing import Interval as Interval
 from .footing import footings as footings

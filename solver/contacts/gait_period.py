@@ -147,7 +147,7 @@ class Gait:
     def _plain(self) -> tuple[Array, Array]:
         """Times (T,) [s], and the configurations (T, nq) of the spline through the keyframes."""
         first, last = float(self.keys.times[0]), float(self.keys.times[-1])
-        times = np.linspace(first, last, max(2, int(np.ceil((last - first) / self.limits.tick)) + 1))
+        times = np.linspace(first, last, max(2, int(np.ceil((last - first) / self.limits.lift_off)) + 1))
         return times, self.figure.to_qpos(path_of(self.keys).at(times))
 
     @cached_property
@@ -162,7 +162,7 @@ class Gait:
         """Whether the ground below the lowest sole point has the same height at all keyframes; steps are no cycle."""
         places, heights = self._standing
         lowest = heights.argmin(axis=0), np.arange(heights.shape[1])
-        return float(np.ptp((places[2] - heights)[lowest])) < self.limits.floor_level
+        return float(np.ptp((places[2] - heights)[lowest])) < self.limits.same_spot
 
     @property
     def _raises_feet(self) -> bool:
@@ -215,7 +215,7 @@ class Gait:
         qpos[:, over] = self._plain[1][:, over]
         places, heights = self._soles(self.figure.to_state(qpos))
         speed = np.linalg.norm(np.gradient(places[:2], times, axis=2), axis=0)
-        low = heights < self.limits.low + np.quantile(self._standing[1].min(axis=0), LOWEST)
+        low = heights < self.limits.hovers + np.quantile(self._standing[1].min(axis=0), LOWEST)
         slowest = np.where(low, speed, np.inf).min(axis=0)
         down = np.isfinite(slowest)
         return float(slowest[down].mean() / self._travel) if down.any() else np.inf

@@ -120,7 +120,7 @@ def resting_objects(
         arm, name = keyframes.limits.object_arm, keyframes.figure.links[link].name
         points = keyframes.with_points([Point(name, link, arm * axis) for axis in np.eye(3)])
         is_set = np.logical_and.reduce(points.is_known)
-        stays: Mask = np.logical_and.reduce(points.moves < points.limits.same_place) & is_set[:-1] & is_set[1:]
+        stays: Mask = np.logical_and.reduce(points.moves < points.limits.tiny) & is_set[:-1] & is_set[1:]
         inferred += [stance_between(points, i, k) for k in np.flatnonzero(stays).tolist() for i in range(3)]
         for part in _unheld(points, stays, is_set, [grasp for grasp in grasps if grasp.link == link]):
             if _is_near(points, part, link):

@@ -41,7 +41,7 @@ def align_to_ground(
     height, _ = height_over(surfaces, places, np.array([point.radius for point in points]))
     standing = _standing(recorded.times, stances, points)
     lift = -float(np.median(height[standing])) if standing.any() else 0.0
-    return recorded if abs(lift) < Thresholds.of(recorded.figure).level else recorded.moved([0, 0, lift])
+    return recorded if abs(lift) < Thresholds.of(recorded.figure).tiny else recorded.moved([0, 0, lift])
 
 
 def move_to_ground(recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface]) -> RecordedMotion:
@@ -52,7 +52,7 @@ def move_to_ground(recorded: RecordedMotion, points: Sequence[Point], surfaces: 
     radii = np.array([[point.radius] for point in points])
     lowest = height_above(surfaces, places, radii)
     lift = -float(np.percentile(lowest.min(axis=0), LOWEST))
-    return recorded.moved([0, 0, lift]) if abs(lift) > Thresholds.of(recorded.figure).floor_off else recorded
+    return recorded.moved([0, 0, lift]) if abs(lift) > Thresholds.of(recorded.figure).same_spot else recorded
 
 
 def _levelled(recorded: RecordedMotion, stances: Sequence[RecordedStance], link: int) -> RecordedMotion:

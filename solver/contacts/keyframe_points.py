@@ -121,7 +121,7 @@ class KeyframePoints:
     @property
     def touches(self) -> Mask:
         """Whether the lowest of the points is on the ground, (K,)."""
-        return np.asarray(self.heights.min(axis=0, initial=np.inf) < self.limits.touching)
+        return np.asarray(self.heights.min(axis=0, initial=np.inf) < self.limits.clear)
 
     def segments(self) -> Iterator[tuple[int, float, float]]:
         """Yield k, the time of keyframe k and the time of keyframe k + 1 [s], for every segment."""

@@ -95,7 +95,7 @@ def _segments(
     moving = surprisal(times, centres, noise**2 + limits.rolls**2, is_known, limits)
     speeds, smooth_height = _smooth(recorded, points, surfaces, times)
     lowest = smooth_height.min(axis=0)  # of the soles at each time, which a recording that drifts raises or lowers
-    above = smooth_height - (np.clip(lowest, 0, limits.floor_off) if aligned else lowest)
+    above = smooth_height - (np.clip(lowest, 0, limits.same_spot) if aligned else lowest)
     links = np.array([point.link for point in points])
     tilt = smooth_height - np.array([smooth_height[links == link].min(axis=0) for link in links])
     near: list[list[tuple[int, int]]] = []
@@ -106,7 +106,7 @@ def _segments(
         planted_height = 0.0 if aligned else min((float(above[i, a:b].mean()) for a, b in runs), default=0.0)
         flat = np.quantile(np.concatenate([tilt[i, a:b] for a, b in runs]), FLATTEST) if runs else 0.0
         unsure = SURE * REMAINS * point_noise
-        is_near = (above[i] <= planted_height + limits.raised + unsure) & (tilt[i] <= flat + limits.tilted + unsure)
+        is_near = (above[i] <= planted_height + limits.clear + unsure) & (tilt[i] <= flat + limits.moved + unsure)
         near.append([part for run in runs for part in _parts(is_near, *run)])
         raised.append([part for run in runs for part in _parts(~is_near, *run)])
     return _Segments(tracks, speeds, near, raised, limits)
@@ -235,7 +235,7 @@ def _joined(
     """Merge consecutive runs with the same mean position."""
     out: list[tuple[int, int]] = []
     for a, b in runs:
-        if out and times[a] - times[out[-1][1] - 1] <= limits.interrupted:
+        if out and times[a] - times[out[-1][1] - 1] <= limits.moment:
             first, last = out[-1]
             apart = place[:, first:last].mean(axis=1) - place[:, a:b].mean(axis=1)
             if np.linalg.norm(apart) < limits.same_middle + SURE * noise / np.sqrt(min(last - first, b - a)):
@@ -264,8 +264,8 @@ def _is_low(place: Array, first: int, last: int, noise: float, limits: Threshold
 def _moves(times: Array, place: Array, first: int, last: int, noise: float, limits: Thresholds) -> bool:
     """Return whether a run is part of a motion that is slow enough to look like standing for a moment."""
     seconds, third = times[last - 1] - times[first], max(1, (last - first) // 3)
-    if not limits.brief_stance <= seconds < limits.long_stance:
-        return bool(seconds < limits.brief_stance)
+    if not limits.settling <= seconds < limits.long_stance:
+        return bool(seconds < limits.settling)
     moved = place[:, last - third : last].mean(axis=1) - place[:, first : first + third].mean(axis=1)
     distance = float(np.linalg.norm(moved)) - SURE * noise / np.sqrt(third)
     return distance > max(limits.rolls, limits.drift * seconds)

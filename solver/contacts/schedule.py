@@ -13,15 +13,14 @@ from ..curve.frame import Timeline
 from ..figure.figure import Figure
 from ..surface import Surface
 from ..surface.points import Point, body_points, free_root, hanging
-from .flight import flights
+from .flight import Air, Fall
 from .footing import Footing, Interval, footings
-from .footsteps import Footsteps, footsteps
 from .gait import GaitCycle
 from .gait_period import Gait
 from .grasp import Grasp, grasped_links, resting_objects
 from .keyframe_points import KeyframePoints
 from .stance import Rest, Stance, stances
-from .steps import Steps, hops
+from .steps import Steps
 from .thresholds import Thresholds
 
 ROUNDING = 1e-9  # [s] rounding tolerance of times
@@ -100,39 +99,7 @@ class ContactSchedule:
     def stances(self) -> tuple[Stance, ...]:
         """The stances inferred from keyframes, without those that contradict specified contacts or targets."""
         inferred = stances(self._soles)
-        alone = tuple(s for s in inferred if not self.contacts.overlaps(s) and not self._leaves(s))
-        return (*alone, *(stance for steps in self.footsteps for stance in self._unspecified(steps)))
-
-    @cached_property
-    def footsteps(self) -> tuple[Footsteps, ...]:
-        """The steps between keyframes, in the first order that contradicts no specified contact or target.
-
-        There are none in a gait cycle, which has its own steps, and none if the footings are specified.
-        """
-        if self.specified_footings is not None:
-            return ()
-        inferred = footsteps(self._soles.with_points(self.stepping_points))
-        if not inferred or self.gait_cycle is not None:
-            return ()
-        fitting = [[steps for steps in orders if self._fits(steps)] for orders in inferred]
-        return tuple(orders[0] for orders in fitting if orders)
-
-    def _fits(self, steps: Footsteps) -> bool:
-        """Return whether no specified contact, flight or target contradicts steps."""
-        begin, end = self.keys.times[steps.segment : steps.segment + 2].tolist()
-        flies = any(first < end and begin < last for first, last in self.specified_flights or ())
-        is_held = any(self.contacts.holds(swing.point.link, swing.first, swing.last) for swing in steps.swings)
-        return not (flies or is_held or any(self._leaves(stance) for stance in self._unspecified(steps)))
-
-    @property
-    def stepping_points(self) -> tuple[Point, ...]:
-        """The sole points that can step: those of the first figure on a free joint with feet, else all; not grasped."""
-        root = free_root(self.figure, self.points)
-        return self.exclude_grasped(self.points if root is None else hanging(self.figure, root, self.points))
-
-    def _unspecified(self, steps: Footsteps) -> list[Stance]:
-        """Return the stances of steps that specified contacts do not replace."""
-        return [stance for stance in steps.stances if not self.contacts.overlaps(stance)]
+        return tuple(s for s in inferred if not self.contacts.overlaps(s) and not self._leaves(s))
 
     def _leaves(self, stance: Stance) -> bool:
         """Return whether a target of the stance's link is too near or too far for it during the stance."""
@@ -167,14 +134,6 @@ class ContactSchedule:
         """The legs that take a step while another leg stands."""
         return Steps.of(self._soles, self._standing)
 
-    @property
-    def step_durations(self) -> Array:
-        """The time for a step in each segment between keyframes, (K − 1,) [s]."""
-        durations = np.diff(self.keys.times)
-        for steps in self.footsteps:
-            durations[steps.segment] /= steps.count
-        return durations
-
     @cached_property
     def footings(self) -> tuple[Footing, ...]:
         """The points that can support the figure, each with the interval in which it does."""
@@ -182,17 +141,51 @@ class ContactSchedule:
             return self.specified_footings or ()
         return footings(self._tree_soles, self._carriers, self._tree_body)
 
-    @cached_property
+    @property
     def flights(self) -> tuple[Interval, ...]:
-        """The intervals [s] in which nothing supports the figure."""
-        if self.specified_flights is not None or self.root is None:
-            return self.specified_flights or ()
-        return flights(self.root, self._tree_soles, self._carriers, self._tree_body)
+        """The intervals [s] in which nothing supports the figure: those specified, or falls through keyframes."""
+        if self.specified_flights is not None:
+            return self.specified_flights
+        return tuple((fall.first, fall.last) for fall in self.falls if fall.is_met)
+
+    @cached_property
+    def falls(self) -> tuple[Fall, ...]:
+        """The free falls through keyframes in the air, including those that keyframes miss."""
+        if self.root is None:
+            return ()
+        carriers = (*self.contacts.stances, *self.contacts.rests, *(grasp for grasp in self.grasps if not grasp.link))
+        contacts = [(each.first, each.last) for each in carriers]
+        body = self._soles.with_points((*self._tree_soles.points, *self._tree_body))
+        air = Air.of(self.root, body, self._tree_soles.points, contacts)
+        return () if air is None else tuple(air.falls())
 
     @property
-    def has_support(self) -> bool:
-        """Whether there is an interval in which the support of the figure is known: a footing or a flight."""
-        return bool(self.footings or self.flights)
+    def is_grounded(self) -> bool:
+        """Whether the figure is on the ground in any keyframe."""
+        return bool(self._low_points.touches.any())
+
+    @property
+    def landed(self) -> tuple[Interval, ...]:
+        """The intervals [s] in which the ground carries the figure.
+
+        They are between a free fall and the keyframe on the ground before or after it, and between two keyframes on the
+        ground of which one leaves the height of the root free, if the root does not travel.
+        """
+        keys, blur, intervals = self.keys.times, Thresholds.of(self.figure).lift_off, list[Interval]()
+        for begin, end in () if self.specified_flights is not None else self.flights:
+            before, after = np.searchsorted(keys, begin) - 1, np.searchsorted(keys, end, side="right")
+            if before >= 0 and self._low_points.touches[before]:
+                intervals.append((float(keys[before]), begin - blur))
+            if after < keys.size and self._low_points.touches[after]:
+                intervals.append((end + blur, float(keys[after])))
+        if self.root is not None and self.points:
+            first = self.figure.links[self.root].qpos
+            is_open, down = ~self.keys.fixed[:, first + 2], self._low_points.touches
+            travel = np.linalg.norm(np.diff(self.keys.states[:, first : first + 2], axis=0), axis=1)
+            is_slow = travel < Thresholds.of(self.figure).travels * np.diff(keys)
+            for k in np.flatnonzero((is_open[:-1] | is_open[1:]) & down[:-1] & down[1:] & is_slow).tolist():
+                intervals.append((float(keys[k]), float(keys[k + 1])))
+        return tuple(interval for interval in intervals if interval[0] < interval[1])
 
     @cached_property
     def gait_cycle(self) -> GaitCycle | None:
@@ -209,26 +202,6 @@ class ContactSchedule:
         """The points on soles and body, without grasped objects. A keyframe is grounded if the lowest one is."""
         points = self.exclude_grasped((*self.points, *body_points(self.figure)))
         return points if self.root is None else hanging(self.figure, self.root, points)
-
-    @property
-    def grounded(self) -> tuple[Interval, ...]:
-        """The segments [s] whose two keyframes touch the ground, except hops, flights and `held_down`."""
-        lift_off = Thresholds.of(self.figure).lift_off
-        intervals = grounded_intervals(self.keys, self._low_points.touches, self.hops, self.flights, lift_off)
-        return tuple(interval for interval in intervals if interval not in self.held_down)
-
-    @cached_property
-    def hops(self) -> Mask:
-        """The segments in which a figure on one leg has to hop, (K − 1,)."""
-        return hops(self._low_points)
-
-    @cached_property
-    def held_down(self) -> tuple[Interval, ...]:
-        """The intervals [s] next to keyframes on the ground that leave the root's height free, except flights."""
-        if self.root is None or not self.points:
-            return ()
-        is_open = ~self.keys.fixed[:, self.figure.links[self.root].qpos + 2]
-        return open_intervals(self.keys, self._low_points.touches, is_open, self.flights)
 
     @property
     def touches(self) -> Mask:
@@ -270,46 +243,3 @@ class ContactSchedule:
     def _carriers(self) -> tuple[Stance | Rest, ...]:
         """Those in the kinematic tree of `root`."""
         return tuple(each for each in self._standing if self.figure.tables.path[each.point.link, self.root])
-
-
-def grounded_intervals(
-    keys: Timeline, down: Mask, is_hop: Mask, flights: Sequence[Interval] = (), lift_off: float = 0.0
-) -> tuple[Interval, ...]:
-    """Return the segments between two keyframes on the ground, `down` (K,), without hops (K − 1,) and flights.
-
-    If a flight begins or ends between keyframes, the interval between it and the keyframe on the ground is added, but
-    for `lift_off` [s] next to the flight.
-    """
-    is_grounded = down[:-1] & down[1:] & ~is_hop
-    segments = zip(keys.times[:-1].tolist(), keys.times[1:].tolist(), is_grounded, strict=True)
-    intervals = list(_outside(flights, [(first, last) for first, last, near in segments if near]))
-    for begin, end in flights:
-        before, after = np.searchsorted(keys.times, begin) - 1, np.searchsorted(keys.times, end, side="right")
-        if down[before] and begin - lift_off > keys.times[before]:  # false if no keyframe is before the flight
-            intervals.append((float(keys.times[before]), begin - lift_off))
-        if after < keys.times.size and down[after] and end + lift_off < keys.times[after]:
-            intervals.append((end + lift_off, float(keys.times[after])))
-    return tuple(sorted(intervals))
-
-
-def open_intervals(keys: Timeline, down: Mask, is_open: Mask, flights: Sequence[Interval] = ()) -> tuple[Interval, ...]:
-    """Return intervals next to keyframes on the ground, `down` (K,), that leave the root's height free, `is_open` (K,).
-
-    Such an interval extends to the neighbouring keyframe if this touches the ground, else over a part of the segment.
-    Intervals that overlap flights are omitted.
-    """
-    is_open = is_open & down
-    intervals: list[Interval] = []
-    for k in np.flatnonzero(is_open[:-1] | is_open[1:]).tolist():
-        (first, last), begins, ends = keys.times[k : k + 2].tolist(), is_open[k], is_open[k + 1]
-        part = 1.0 if down[k] and down[k + 1] else 0.25  # of a segment into the air
-        if begins:
-            intervals.append((first, first + part * (last - first)))
-        elif ends:
-            intervals.append((last - part * (last - first), last))
-    return _outside(flights, intervals)
-
-
-def _outside(flights: Sequence[Interval], intervals: Sequence[Interval]) -> tuple[Interval, ...]:
-    """Return the intervals that overlap no flight."""
-    return tuple(one for one in intervals if not any(begin < one[1] and one[0] < end for begin, end in flights))

@@ -57,29 +57,9 @@ class Steps:
                     stepping[:, k] |= path[link] & ~path[stands].any(axis=0)
         return cls(times, stepping, legs, placing)
 
-    def move(self, link: int, first: float, last: float) -> bool:
-        """Return whether a link belongs to a leg while any leg takes a step between two times [s]."""
-        inside = (first < self.times[1:]) & (self.times[:-1] < last)
-        return bool(self.legs[link] and self.stepping[:, inside].any())
-
     def at(self, links: Index, t: Array) -> Mask:
         """Return which of the links (l,) belong to a leg that takes a step at times t (S,) [s], (l, S)."""
         return self.stepping[np.ix_(links, segments_at(self.times, t))]
-
-
-def hops(body: KeyframePoints) -> Mask:
-    """Return the segments in which a figure on one leg has to hop, (K − 1,).
-
-    All points on the ground in either keyframe belong to one leg, and those on the ground in both move by more than
-    8 cm (for an adult).
-    """
-    down, moves = body.heights < body.limits.touching, body.moves > body.limits.strode
-    either, both, is_same_leg = down[:, :-1] | down[:, 1:], down[:, :-1] & down[:, 1:], same_leg(body.figure)
-    result = np.logical_or.reduce(both) & ~np.logical_or.reduce(both & ~moves)
-    for k in np.flatnonzero(result):
-        legs = np.unique(body.links[either[:, k]])
-        result[k] = is_same_leg[np.ix_(legs, legs)].all()
-    return result
 
 
 def same_leg(figure: Figure) -> Mask:

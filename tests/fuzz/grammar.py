@@ -26,7 +26,7 @@ SOURCES = (SIMPLE, SIMPLE, CLIP)
 ODD = (0, -1, 1e9, -1e9, float("nan"), float("inf"), 10**30, True, "", "free", [], {}, [0, 0, 0], 1e-12, "naïve", [[]])
 BODIES, JOINTS = ("pelvis", "left_shin", "nobody", "world"), ("left_knee", "root", "none")
 SITES = ("left_toe", "no_site")
-SURE = ("torque", "unit", "acceleration", "limits", "attach", "peak", "collision")
+SURE = ("torque", "unit", "acceleration", "limits", "attach", "collision")
 ODDLY = 0.004  # of all values are of another kind
 
 

@@ -143,7 +143,7 @@ class Grounding:
     def _high(self) -> float:
         """The height above the ground [m] from which the figure is in the air."""
         alone = self.figure.tables.free_links.size == 1
-        return max(HANGING * self._length, self._limits.touching) if alone else self._limits.touching
+        return max(HANGING * self._length, self._limits.clear) if alone else self._limits.clear
 
     def _stands(self, timeline: Timeline, k: int, low: Array, *, between: bool) -> bool:
         """Return whether keyframe k, which sets no height, stands.
@@ -190,7 +190,7 @@ class Grounding:
         best, least = None, np.inf
         for move in moves:
             deep = max(float(surface.inside(skin + move[:, None]).max()) for surface in self.surfaces)
-            if deep < least - self._limits.shallow:
+            if deep < least - self._limits.tiny:
                 best, least = move, deep
         return best
 
@@ -201,7 +201,7 @@ class Grounding:
         """
         count = len(self.soles)
         above, _ = heights(self.surfaces, centres[:, :count, None], radii[:count])
-        away = (spots - centres[:, :count])[:2, (above[:, 0] < self._limits.touching) & ~np.isnan(spots[0])]
+        away = (spots - centres[:, :count])[:2, (above[:, 0] < self._limits.clear) & ~np.isnan(spots[0])]
         if not away.size:
             return None
         mean = away.mean(axis=1)

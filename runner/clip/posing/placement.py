@@ -176,7 +176,7 @@ def _leveled(
     """
     if not soles or not stander.surfaces:
         return best
-    depth, limit = _depths(figure, best.qpos, soles, stander.surfaces), Thresholds.of(figure).same_place
+    depth, limit = _depths(figure, best.qpos, soles, stander.surfaces), Thresholds.of(figure).tiny
     deep = {figure.links[point.link].body for point, down in zip(soles, depth, strict=True) if down > limit}
     turned = {goal.bodies(figure.model)[0] for goal in goals if isinstance(goal, BodyGoal)}
     feet = deep & {goal.bodies(figure.model)[0] for goal in goals} - turned
@@ -193,7 +193,7 @@ def _raised(
 ) -> Posed:
     """Return a pose for the same goals with the soles out of the ground, if the keyframe leaves the root's height free
     and there is one."""
-    root, surfaces, limit = figure.root, stander.surfaces, Thresholds.of(figure).same_place
+    root, surfaces, limit = figure.root, stander.surfaces, Thresholds.of(figure).tiny
     if root is None or not soles or not surfaces:
         return best
     column = figure.links[root.link].qpos + 2
@@ -226,7 +226,7 @@ def _planted(figure: Figure, before: Frame, goals: Sequence[Goal]) -> list[Goal]
         (body,) = flat.bodies(model)
         is_set = all(before.fixed[figure.links[link].columns].all() for link in chain(figure, body))
         missed = [goal.missed(model, data) for goal in goals if isinstance(goal, PointGoal) and goal.index == body]
-        if is_set and missed and np.linalg.norm(np.concatenate(missed)) <= Thresholds.of(figure).same_place:
+        if is_set and missed and np.linalg.norm(np.concatenate(missed)) <= Thresholds.of(figure).tiny:
             kept.append(same_heading(figure, before.state, body))
     return kept
 

@@ -261,7 +261,7 @@ def _feet(figure: Figure, root: Root, points: Sequence[Point], poses: Array) -> 
     bottom = places[2] - radii[:, None]
     tall = samples.links.x[2, root.link] - bottom.min(axis=0)
     tall[0] = max(tall[0], tall.max()) if tall[0] >= NEARLY * tall.max() else tall[0]
-    order = np.argsort(-np.where(tall > tall.max() - Thresholds.of(figure).as_tall, np.inf, tall), kind="stable")
+    order = np.argsort(-np.where(tall > tall.max() - Thresholds.of(figure).tiny, np.inf, tall), kind="stable")
     for pose in order[tall[order] >= UPRIGHT * tall.max()]:
         feet = _feet_in(figure, root.link, points, places[:, :, pose], radii)
         if len({point.link for point in feet}) >= 2:  # feet
@@ -278,7 +278,7 @@ def _feet_in(figure: Figure, root: int, points: Sequence[Point], places: Array, 
         members = np.flatnonzero(links == foot)
         beyond = bottom[(figure.tables.path[links, foot] > 0) & (links != foot)]
         least = float(bottom[members].min())
-        carries = beyond.size and beyond.min() < least - Thresholds.of(figure).ankle
+        carries = beyond.size and beyond.min() < least - Thresholds.of(figure).tiny
         if not carries and least <= bottom.min() + LOW * height:
             if foot == root:
                 return []

@@ -98,7 +98,7 @@ class Ground:
         soles = np.array([point.link for point in self.points])
         lowest = {link: heights[len(body) :][soles == link].min() for link in np.unique(soles).tolist()}
 
-        flush = Thresholds.of(figure).flush
+        flush = Thresholds.of(figure).tiny
 
         def is_below(point: Point, height: float) -> bool:
             feet = [link for link in lowest if point.link in (link, figure.links[link].parent)]

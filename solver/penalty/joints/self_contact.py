@@ -102,7 +102,8 @@ class SelfContact(Penalty):
             deep = depth > UNWATCHED * Size.of(part.figure).length
             found.append(self._link_pairs[1][i[deep], j[deep]])
         watched = np.unique(np.concatenate(found))
-        return self if np.array_equal(watched, self.watched) else replace(self, watched=watched)
+        is_same = self.watched is not None and np.array_equal(watched, self.watched)
+        return self if is_same else replace(self, watched=watched)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         return self._met_by(samples, 0.0)

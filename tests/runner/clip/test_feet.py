@@ -5,13 +5,12 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
-import shipped
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracles import kinematics
 from rekeyed import with_keys
 
-from dynsplines import inbetween, load, recordings
+from dynsplines import inbetween, recordings
 from dynsplines.clip.build import Clip
 from dynsplines.clip.posing.places import rounded, sole_points
 from dynsplines.solver.array import Array
@@ -307,38 +306,6 @@ def test_a_leap_between_crouches_stays_one():
     z = inbetween(problem).at(np.linspace(0.5, 1.5, 101))[:, 2]
     assert z[50] == pytest.approx(apex) and z.max() < apex + 0.03
     assert np.abs(np.diff(z, 2)).max() / 0.01**2 < 30  # [m/s²]; if it is held down until the last moment, 60 and more
-
-
-def test_keyframes_in_mid_flight_are_left_there_and_the_flights_found(monkeypatch):
-    shipped.share(monkeypatch)
-    whole = load("run_loop")
-    motion = inbetween(whole)
-    keys = list(whole.keys)
-    for time in (0.19, 0.56):
-        qpos = motion.at(time)
-        keys.append(Frame(time, qpos, np.arange(qpos.size) != 2))
-    problem = with_keys(whole, sorted(keys, key=lambda key: key.time))
-    now, before = problem.context.support, whole.context.support
-    assert now is not None and before is not None
-    assert now.flights == before.flights != ()
-    np.testing.assert_allclose(
-        problem.problem.raw.states[:, 2].max(), motion.at(motion.key_times)[:, 2].max(), atol=0.01
-    )
-    times = np.linspace(motion.start, motion.end, 200)
-    np.testing.assert_allclose(inbetween(problem).at(times)[:, 2], motion.at(times)[:, 2], atol=0.03)
-
-
-def test_no_flight_is_found_past_a_landing_of_no_height_at_the_end():
-    whole = load("run_loop")
-    assert whole.context.support is not None and whole.context.schedule.flights[-1] == (0.49, 0.63)
-    keys = list(whole.keys)
-    (landing,) = (k for k, key in enumerate(keys) if key.time == 0.63)
-    keys[landing] = Frame(0.63, keys[landing].state, np.arange(keys[landing].state.size) != 2)
-    problem = with_keys(whole, keys)
-    assert (
-        problem.context.support is not None and problem.context.schedule.flights == whole.context.schedule.flights[:-1]
-    )
-    assert clearance(problem, inbetween(problem).at(0.63)) < 0.02
 
 
 def test_a_jump_of_which_only_the_top_has_a_height_starts_and_ends_on_the_ground():

@@ -295,12 +295,3 @@ def test_a_person_who_climbs_a_step_does_not_lean_to_the_side(lean: int) -> None
     sideways = np.degrees(np.arcsin(rotation.as_matrix()[:, 2, 1]))  # 30 degrees without the bound
     assert np.abs(sideways).max() < 6.5 + 0.65 * lean
     assert not [violation for violation in motion.violations if violation.kind == "overshoot"]
-
-
-def test_a_rotation_of_the_root_that_swings_between_equal_keyframes_is_reported() -> None:
-    text = STEP.replace("LEAN", "0") + "".join(
-        f'[[penalty]]\nkind = "{k}"\nweight = 0\n' for k in ("upright", "posture")
-    )
-    kinds = {violation.kind: violation for violation in inbetween(recordings.from_text(text, name="c")).violations}
-    assert kinds["overshoot"].name == "root"
-    assert kinds["overshoot"].amount > 15

@@ -13,7 +13,7 @@ import pytest
 from oracles import kinematics
 from paper.penetration import penetration
 from processes import quiet
-from texts import read_cases, read_data
+from texts import read_data
 
 from dynsplines import Keyframe, build, inbetween, load, load_motion, motion, recordings, solving
 from dynsplines.clip import load as clip
@@ -329,7 +329,16 @@ def test_limbs_in_each_other_are_as_deep_as_mujoco_has_them_whatever_the_clip_pe
     assert found.kind == "self" and found.amount == pytest.approx(deepest(problem, 500), abs=0.002)
 
 
-@pytest.mark.parametrize(("one", "other", "count"), read_cases("colliding_bodies.toml"))
+@pytest.mark.parametrize(
+    ("one", "other", "count"),
+    [
+        ('geom name="trunk"', 'geom name="trunk" contype="0" conaffinity="2"', 0),
+        ('geom name="trunk"', 'geom name="trunk" contype="0" conaffinity="1"', 1),
+        ("</worldbody>", '</worldbody><contact><exclude body1="trunk" body2="hand"/></contact>', 0),
+        ("</worldbody>", '</worldbody><contact><exclude body1="trunk" body2="arm"/></contact>', 1),
+        ("<geom ", '<geom contype="0" conaffinity="0" ', 1),
+    ],
+)
 def test_bodies_collide_as_mujoco_has_it_or_all_of_them_if_none_would(one, other, count):
     problem = read(swinging(40, -40), TRUNK.replace(one, other))
     assert [each.kind for each in wrong(problem)] == ["self"] * count
@@ -444,17 +453,13 @@ def test_a_figure_that_falls_too_slowly_or_too_fast_floats(gravity):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("seconds", "legs"), [(0.45, ""), (0.45, REST), (0.3, REST)])
-def test_a_jump_with_one_keyframe_in_the_air_falls_freely_or_is_reported(seconds, legs):
-    """With 0.3 s on each side of the top, there is no time for a push-off."""
+def test_a_jump_with_one_keyframe_in_the_air_falls_freely(seconds, legs):
     crouch = at(0, 0, 0.75, REST) + (
         "sites = {left_heel = [-0.055, 0.09, 0], right_heel = [-0.055, -0.09, 0]}\n"
         "bodies = {left_foot = {flat = true}, right_foot = {flat = true}}\n"
     )
     poses = (REST, crouch, f"root.position = [0, 0, 1.2]\n{legs}", crouch, REST)
     found = inbetween(read(keys(*poses, times=np.cumsum([0, 0.5, seconds, seconds, 0.7]))))
-    if seconds < 0.4:
-        assert [each.kind for each in found.violations].count("float") == 1
-        return
     assert found.violations == []
     t = np.linspace(-0.1, 0.1, 9)
     height = [kinematics(found.model, found.at(0.5 + seconds + after)).subtree_com[1][2] for after in t]

@@ -8,7 +8,6 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
-from texts import read_cases
 
 from dynsplines import Keyframe, UserError, build, load
 from dynsplines.clip import starter
@@ -91,7 +90,17 @@ def notes(height: float = -1.1, floor: str = "", gravity: str = "0 0 -9.81", sce
     return vertical_notes(compose(spec, obstacles(table)).model())
 
 
-@pytest.mark.parametrize(("gravity", "is_noted"), read_cases("gravities.toml"))
+@pytest.mark.parametrize(
+    ("gravity", "is_noted"),
+    [
+        ("0 0 -9.81", False),
+        ("0 0 0", False),
+        ("0.1 0 -9.81", False),
+        ("2 0 -9", True),
+        ("0 -9 0", True),
+        ("0 0 9", True),
+    ],
+)
 def test_a_gravity_that_is_not_along_z_is_noted(gravity, is_noted):
     lines = notes(floor=PLANE, gravity=gravity)
     assert [line.split("]")[0] for line in lines] == [f"gravity is [{', '.join(gravity.split())}"] * is_noted

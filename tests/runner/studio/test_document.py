@@ -9,7 +9,7 @@ import problems
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from texts import read_cases, read_data
+from texts import read_data
 
 from dynsplines import models
 from dynsplines.clip.parse import table_of
@@ -248,7 +248,17 @@ def test_a_clip_file_and_a_shipped_clip_are_opened(tmp_path, monkeypatch):
     assert not shipped.is_dirty
 
 
-@pytest.mark.parametrize(("name", "words"), read_cases("other_files.toml"))
+@pytest.mark.parametrize(
+    ("name", "words"),
+    [
+        ("nowhere.toml", "no file 'nowhere.toml'"),
+        ("run_and_stp", "run_and_step"),
+        (".", "is a folder; open a clip"),
+        ("tiny.xml", "'tiny.xml' is a model; write a clip for it: dynsplines new tiny.xml"),
+        ("walk.npz", "open the clip of this motion, or write one: dynsplines thin walk.npz"),
+        ("walk.bvh", "open the clip of this motion, or write one: dynsplines thin walk.bvh"),
+    ],
+)
 def test_other_files_are_rejected_with_the_command_that_writes_a_clip(tmp_path, monkeypatch, name, words):
     monkeypatch.chdir(tmp_path)
     problems.written(tmp_path)

@@ -7,7 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from figures import BALL, CHAIN, enlarged, figure_of, scaled
+from figures import enlarged, figure_of, scaled
 from motions import BIPED_FPS as FPS
 from motions import TEXT
 from motions import biped_walk as walk
@@ -15,11 +15,10 @@ from scipy.spatial import ConvexHull
 
 from dynsplines import models
 from dynsplines.clip import load
-from dynsplines.clip import load as clips
 from dynsplines.clip.load import Clip
 from dynsplines.scene.compose import compose
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import ContactSchedule, Footing, flights, footings, stances
+from dynsplines.solver.contacts import Footing, footings, stances
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -51,11 +50,8 @@ SOLES = tuple(
 )
 
 
-HEAD = (Point("head", 1, np.array([0.0, 0, 0.1]), 0.1),)
-
-
 # what a figure does with its two feet in one keyframe: how much each leg is drawn in [m]
-STAND, LEFT, RIGHT, AIR = (0.0, 0.0), (0.0, 0.3), (0.3, 0.0), (0.3, 0.3)
+STAND, LEFT, RIGHT = (0.0, 0.0), (0.0, 0.3), (0.3, 0.0)
 
 
 TILTED = (np.cos(0.15), 0.0, np.sin(0.15), 0.0)
@@ -66,25 +62,9 @@ def key(time: float, x: float, feet: tuple[float, float], *, z: float = 1.0) -> 
     return Frame.key(time, [x, 0, z, 1, 0, 0, 0, *feet])
 
 
-def tell(*keys: Frame, body: tuple[Point, ...] = (), later: float = 0.0) -> tuple[tuple[float, float], ...]:
-    """The flights, which are the same if all of it happens a while later."""
-    timeline = raw_timeline(FIGURE, [replace(key, time=key.time + later) for key in keys])
-    soles = KeyframePoints.of(FIGURE, timeline, SOLES, (FLOOR,))
-    found = flights(1, soles, stances(soles), body)
-    if not later:
-        again = tell(*keys, body=body, later=3.0)
-        np.testing.assert_allclose(np.reshape(again, (-1, 2)), np.reshape(found, (-1, 2)) + 3.0, rtol=1e-12)
-    return found
-
-
 def on_toe(time: float, x: float, feet: tuple[float, float], *, z: float = 1.0) -> Frame:
     """A keyframe that is tilted forward, so that a foot that is drawn in by 1 - z stands on its toe."""
     return Frame.key(time, [x, 0, np.cos(0.3) * z, *TILTED, *feet])
-
-
-def crouched_on_toe(time: float, x: float, crouched: float) -> Frame:
-    """On the left toe, its leg drawn in by so much [m] and the other out of the way."""
-    return on_toe(time, x, (crouched, 0.3 + crouched), z=1 - crouched)
 
 
 def test_a_foot_pushes_with_the_corners_of_its_outline_and_none_of_the_points_inside(rng):
@@ -99,87 +79,6 @@ def test_a_foot_pushes_with_the_corners_of_its_outline_and_none_of_the_points_in
     assert {footing.point.name for footing in found} == outline
     places = [points[int(footing.point.name[1:])].position for footing in found]
     np.testing.assert_allclose([footing.point.position for footing in found], places, atol=1e-12)
-
-
-def test_a_run_flies_from_the_toe_of_one_foot_to_the_other_foot():
-    assert tell(*run(crouched=0.12)) == ((0.1, 0.25), (0.42, 0.57))
-
-
-def test_who_does_not_push_off_or_give_way_walks_fast():
-    assert tell(*run(crouched=0.045)) == ()
-
-
-def run(crouched: float) -> list[Frame]:
-    """Two running steps: on one foot with its leg drawn in by so much [m], off its toe, on to the other foot."""
-    return [
-        key(0, 0, (crouched, 0.3), z=1 - crouched),
-        on_toe(0.1, 0.3, LEFT),
-        key(0.25, 0.8, (0.3, 0.05), z=0.95),
-        key(0.32, 0.8, (0.3, crouched), z=1 - crouched),
-        on_toe(0.42, 1.1, RIGHT),
-        key(0.57, 1.6, (0.05, 0.3), z=0.95),
-        key(0.64, 1.6, (crouched, 0.3), z=1 - crouched),
-    ]
-
-
-def test_the_shipped_run_has_its_three_flights():
-    support = clips.load("run_and_step").context.support
-    assert support is not None
-    assert support.flights == ((0.12, 0.26), (0.49, 0.63), (0.88, 1.20))
-
-
-def test_a_figure_without_a_free_joint_is_not_held_down():
-    figure = figure_of(CHAIN.format("hinge"))
-    timeline = raw_timeline(figure, [Frame.key(t, figure.model.qpos0) for t in (0, 1)])
-    assert ContactSchedule(figure, timeline, (Point("tip", 2, np.zeros(3)),), (FLOOR,)).held_down == ()
-
-
-@pytest.mark.parametrize(("entry", "held_down"), [(2, ((0.0, 1.0), (1.0, 2.0))), (1, ()), (0, ())])
-def test_a_body_is_held_down_next_to_keyframes_that_do_not_specify_its_height(entry, held_down):
-    figure = figure_of(BALL)
-    masks = [np.ones(7, bool), np.arange(7) != entry, np.ones(7, bool)]
-    keys = [Frame.key(t, [0, 0, 0.1, 1, 0, 0, 0], mask) for t, mask in enumerate(masks)]
-    schedule = ContactSchedule(figure, raw_timeline(figure, keys), (Point("sole", 1, np.zeros(3), 0.1),), (FLOOR,))
-    assert schedule.held_down == held_down
-
-
-def test_standing_and_walking_never_fly():
-    assert tell(*(key(t, 0, STAND) for t in (0, 0.5, 1))) == ()
-    walk = [key(0, 0, LEFT), key(0.3, 0, STAND), key(0.6, 0.0, RIGHT), key(0.9, 0.02, STAND)]
-    assert tell(*walk) == ()
-
-
-def test_a_clip_may_begin_and_end_on_the_toe_of_a_flight_but_none_touches_for_a_keyframe_alone():
-    assert tell(crouched_on_toe(0, 0, 0.1), crouched_on_toe(0.3, 1.0, 0.1)) == ((0.0, 0.3),)
-    assert tell(crouched_on_toe(0, 0, 0.1), key(0.15, 0.5, AIR, z=1.0), crouched_on_toe(0.3, 1.0, 0.1)) == ((0.0, 0.3),)
-    low, high, after = crouched_on_toe(0, 0, 0.25), crouched_on_toe(0.3, 1.0, 0.0), crouched_on_toe(0.6, 2.0, 0.25)
-    assert tell(low, high) == ((0.0, 0.3),)
-    assert tell(high, after) == ((0.3, 0.6),)
-    assert tell(low, high, after) == ()
-
-
-def test_a_clip_in_the_air_is_one_flight_if_it_falls():
-    t = np.array([0.0, 0.2, 0.4, 0.6])
-    fall = [key(float(s), float(s), AIR, z=2 + 3 * s - 9.81 * s**2 / 2) for s in t]
-    assert tell(*fall) == ((0.0, 0.6),)
-    assert tell(*(key(2 * float(s), 0, AIR, z=2) for s in t)) == ()
-
-
-def test_who_lies_on_the_floor_does_not_fly():
-    low = [key(t, t, AIR, z=z) for t, z in ((0.0, 1.5), (0.3, 1.5))]
-    assert tell(*low, body=HEAD) == ((0.0, 0.3),)
-    head_stand = [key(0.0, 0, AIR, z=0.9), key(0.3, 0.3, AIR, z=1.5)]
-    # upside down, the head on the floor
-    turned = Frame.key(0.0, [0, 0, 0.2, 0, 1, 0, 0, 0.3, 0.3])
-    assert tell(turned, head_stand[1], body=HEAD) == ()
-    assert tell(turned, head_stand[1]) == ((0.0, 0.3),)
-
-
-def test_keyframes_that_leave_a_foot_open_tell_nothing():
-    partial = key(0.3, 0.3, AIR, z=1.5)
-    fixed = np.array(partial.fixed)
-    fixed[7] = False
-    assert tell(key(0, 0, AIR, z=1.5), Frame(0.3, partial.state, fixed), key(0.6, 0.6, AIR, z=1.5)) == ()
 
 
 def timeline_of(*keys: Frame) -> Timeline:
@@ -200,39 +99,7 @@ def test_a_foot_that_stands_may_push_with_all_that_touches_in_one_of_the_keyfram
         np.testing.assert_allclose(footing.point.position, [x, 0, -1], atol=1e-12)
 
 
-@pytest.mark.parametrize(
-    ("feet", "moved", "legs"),
-    [
-        ((LEFT, LEFT), 0.3, []),  # the right foot slides, and the left one is in the air
-        ((STAND, STAND), 0.0, []),
-        ((STAND, LEFT), 0.0, ["right"]),
-        ((STAND, RIGHT), 0.0, ["left"]),
-    ],
-)
-def test_a_leg_takes_a_step_if_its_foot_moves_while_the_other_one_stands(feet, moved, legs):
-    timeline = raw_timeline(FIGURE, [key(0.0, 0.0, feet[0]), key(0.5, moved, feet[1]), key(1.0, moved, feet[1])])
-    steps = ContactSchedule(FIGURE, timeline, SOLES, (FLOOR,)).steps
-    stepping = steps.at(np.arange(len(FIGURE.links)), np.array([0.25, 0.75]))
-    assert [FIGURE.links[i].name for i in np.flatnonzero(stepping[:, 0])] == legs
-    assert not stepping[:, 1].any()
-
-
-@pytest.mark.parametrize(
-    ("feet", "moved", "stays_low"),
-    [
-        ((LEFT, LEFT), 0.3, False),  # on the left foot, which moves
-        ((LEFT, LEFT), 0.05, True),
-        ((STAND, STAND), 0.3, True),  # two steps
-        ((LEFT, STAND), 0.3, True),  # the right foot can carry while the left one moves
-    ],
-)
-def test_a_figure_on_one_leg_that_moves_its_foot_hops(feet, moved, stays_low):
-    timeline = raw_timeline(FIGURE, [key(0.0, 0.0, feet[0]), key(0.5, moved, feet[1])])
-    schedule = ContactSchedule(FIGURE, timeline, SOLES, (FLOOR,))
-    assert schedule.grounded == (((0.0, 0.5),) if stays_low else ())
-
-
-STRIDES = 7  # keyframes of run_and_step before the step: two flights, and a foot on the ground between them
+STRIDES = 7  # keyframes of run_and_step before the step
 
 
 EVERY = 8  # samples of the walk between keyframes
@@ -263,12 +130,11 @@ def clip_of(figure: str, factor: float, *, gravity: bool) -> Clip:
 
 
 def schedule(clip: Clip, slower: float) -> list[tuple[str, float, float]]:
-    """Stances, footings and flights by name, their times [s] divided by how much slower the clip is."""
+    """Stances and footings by name, their times [s] divided by how much slower the clip is."""
     support = clip.context.support
     assert support is not None
     rows = [(kind, each.point.name, each.first, each.last) for kind, some in (
         ("stance", clip.context.schedule.stances), ("footing", support.footings)) for each in some]  # fmt: skip
-    rows += [("flight", "", *flight) for flight in support.flights]
     return [(f"{kind} {name}", round(first / slower, 6), round(last / slower, 6)) for kind, name, first, last in rows]
 
 
@@ -280,13 +146,12 @@ def summed(clip: Clip, slower: float) -> Problem:
 
 
 @pytest.mark.parametrize(("figure", "factor", "gravity"), [("human", 3.0, False), ("biped", 0.3, True)])
-def test_a_doll_and_a_giant_stand_and_fly_when_an_adult_does(figure, factor, gravity):
+def test_a_doll_and_a_giant_stand_when_an_adult_does(figure, factor, gravity):
     slower = 1.0 if gravity else float(np.sqrt(factor))
     adult, other = (clip_of(figure, each, gravity=gravity) for each in (1.0, factor))
     expected = schedule(adult, 1.0)
     assert schedule(other, slower) == expected
-    kinds = {row[0].split()[0] for row in expected}
-    assert kinds >= ({"stance", "footing", "flight"} if figure == "human" else {"stance", "footing"})
+    assert {row[0].split()[0] for row in expected} >= {"stance", "footing"}
 
 
 @pytest.mark.slow
@@ -311,7 +176,7 @@ def test_lengths_times_and_speeds_grow_with_the_figure():
         size, found = Size.of(figure), Thresholds.of(figure)
         assert size.length == pytest.approx(factor, rel=1e-6)
         assert size.time == pytest.approx(np.sqrt(factor), rel=1e-6)
-        speeds = ("travels", "lowering", "fast", "drift", "fastest", "slowest")
-        powers = {"near_surface": 1, "step": 0.5, "finest": -0.5, "lively": 0.5, "height_turn": -1}
+        speeds = ("travels", "fast", "drift", "fastest", "slowest")
+        powers = {"near_surface": 1, "finest": -0.5, "lively": 0.5, "height_turn": -1}
         for name, power in (powers | dict.fromkeys(speeds, 0.5)).items():
             assert getattr(found, name) == pytest.approx(factor**power * getattr(Thresholds(), name), rel=1e-6)

@@ -9,9 +9,8 @@ from oracles import kinematics
 from random_models import random_samples
 
 from dynsplines import inbetween, load
-from dynsplines.solver.contacts import ContactSchedule, Grasp, Stance, flights, grasped_links, stances, surfaces_on
+from dynsplines.solver.contacts import Contacts, ContactSchedule, Grasp, Stance, grasped_links, surfaces_on
 from dynsplines.solver.contacts.flight import STRETCHED
-from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
@@ -127,40 +126,80 @@ FIGURE = figure_of(HOPPER)
 SOLE = tuple(Point(name, 2, np.array([x, 0, -1.0])) for name, x in (("heel", -0.1), ("toe", 0.1)))
 
 
-def hop(*poses: tuple[float, float, float]) -> tuple[tuple[float, float], ...]:
-    """The flights of keyframes at a time, of a root height and with the leg drawn in by some length."""
+def hop(*poses: tuple[float, float, float], hold: tuple[float, float] | None = None) -> ContactSchedule:
+    """Keyframes at a time, of a root height and with the leg drawn in by some length, while a hand may be held."""
     keys = raw_timeline(FIGURE, [Frame.key(t, [0, 0, z, 1, 0, 0, 0, drawn]) for t, z, drawn in poses])
-    sole = KeyframePoints.of(FIGURE, keys, SOLE, (FLOOR,))
-    return flights(1, sole, stances(sole))
+    hand = Point("hand", 1, np.zeros(3))
+    rests = (Stance(hand, *hold, np.zeros(3), np.zeros(3)),) if hold else ()
+    return ContactSchedule(FIGURE, keys, SOLE, (FLOOR,), Contacts(stances=rests))
 
 
 def crouch(t: float, z: float = 0.8) -> tuple[float, float, float]:
     return t, z, 1.0 - z
 
 
-def test_a_leap_over_one_keyframe_takes_the_time_of_its_fall():
-    ((first, last),) = hop(crouch(0), (0.45, 1.45, 0.1), crouch(0.9))
-    assert first + last == pytest.approx(0.9)
-    assert last - first == pytest.approx(2 * np.sqrt(2 * (1.45 - STRETCHED) / G))
+@pytest.mark.parametrize(("landing", "top"), [(0.9, 0.45), (1.1, 0.5), (0.8, 0.425)])
+def test_a_free_fall_through_one_keyframe_has_its_top_halfway_to_the_middle_of_its_neighbours(landing, top):
+    ((first, last),) = hop(crouch(0), (0.45, 1.45, 0.1), crouch(landing)).flights
+    assert (first + last) / 2 == pytest.approx(top)
+    height = 1.45 + G / 2 * (0.45 - top) ** 2
+    assert last - first == pytest.approx(2 * np.sqrt(2 * (height - STRETCHED) / G))
 
 
-@pytest.mark.parametrize(("landing", "end"), [(0.9, 0.8), (1.0, 0.8), (0.95, 0.7), (0.8, 0.8)])
-def test_it_falls_through_the_keyframe_with_equal_times_on_the_ground(landing, end):
-    ((first, last),) = hop(crouch(0), (0.45, 1.4, 0.1), crouch(landing, end))
-    assert first == pytest.approx(landing - last)
-    t = np.array([first, 0.45, last])
-    parabola = np.polyfit(t, [STRETCHED, 1.4, STRETCHED], 2)
-    assert parabola[0] == pytest.approx(-G / 2)
+@pytest.mark.parametrize("times", [(0.3, 0.6), (0.25, 0.4, 0.65), (0.2, 0.35, 0.5, 0.7)])
+def test_keyframes_on_an_arc_are_in_one_free_fall_that_ends_where_a_stretched_leg_reaches_the_ground(times):
+    speed, start = 3.0, 0.15  # at take-off
+    arc = [(t, STRETCHED + speed * (t - start) - G * (t - start) ** 2 / 2, 0.3) for t in times]
+    for wrong in (0.0, 0.05):  # what keyframes in between may miss
+        poses = [(t, z + wrong * (0 < k < len(arc) - 1), drawn) for k, (t, z, drawn) in enumerate(arc)]
+        schedule = hop(crouch(0), *poses, crouch(1.0))
+        np.testing.assert_allclose(schedule.flights, [(start, start + 2 * speed / G)], atol=1e-9)
 
 
-@pytest.mark.parametrize(("first", "last"), [(0.1, 0.4), (0.5, 0.8)])
+@pytest.mark.parametrize(
+    ("poses", "misses"),
+    [
+        ((crouch(0.3), (0.45, 1.6, 0.1), crouch(0.6)), 1),  # too high for the time
+        ((crouch(0), (0.3, 1.3, 0.1), (0.5, 1.9, 0.1), (0.7, 1.3, 0.1), crouch(1)), 2),
+        ((crouch(0), (0.3, 1.6, 0.1), (0.5, 1.6, 0.1), crouch(0.55)), 3),  # it falls for longer
+    ],
+)
+def test_keyframes_that_no_free_fall_meets_are_named_with_the_height_that_would_do(poses, misses):
+    schedule = hop(*poses)
+    (fall,) = schedule.falls
+    assert schedule.flights == () and fall.misses == misses
+    if misses == 3:
+        return  # then the next one is too high
+    mended = [(t, z - fall.by * (k == misses), drawn) for k, (t, z, drawn) in enumerate(poses)]
+    assert hop(*mended).flights or hop(*mended).falls == ()
+
+
+@pytest.mark.parametrize(
+    "poses",
+    [
+        (crouch(0), crouch(0.5), crouch(1)),
+        ((0, 1.0, 0.0), (0.5, 1.1, 0.3), (1, 1.0, 0.0)),  # a stretched leg would reach the ground
+        ((0, 0.9, 0.1), (0.5, 1.3, -0.3), (1, 0.9, 0.1)),  # a long leg does
+        ((0, 1.5, 0.3), (1.5, 1.5, 0.3)),  # on the ground in between
+    ],
+)
+def test_a_figure_that_reaches_the_ground_is_in_no_flight_between_its_keyframes(poses):
+    times = [time for time, _, _ in poses]
+    inner = [t for flight in hop(*poses).flights for t in flight if t not in times]
+    assert all(abs(t - time) > 0.2 for t in inner for time in times) or not inner
+
+
+def test_a_fall_begins_and_ends_with_the_clip_in_the_air():
+    assert hop((0, 1.5, 0.3), (0.3, 1.5, 0.3)).flights == ((0, 0.3),)
+
+
+@pytest.mark.parametrize(("first", "last"), [(0.0, 0.35), (0.5, 0.8), (0.4, 0.5)])
 def test_there_is_none_while_something_else_carries(first, last):
     leap = crouch(0), (0.45, 1.45, 0.1), crouch(0.9)
-    keys = raw_timeline(FIGURE, [Frame.key(t, [0, 0, z, 1, 0, 0, 0, drawn]) for t, z, drawn in leap])
-    sole, hand = KeyframePoints.of(FIGURE, keys, SOLE, (FLOOR,)), Point("hand", 1, np.zeros(3))
-    assert len(flights(1, sole, ())) == 1
-    carried = flights(1, sole, [Stance(hand, first, last, np.zeros(3), np.zeros(3))])
+    assert len(hop(*leap).flights) == 1
+    carried = hop(*leap, hold=(first, last)).flights
     assert all(end <= first or begin >= last for begin, end in carried)
+    assert len(carried) == (not first < 0.45 < last)
 
 
 LEGS = ", ".join(f'{side}_{part} = "free"' for side in ("left", "right") for part in ("hip", "knee", "ankle"))

@@ -290,7 +290,7 @@ def test_a_sole_that_stood_tilted_is_level_and_on_the_ground_and_nothing_else_mo
 def test_a_recording_of_another_floor_comes_down_or_up_to_this_one_straight_and_one_that_is_near_stays(
     over: float, moves: bool
 ) -> None:
-    points, over = sole(0.02, 0.02, 0.04, 0.04), over * Thresholds.of(FIGURE).floor_off
+    points, over = sole(0.02, 0.02, 0.04, 0.04), over * Thresholds.of(FIGURE).same_spot
     before = recorded(0.64 + over, np.zeros(3))
     found = move_to_ground(before, points, [FLOOR])
     way = np.zeros(FIGURE.width)

@@ -34,7 +34,6 @@ from dynsplines.solver.penalty import (
     HoverPenalty,
     JointRange,
     Lean,
-    OvershootPenalty,
     PeakAcceleration,
     Penalty,
     Placed,
@@ -130,13 +129,9 @@ def skate(normal: Array) -> Kind:
     return case
 
 
-def hover(*, firm: bool) -> Kind:
-    def case(figure: Figure, rng: np.random.Generator) -> Case:
-        samples, intervals = timed(figure, rng, 6), ((0.2, 1.0), (1.4, 2.0))
-        penalty = HoverPenalty(two_points(figure), (below(samples),), intervals, reach=0.8, blend=0.2)
-        return replace(penalty, firm=intervals) if firm else penalty, samples
-
-    return case
+def hover(figure: Figure, rng: np.random.Generator) -> Case:
+    samples = random_samples(figure, rng, 6)
+    return HoverPenalty(two_points(figure), (below(samples),), reach=0.8, blend=0.2), samples
 
 
 def support(figure: Figure, rng: np.random.Generator) -> Case:
@@ -233,7 +228,7 @@ def joint_range(figure: Figure, rng: np.random.Generator) -> Case:
 
 
 def overshoot(figure: Figure, rng: np.random.Generator) -> Case:
-    return OvershootPenalty(ranges(figure, rng, first=0.2, last=1.4), figure=figure), timed(figure, rng, 9)
+    return JointRange(ranges(figure, rng, first=0.2, last=1.4)), timed(figure, rng, 9)
 
 
 def upright(figure: Figure, rng: np.random.Generator) -> Case:
@@ -272,8 +267,7 @@ KINDS: dict[str, Kind] = {
     "self-contact": self_contact,
     "skate": skate(UP),
     "skate on a slope": skate(TILTED),
-    "hover": hover(firm=False),
-    "firm hover": hover(firm=True),
+    "hover": hover,
     "support": support,
     "flight": flight(0.0),
     "flight with a moment": flight(0.7),
@@ -393,7 +387,7 @@ def test_a_motion_moved_and_turned_about_the_vertical_costs_the_same(name, coord
 AXIAL, POLAR = {"lateral"}, {"position", "spot", "landed", "point", "centre", "target", "normal", "long_axis", "axis"}
 GROWTH = dict.fromkeys(("position", "spot", "landed", "point", "centre", "target", "half", "radius", "length"), 1.0)
 GROWTH |= dict.fromkeys(("reach", "blend", "margin", "slack", "excess"), 1.0) | {"unit": 3.0}
-GROWTH |= dict.fromkeys(("first", "last", "time", "times", "intervals", "firm", "flights", "long", "settling"), 0.5)
+GROWTH |= dict.fromkeys(("first", "last", "time", "times", "intervals", "flights", "settling"), 0.5)
 
 
 def image(part: Any, factor: float, name: str = "") -> Any:

@@ -47,7 +47,7 @@ ORIGIN = Point("middle", 1, np.zeros(3))
 
 CENTIMETRE = {
     "contact": Contact((ORIGIN,), (FLOOR,)),
-    "grounded": HoverPenalty((ORIGIN,), (FLOOR,), ((-1.0, 1.0),), reach=10.0),
+    "grounded": HoverPenalty((ORIGIN,), (FLOOR,), reach=10.0),
     "planted": Attachment((Stance(ORIGIN, -1, 1, np.zeros(3), np.zeros(3)),)),
     "resting": RestPenalty((Rest(ORIGIN, -1, 1),), (FLOOR,)),
     "placement": Attachment.at_instants((Placed(ORIGIN, 0.0, np.zeros(3)),)),

@@ -164,8 +164,9 @@ joints = {shoulder = {rotvec = [-40, -40, 0]}, elbow = {rotvec = [0, 0, 0]}}
 def test_an_arm_goes_through_the_trunk_without_the_penalty_and_at_most_two_millimetres_with_it(tmp_path):
     (tmp_path / "arms.xml").write_text(ARMS, encoding="utf-8")
     deepest = {}
-    for asked in ("", "[[penalty]]\nkind = 'collision'\nself = true\nmargin = 0.002\n"):
-        (tmp_path / "arms.toml").write_text(SWING + asked, encoding="utf-8")
+    for asked in (False, True):
+        options = "margin = 0.002" if asked else "self = false"
+        (tmp_path / "arms.toml").write_text(f"{SWING}[[penalty]]\nkind = 'collision'\n{options}\n", encoding="utf-8")
         solved = solving.solve(clip.load(str(tmp_path / "arms.toml")), quiet())
         data = report(solved.clip, solved.motion, 0.0)
         out = io.StringIO()
