@@ -382,4 +382,4 @@ def test_slides_hinges_balls_and_the_root_are_held_alike() -> None:
     last = np.array([0.8, 0, 1, *turned, 0.6, 1.9, *Rotation.from_rotvec([1.2, 0, 0.9]).as_quat(scalar_first=True)])
     raw, held = swings(first, last)
     assert np.all(raw > [0.2, 0.15, 0.5, 0.3, 0.4])
-    assert np.all(held < [0.052, 0.035, 0.06, 0.06, 0.06])
+    assert np.all(held < [0.025, 0.025, 0.06, 0.06, 0.06])
