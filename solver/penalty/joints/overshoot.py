@@ -6,13 +6,13 @@ sides of a peak may have the same value; loops and gait cycles therefore have no
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from ... import quaternion as quat
-from ...array import Mask
+from ...array import Array, Mask
 from ...curve.frame import Timeline
 from ...curve.spline import path_of
 from ...figure.figure import Figure, JointKind, quaternion_columns
@@ -51,40 +51,37 @@ def holds(figure: Figure, keys: Timeline, flights: Sequence[tuple[float, float]]
         flights: The intervals (first, last) [s] in which roots rise and fall.
     """
     begins, ends = keys.times[:-1], keys.times[1:]
-    in_flight = np.zeros(begins.size, bool)
-    for first, last in flights:
-        in_flight |= (begins < last) & (first < ends)
     qpos, is_long, ranges = figure.to_qpos(keys.states), ends - begins >= BRIEF, list[Range]()
+    in_flight = _overlaps(keys, flights)
     for i, link in enumerate(figure.links[1:], start=1):
         is_free, quaternion = link.kind is JointKind.FREE, quaternion_columns(link)
         if quaternion is not None:
-            values = qpos[:, quaternion]
-            turns = quat.rotation_vector(quat.product(quat.inverse(values[:-1]), values[1:]))
-            is_same = np.linalg.norm(turns, axis=1) <= SAME["angle"]
-            for k in _held(is_same & is_long, keys, quaternion):
-                home, span = tuple(values[k].tolist()), (float(begins[k]), float(ends[k]))
+            is_same = np.linalg.norm(_turns(qpos[:, quaternion]), axis=1) <= SAME["angle"]
+            for k in _fixed_at_both(is_same & is_long, keys, quaternion):
+                home, span = tuple(qpos[k, quaternion].tolist()), (float(begins[k]), float(ends[k]))
                 ranges.append(Range(link.name, i, JointKind.BALL, 0.0, 0.0, 0, home, *span))
         for axis in range(3 if is_free else int(quaternion is None)):
             kind = JointKind.SLIDE if is_free else link.kind
             unit = "angle" if kind is JointKind.HINGE else "length"
             values = qpos[:, link.qpos + axis]
             is_same = (np.abs(np.diff(values)) <= SAME[unit]) & ~(in_flight & is_free)
-            for k in _held(is_same & is_long, keys, slice(link.qpos + axis, link.qpos + axis + 1)):
+            for k in _fixed_at_both(is_same & is_long, keys, slice(link.qpos + axis, link.qpos + axis + 1)):
                 value, span = float(values[k]), (float(begins[k]), float(ends[k]))
                 ranges.append(Range(link.name, i, kind, value, value, axis, None, *span))
-    return _swinging(figure, keys, ranges)
+    return list(_swinging(figure, keys, ranges))
 
 
-def _swinging(figure: Figure, keys: Timeline, ranges: Sequence[Range]) -> list[Range]:
-    """Return the ranges in the segments in which the spline through the keyframes leaves any of them."""
-    segments = sorted({(joint.first, joint.last) for joint in ranges})
-    if not segments:
-        return []
-    share = (np.arange(LOOKS) + 0.5) / LOOKS
-    t = np.concatenate([first + share * (last - first) for first, last in segments])
-    most = JointRange(tuple(ranges)).beyond(Samples.still(figure, path_of(keys).at(t), t=t)).max(axis=1)
-    swinging = {joint.first for joint, off in zip(ranges, most, strict=True) if off > SWINGS[_unit(joint)]}
-    return [joint for joint in ranges if joint.first in swinging]
+def _swinging(figure: Figure, keys: Timeline, ranges: Sequence[Range]) -> Iterator[Range]:
+    """Yield the ranges in the segments in which the spline through the keyframes leaves any of them."""
+    by_segment: dict[tuple[float, float], list[Range]] = {}
+    for joint in ranges:
+        by_segment.setdefault((joint.first, joint.last), []).append(joint)
+    path = path_of(keys)
+    for (first, last), joints in sorted(by_segment.items()):
+        t = first + (np.arange(LOOKS) + 0.5) / LOOKS * (last - first)
+        off = JointRange(tuple(joints)).beyond(Samples.still(figure, path.at(t), t=t)).max(axis=1)
+        if any(most > SWINGS[_unit(joint)] for joint, most in zip(joints, off, strict=True)):
+            yield from joints
 
 
 def _unit(joint: Range) -> str:
@@ -102,20 +99,18 @@ def root_ranges(
         flights: The intervals (first, last) [s] of free fall.
         grasped: The links of grasped objects, which move with hands.
     """
-    qpos, ranges = figure.to_qpos(keys.states), list[Range]()
+    qpos, in_flight, ranges = figure.to_qpos(keys.states), _overlaps(keys, flights), list[Range]()
     for i in (i for i in figure.tables.free_links.tolist() if figure.tables.children[i] and i not in grasped):
         link = figure.links[i]
         first, quaternion = link.qpos, slice(link.qpos + 3, link.qpos + 7)
-        turns = quat.rotation_vector(quat.product(quat.inverse(qpos[:-1, quaternion]), qpos[1:, quaternion]))
-        for k in _held(np.linalg.norm(turns, axis=1) <= LITTLE, keys, quaternion):
+        turns = _turns(qpos[:, quaternion])
+        for k in _fixed_at_both(np.linalg.norm(turns, axis=1) <= LITTLE, keys, quaternion):
             middle = quat.product(qpos[k, quaternion], quat.from_rotation_vector(turns[k] / 2))
             high, home = float(np.linalg.norm(turns[k])) / 2 + SWAY, tuple(middle.tolist())
             ranges.append(Range(link.name, i, JointKind.BALL, 0.0, high, 0, home, *keys.times[k : k + 2].tolist()))
         for axis in range(2):
-            for k in _held(np.ones(keys.times.size - 1, bool), keys, slice(first + axis, first + axis + 1)):
+            for k in _fixed_at_both(~in_flight, keys, slice(first + axis, first + axis + 1)):
                 begin, end = keys.times[k : k + 2].tolist()
-                if any(begin < last and since < end for since, last in flights):
-                    continue
                 both = qpos[k : k + 2, first : first + 2]
                 margin = ASIDE * max(1.0, (end - begin) / BRIEFLY) + ASTRAY * float(np.linalg.norm(both[1] - both[0]))
                 low, high = float(both[:, axis].min()) - margin, float(both[:, axis].max()) + margin
@@ -123,7 +118,18 @@ def root_ranges(
     return ranges
 
 
-def _held(is_same: Mask, keys: Timeline, columns: slice) -> list[int]:
-    """Return the segments of same values (K - 1,) whose two keyframes fix them."""
+def _overlaps(keys: Timeline, intervals: Sequence[tuple[float, float]]) -> Mask:
+    """Return whether the segments between keyframes overlap any of the intervals, (K - 1,)."""
+    edges = np.reshape(intervals, (-1, 2, 1))
+    return np.asarray(((keys.times[:-1] < edges[:, 1]) & (edges[:, 0] < keys.times[1:])).any(axis=0))
+
+
+def _turns(values: Array) -> Array:
+    """Return the rotation vectors from each of the quaternions (K, 4) to the next, (K - 1, 3) [rad]."""
+    return quat.rotation_vector(quat.product(quat.inverse(values[:-1]), values[1:]))
+
+
+def _fixed_at_both(chosen: Mask, keys: Timeline, columns: slice) -> list[int]:
+    """Return the chosen segments (K - 1,) whose two keyframes fix these columns."""
     fixed: Mask = np.asarray(keys.fixed[:, columns].all(axis=1))
-    return np.flatnonzero(is_same & fixed[:-1] & fixed[1:]).tolist()
+    return np.flatnonzero(chosen & fixed[:-1] & fixed[1:]).tolist()
