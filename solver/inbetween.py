@@ -176,7 +176,7 @@ class _Loop:
         if guide is not None and first.variable_count:
             most = settings.frames if settings.variable is None else first.variable_count
             guess = guide.initial_guess(first, most)
-            if guide.is_binding or self.objective.value(path_of(guess)) < self.objective.value(path_of(first)):
+            if self.objective.value(path_of(guess)) < self.objective.value(path_of(first)):
                 first = guess
         return self.searched(first, len(raw.frames) - 1, settings.frames)
 

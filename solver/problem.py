@@ -168,11 +168,6 @@ class Guides:
 
     parts: tuple[Guide, ...]
 
-    @property
-    def is_binding(self) -> bool:
-        """Whether the search starts on the path of these guides in any case."""
-        return any(guide.is_binding for guide in self.parts)
-
     def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
         """Return the timeline after all parts have changed it in turn, with at most `most` variable frames."""
         for guide in self.parts:

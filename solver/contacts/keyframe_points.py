@@ -44,13 +44,6 @@ class KeyframePoints:
         """Return other points at the same keyframes."""
         return KeyframePoints(self.samples, self.keys, tuple(points), self.surfaces)
 
-    def at_keyframes(self, which: Index) -> KeyframePoints:
-        """Return the points at some of the keyframes, by indices."""
-        if which.size == self.keys.times.size:
-            return self
-        keys = Timeline(tuple(self.keys.frames[i] for i in which), self.keys.end_slope, self.keys.ends)
-        return KeyframePoints(self.samples.select(which), keys, self.points, self.surfaces)
-
     @property
     def figure(self) -> Figure:
         return self.samples.figure

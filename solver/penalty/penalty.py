@@ -11,7 +11,6 @@ from abc import ABC, abstractmethod
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from enum import Enum
-from typing import ClassVar
 
 import numpy as np
 
@@ -205,13 +204,7 @@ def _one_sided(blocks: Iterable[Block | Dense], samples: Samples) -> OneSidedRes
 
 
 class Guide(Penalty):
-    """A soft constraint that provides an initial path, for clips whose raw spline is a poor initial guess.
-
-    Attributes:
-        is_binding: Whether the search starts on this path even if it costs more than the raw spline.
-    """
-
-    is_binding: ClassVar[bool] = False
+    """A soft constraint that provides an initial path, for clips whose raw spline is a poor initial guess."""
 
     @property
     def expected(self) -> Path | None:
