@@ -125,8 +125,9 @@ class Air:
         begin, end = times[first], times[last]
         rise = self._duration(self.centre[first] - self.tiptoe[max(first - 1, 0)], -speed)
         sink = self._duration(self.centre[last] - self.tiptoe[around[-1]], speed - g * (end - begin))
-        begin = max([times[around[0]], begin - rise if first else begin, *self._before(begin)])
-        end = min([times[around[-1]], end + sink, *self._after(end)])
+        carried = [until for _, until in self.held if until <= begin], [since for since, _ in self.held if end <= since]
+        begin = max([times[around[0]], begin - rise, *carried[0]])
+        end = min([times[around[-1]], end + sink, *carried[1]])
         by = float(off[worst])
         return Fall(float(begin), float(end), int(around[worst]), by, abs(by) <= self.limits.out_of_reach)
 
@@ -151,14 +152,6 @@ class Air:
         if least > most:
             return float(least + most) / 2, float(least - most) / (1 / gaps[0] + 1 / gaps[1])
         return float(np.clip(middle, least, most)), 0.0
-
-    def _before(self, time: float) -> list[float]:
-        """Return the ends [s] of contacts before a time."""
-        return [last for _, last in self.held if last <= time]
-
-    def _after(self, time: float) -> list[float]:
-        """Return the beginnings [s] of contacts after a time."""
-        return [first for first, _ in self.held if time <= first]
 
     def _duration(self, height: float, speed: float) -> float:
         """Return the time [s] of a fall over a height [m] from an upward speed [m/s]."""

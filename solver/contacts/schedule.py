@@ -169,7 +169,8 @@ class ContactSchedule:
         """The intervals [s] in which the ground carries the figure.
 
         They are between a free fall and the keyframe on the ground before or after it, and between two keyframes on the
-        ground of which one leaves the height of the root free, if the root does not travel.
+        ground of which one leaves the height of the root free, if the root does not travel. A flight that the clip
+        specifies says nothing about the time beside it.
         """
         keys, blur, intervals = self.keys.times, Thresholds.of(self.figure).lift_off, list[Interval]()
         for begin, end in () if self.specified_flights is not None else self.flights:

@@ -32,14 +32,14 @@ class Thresholds:
     """The thresholds of a figure in metres, seconds and their powers. The defaults are those of an adult."""
 
     # Stances, from keyframes
-    near_surface: float = _metres(0.012)  # distance of a planted sole from its surface: posing is no more exact
+    near_surface: float = _metres(0.012)  # distance of a planted sole from its surface, and of two contacts of one body
     clear: float = _metres(0.05)  # height from which a point is in the air: tips of shoes bend, recordings drift
-    tiny: float = _metres(0.001)  # distance that poses meet
+    tiny: float = _metres(0.001)  # distance or depth that counts as none
     same_spot: float = _metres(0.05)  # between the positions of a planted point, or the heights of level ground
     object_arm: float = _metres(0.2)  # from an object's origin to the points that fix its pose: half its size
-    moved: float = _metres(0.02)  # displacement of a recorded contact point by a keyframe that ends the contact
+    moved: float = _metres(0.02)  # of a recorded contact point from its place or from the lowest point of its foot
     far_apart: float = _seconds(0.4)  # shortest time between keyframes that is long enough for a step
-    travels: float = _of(0.5, 1, -1)  # horizontal speed of a travelling root: half that of a walk
+    travels: float = _of(0.5, 1, -1)  # horizontal speed of a travelling root or a dragged foot: half that of a walk
 
     # Contacts, in soft constraints
     settling: float = _seconds(0.05)  # a speed costs as much as the distance covered in this time
@@ -52,7 +52,7 @@ class Thresholds:
     rise: float = _metres(0.6)  # largest rise of the centre of mass in an inferred flight
     step: float = _seconds(0.2)  # time for which a foot is on the ground in a running step
     moment: float = _seconds(0.1)  # a shorter interval counts as none
-    lift_off: float = _seconds(0.02)  # uncertainty of the time at which a foot leaves or reaches the ground
+    lift_off: float = _seconds(0.02)  # uncertainty of the time of a contact, and time between poses of a cycle
 
     # Grasps
     out_of_reach: float = _metres(0.15)  # distance that keyframes may miss: of a hold, of an arc of free fall
@@ -60,8 +60,8 @@ class Thresholds:
 
     # Stances, from recordings
     rolls: float = _metres(0.015)  # standard deviation of a planted point about its mean: feet roll
-    hovers: float = _metres(0.04)  # standard deviation of a stance's height: calibration, thickness of soles
-    highest: float = _metres(0.3)  # range of heights of points in the air; no stance is half as high
+    hovers: float = _metres(0.04)  # error of the height or depth of a standing sole: calibration, thickness of soles
+    highest: float = _metres(0.3)  # height of points in the air; no stance is half as high
     edge: float = _metres(0.1)  # distance of a planted point beyond the edge of a surface: recordings drift
     longest: float = _seconds(1.0)  # longest stance that is examined at once
     finest: float = _of(60.0, 0, -1)  # rate of the samples that are examined

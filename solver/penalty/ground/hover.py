@@ -26,7 +26,7 @@ from ..penalty import Normalization, Penalty, Role
 
 NEAR = 0.01  # [m] height that the body of an adult may gain in one step of the search
 NEGLIGIBLE = 1e-9  # of the lowest point's share
-FIRM = 10.0  # [1] factor of residuals next to free falls, before and after which only the ground carries
+FIRM = 10.0  # [1] factor of residuals in intervals in which only the ground carries the body
 TINY = 1e-300  # [m] a residual that is zero
 
 
@@ -40,7 +40,7 @@ class HoverPenalty(Penalty):
     Attributes:
         reach: The height from which the body counts as being in the air [m].
         blend: The smoothing length b of the minimum [m].
-        landed: The intervals (first, last) [s] between free falls and keyframes on the ground.
+        landed: The intervals (first, last) [s] in which only the ground carries the body.
     """
 
     points: tuple[Point, ...]
