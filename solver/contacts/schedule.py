@@ -169,8 +169,8 @@ class ContactSchedule:
         """The intervals [s] in which the ground carries the figure.
 
         They are between a free fall and the keyframe on the ground before or after it, and between two keyframes on the
-        ground of which one leaves the height of the root free, if the root does not travel. A flight that the clip
-        specifies says nothing about the time beside it.
+        ground of which one leaves the height of the root free, if the root does not travel. A specified flight
+        implies no contact before or after it.
         """
         keys, blur, intervals = self.keys.times, Thresholds.of(self.figure).lift_off, list[Interval]()
         for begin, end in () if self.specified_flights is not None else self.flights:
