@@ -2,7 +2,6 @@
 
 bvh_file         the text of a BVH file (Biovision hierarchy), to and from numbers
 hierarchy        bodies in the convention of animation
-roles            which part of the body a joint is, by its name and its position in the tree
 captured_skeleton  a captured skeleton in metres, z up, facing x where it stands straight
 captured_figure  a captured skeleton as a new figure
 retarget         a captured skeleton's motion on another figure

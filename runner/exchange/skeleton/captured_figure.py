@@ -10,8 +10,8 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
+from ...scene.roles import SIDES, lineage, unique
 from .captured_skeleton import CapturedSkeleton
-from .roles import SIDES, lineage, unique
 
 DENSITY = 1000.0  # [kg/m³]
 LEAST = 1e-3  # [m] least length of a bone with a capsule; a shorter one gets a sphere

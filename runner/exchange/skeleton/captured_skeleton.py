@@ -18,9 +18,9 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...errors import GIVE_UNIT, listed
+from ...scene.roles import apply_bone_map, first_hinge, lineage, mapped_roles, roles, unique
 from . import bvh_file
 from .bvh_file import Skeleton, placed
-from .roles import apply_bone_map, first_hinge, lineage, mapped_roles, roles, unique
 
 REACH = 1.25  # [m] typical distance from an adult's hips along the bones to the fingertips or toes
 UNITS = {"metres": 1.0, "centimetres": 0.01, "millimetres": 0.001}

@@ -13,7 +13,7 @@ from dynsplines import models
 from ...clip.table import MapTable
 from ...clip.text import written
 from ...errors import UserError
-from .roles import NEEDED, ROLES
+from ...scene.roles import NEEDED, ROLES
 
 HEADING = '# Bone map, by role: a body of the figure, a joint of the recording; "" for none.\n'
 

@@ -30,9 +30,9 @@ from dynsplines.solver.posing import PoseSearch, Residuals, joined
 
 from ...errors import GIVE_MAP, UserError, listed
 from ...scene.configuration import posed
+from ...scene.roles import NEEDED, ONWARD, SIDES, lineage, mapped_roles
 from . import hierarchy, maps
 from .captured_skeleton import CapturedSkeleton, standing_turn, unit
-from .roles import NEEDED, ONWARD, SIDES, lineage, mapped_roles
 
 NEXT = {**ONWARD, "foot": "toe", "clavicle": "upper_arm"}
 BENT = 0.15  # least mean sine of an elbow's or knee's bend that determines its axis

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from dynsplines.exchange.skeleton.roles import roles
+from dynsplines.scene.roles import roles
 
 PARTS = ("clavicle", "upper_arm", "forearm", "hand", "thigh", "shin", "foot", "toe")
 ABOVE = ("chest", "clavicle", "upper_arm", "forearm", "pelvis", "thigh", "shin", "foot")
