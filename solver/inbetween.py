@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache, partial
+from operator import itemgetter
 
 import numpy as np
 from threadpoolctl import ThreadpoolController
@@ -45,7 +46,6 @@ MOST_FRAMES = 12  # default limit of variable frames, on average per segment bet
 CLEARLY = 0.5  # [1] share of the first E, below which a path without short quaternions is better than the raw one
 ROUNDING = 1e-9  # [1] relative error of E between two sums over the same samples
 MOST_REFINEMENTS = 3  # [1] how often a search continues after it ended, with more samples
-ALIKE = 1.1  # [1] ratio of the E of two searches, up to which their minima count as the same
 
 
 def inbetween(problem: Problem, *, improved: Callable[[Improvement], None] | None = None) -> Solution:
@@ -243,13 +243,13 @@ class _Loop:
         """Return the best timeline of several searches, each started only if the minimum before it is poor.
 
         The first search starts from `timeline`, the second from the straight path between keyframes. The order is
-        reversed if `timeline` is a pose outlier. If both minima are poor, two more starts follow, except if the two are
-        alike and neither violations dominate nor the cost increased. They are minima without limits of joints, near the
-        straight path and near `timeline`. With one evaluation, only the initial path is evaluated.
+        reversed if `timeline` is a pose outlier. If violations dominate or the cost increased in the better of both,
+        two more starts follow: minima without limits of joints, near the straight path and near `timeline`. With one
+        evaluation, only the initial path is evaluated.
         """
         ends: list[tuple[Timeline, Stop]] = []
-        values: list[float] = []
         quadrature, cuts = self.objective.quadrature, set[float]()
+        minima: list[tuple[float, dict[str, float]]] = []
         waiting = self._starts(timeline)
         while waiting:
             if ends:
@@ -259,10 +259,8 @@ class _Loop:
                     self._replace(replace(self.objective, quadrature=quadrature))
             ends += self.run(waiting.pop(0)(), segments, budget)
             cuts |= set(self.objective.quadrature.cuts)
-            values.append(sum(self.last.values()))
-            if self.stop is Stop.INTERRUPTED:
-                break
-            if self._is_settled(ends[-1][0], values):
+            minima.append((sum(self.last.values()), dict(self.last)))
+            if self.stop is Stop.INTERRUPTED or not self._is_poor(ends[-1][0], minima):
                 break
         self.objective = replace(self.objective, quadrature=quadrature).cut_at(cuts)
         selected = select_best(self.objective, [timeline for timeline, _ in reversed(ends)])
@@ -284,13 +282,12 @@ class _Loop:
             lambda: self.loosened(timeline),
         ]
 
-    def _is_settled(self, timeline: Timeline, values: Sequence[float]) -> bool:
-        """Return whether the last search makes further ones unnecessary; `values` are the final E of all searches."""
-        is_costly = cost_increased(self.objective, self.last)
-        if not (is_costly or is_poor_minimum(self.objective, timeline, self.last)):
+    def _is_poor(self, timeline: Timeline, minima: Sequence[tuple[float, dict[str, float]]]) -> bool:
+        """Return whether another search should follow the one that ended at `timeline`; minima: E and its terms."""
+        _, parts = min(minima, key=itemgetter(0))
+        if violation_dominates(self.objective, parts) or cost_increased(self.objective, parts):
             return True
-        same_valley = len(values) == 2 and max(values) <= ALIKE * min(values)
-        return same_valley and not (is_costly or violation_dominates(self.objective, self.last))
+        return len(minima) == 1 and is_poor_minimum(self.objective, timeline, parts)
 
     def run(self, timeline: Timeline, segments: int, budget: int | None) -> list[tuple[Timeline, Stop]]:
         """Return the results of rounds, until no segment needs a frame or the budget of frames is spent. A round that

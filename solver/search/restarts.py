@@ -67,12 +67,15 @@ def is_pose_outlier(objective: Objective, timeline: Timeline) -> bool:
 def violation_dominates(objective: Objective, parts: Mapping[str, float]) -> bool:
     """Return whether violations cost more than the motion, both here and on the raw spline.
 
-    Violations of physics do not count. The times of keyframes may make them inevitable, on any path.
+    Violations of physics, and deviations from an expected path, do not count. The times of keyframes may make them
+    inevitable, on any path.
     """
     bounds = {
         term.penalty.name
         for term in objective.terms
-        if term.penalty.normalization.is_violation and term.penalty.role is not Role.PHYSICS
+        if term.penalty.normalization.is_violation
+        and term.penalty.role is not Role.PHYSICS
+        and not isinstance(term.penalty, Guide)
     }
     violated = sum(value for name, value in parts.items() if name in bounds)
     return violated > max(sum(parts.values()) - violated, objective.raw_cost)
