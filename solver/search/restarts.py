@@ -1,9 +1,9 @@
 """Restarts of a search: criteria of a poor local minimum, and the best timeline of several searches.
 
-A minimum is poor if violations cost more than the motion itself, or if a limb is far from its path between the
-neighbouring keyframes. A limb that starts on the wrong side of a bound, such as behind its own knee, cannot cross the
-bound. The search therefore restarts from another path, see `curve.arcs`. Another criterion is a high cost of motion,
-for instance of a detour round the long side of an obstacle.
+A minimum is poor if violations cost more than the motion itself. It also is, with smaller violations, if a limb is far
+from its path between the neighbouring keyframes. A limb that starts on the wrong side of a bound, such as behind its own
+knee, cannot cross the bound. The search therefore restarts from another path, see `curve.arcs`. Another criterion is a
+high cost of motion, for instance of a detour round the long side of an obstacle.
 
 A search sums E over samples between its own frames. Its path may violate a sharp term between these samples: a knee can
 pass through its own lower leg within one span. The sharpest case is a quaternion whose four components pass close to
@@ -28,6 +28,7 @@ from ..figure.kinematics import Samples
 from ..objective import Objective
 from ..penalty import Guide, Role
 
+NOTABLE = 0.1  # [1] share of violations in E from which a limb far from its path may be on the wrong side of a bound
 COST_RATIO = 2.0  # [1] cost relative to the raw spline, above which a shorter route round an obstacle may exist
 MAX_DEVIATION = 0.5  # [1] relative to the distance from the figure's root to its farthest joint at rest
 MAX_QUATERNION_LENGTH = 2.0  # [1] norm above which a search no longer shortens a quaternion
@@ -49,11 +50,11 @@ def is_poor_minimum(objective: Objective, timeline: Timeline, parts: Mapping[str
         objective: E, renormalised by the raw path.
         parts: The terms of E there, by name.
     """
-    figure = objective.figure
+    is_violated = violation_of(objective, parts) > NOTABLE * sum(parts.values())
     return (
         violation_dominates(objective, parts)
-        or is_pose_outlier(objective, timeline)
-        or longest_quaternion(figure, timeline) > MAX_QUATERNION_LENGTH
+        or (is_violated and is_pose_outlier(objective, timeline))
+        or longest_quaternion(objective.figure, timeline) > MAX_QUATERNION_LENGTH
     )
 
 
@@ -65,7 +66,13 @@ def is_pose_outlier(objective: Objective, timeline: Timeline) -> bool:
 
 
 def violation_dominates(objective: Objective, parts: Mapping[str, float]) -> bool:
-    """Return whether violations cost more than the motion, both here and on the raw spline.
+    """Return whether violations cost more than the motion, both here and on the raw spline."""
+    violated = violation_of(objective, parts)
+    return violated > max(sum(parts.values()) - violated, objective.raw_cost)
+
+
+def violation_of(objective: Objective, parts: Mapping[str, float]) -> float:
+    """Return the cost of violations.
 
     Violations of physics, and deviations from an expected path, do not count. The times of keyframes may make them
     inevitable, on any path.
@@ -77,8 +84,7 @@ def violation_dominates(objective: Objective, parts: Mapping[str, float]) -> boo
         and term.penalty.role is not Role.PHYSICS
         and not isinstance(term.penalty, Guide)
     }
-    violated = sum(value for name, value in parts.items() if name in bounds)
-    return violated > max(sum(parts.values()) - violated, objective.raw_cost)
+    return sum(value for name, value in parts.items() if name in bounds)
 
 
 def cost_increased(objective: Objective, parts: Mapping[str, float]) -> bool:
