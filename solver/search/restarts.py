@@ -1,9 +1,9 @@
 """Restarts of a search: criteria of a poor local minimum, and the best timeline of several searches.
 
 A minimum is poor if violations cost more than the motion itself. It also is, with smaller violations, if a limb is far
-from its path between the neighbouring keyframes. A limb that starts on the wrong side of a bound, such as behind its own
-knee, cannot cross the bound. The search therefore restarts from another path, see `curve.arcs`. Another criterion is a
-high cost of motion, for instance of a detour round the long side of an obstacle.
+from its path between the neighbouring keyframes. A limb that starts on the wrong side of a bound, such as behind its
+own knee, cannot cross the bound. The search therefore restarts from another path, see `curve.arcs`. Another criterion
+is a high cost of motion, for instance of a detour round the long side of an obstacle.
 
 A search sums E over samples between its own frames. Its path may violate a sharp term between these samples: a knee can
 pass through its own lower leg within one span. The sharpest case is a quaternion whose four components pass close to
