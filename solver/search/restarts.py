@@ -28,7 +28,7 @@ from ..figure.kinematics import Samples
 from ..objective import Objective
 from ..penalty import Guide, Role
 
-NOTABLE = 0.1  # [1] share of violations in E from which a limb far from its path may be on the wrong side of a bound
+NOTABLE = 0.02  # [1] share of violations in E from which a limb far from its path may be on the wrong side of a bound
 COST_RATIO = 2.0  # [1] cost relative to the raw spline, above which a shorter route round an obstacle may exist
 MAX_DEVIATION = 0.5  # [1] relative to the distance from the figure's root to its farthest joint at rest
 MAX_QUATERNION_LENGTH = 2.0  # [1] norm above which a search no longer shortens a quaternion
