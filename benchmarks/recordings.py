@@ -194,7 +194,7 @@ def scored(truth: Truth, rng: np.random.Generator, *, straight: bool) -> Score:
         row = ground.points.index(rest.point)
         stand[row] |= (t >= rest.first) & (t <= rest.last)
         during = (fine >= rest.first) & (fine <= rest.last)
-        on = ground.surfaces if rest.ground is None else (rest.ground,)
+        on = ground.surfaces if rest.surface is None else (rest.surface,)
         over, _ = height_over(on, places[:, row : row + 1, during], np.array([rest.point.radius]))
         hover = max(hover, float(over.max(initial=0.0)))
     peaks = [

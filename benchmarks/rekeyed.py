@@ -16,7 +16,7 @@ def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
     source = Parsed.of(clip.text, clip.name, clip.name)
     source = source.with_solve(source.table.solve, [key.time for key in keys])
     times = {key.time for key in keys}
-    placed = [point for point in clip.context.placed if point.time in times]
+    placed = [target for target in clip.context.schedule.targets if target.first in times]
     keys = [replace(key, posed=None) for key in keys]
     if clip.text:
         keys = stander_of(source, clip.figure).stood(keys, placed)

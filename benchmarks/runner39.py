@@ -40,7 +40,7 @@ from dynsplines.solver import (
 from dynsplines.solver.curve.spline import Spline
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty import Collision, CovariantAcceleration, RootAcceleration, UnitMagnitude
 from dynsplines.solver.refine.subdivision import split
 from dynsplines.solver.search.descent import optimised
 from dynsplines.solver.surface import Plane
@@ -75,9 +75,9 @@ class Runner:
         return cls(figure, tuple(Frame.key(t, np.array(qpos)) for t, qpos in rows))
 
     @cached_property
-    def contact(self) -> Contact:
+    def contact(self) -> Collision:
         floor = Plane("floor", np.zeros(3), np.array([0.0, 0.0, 1.0]))
-        return Contact(site_points(self.figure, SOLES), (floor,))
+        return Collision(site_points(self.figure, SOLES), (floor,))
 
     @property
     def penalties(self) -> tuple[tuple[Any, float], ...]:

@@ -8,10 +8,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dynsplines.solver.array import Array, Mask, runs
-from dynsplines.solver.contacts import Rest
+from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.ground_alignment import align_to_ground, move_to_ground
 from dynsplines.solver.contacts.recorded_stances import (
-    RecordedStance,
     infer_stances,
     infer_stances_and_raised,
     largest_noise,
@@ -61,8 +60,8 @@ class Cleaned:
     ground: Ground
     before: Path
     recorded: RecordedMotion
-    rests: tuple[Rest, ...]
-    raised: tuple[Rest, ...]
+    rests: tuple[Contact, ...]
+    raised: tuple[Contact, ...]
     problem: Problem
     solution: Solution
 
@@ -83,7 +82,7 @@ class Cleaned:
 def cleaned(
     ground: Ground,
     repaired: Repaired,
-    specified: Sequence[Rest] | None = None,
+    specified: Sequence[Contact] | None = None,
     *,
     improved: Callable[[Improvement], None] | None = None,
 ) -> Cleaned:
@@ -92,16 +91,12 @@ def cleaned(
     recorded = RecordedMotion.of(figure, repaired.time, repaired.qpos, _by_state(figure, repaired.known))
     before = natural_spline(recorded.times, np.where(recorded.known > 0, recorded.states, recorded.bridged))
     recorded = move_to_ground(recorded, ground.points, ground.surfaces)
-    stances: Sequence[RecordedStance] = [
-        RecordedStance(one.point, one.first, one.last, one.ground) for one in specified or ()
-    ]
+    rests, raised = tuple(specified or ()), tuple[Contact, ...]()
     if specified is None:
-        stances = infer_stances(recorded, ground.points, ground.surfaces, aligned=False)
-    recorded = align_to_ground(recorded, stances, ground.surfaces)
-    raised: Sequence[RecordedStance] = ()
+        rests = infer_stances(recorded, ground.points, ground.surfaces, aligned=False)
+    recorded = align_to_ground(recorded, rests, ground.surfaces)
     if specified is None:
-        stances, raised = infer_stances_and_raised(recorded, ground.points, ground.surfaces)
-    rests, high_rests = (tuple(Rest(*stance, rolls=True) for stance in kind) for kind in (stances, raised))
+        rests, raised = infer_stances_and_raised(recorded, ground.points, ground.surfaces)
     near = TrackingPenalty(recorded)
     is_noisy = largest_noise(recorded, ground.points) > Thresholds.of(figure).noisy
     if is_noisy:
@@ -115,7 +110,7 @@ def cleaned(
     if is_noisy or _is_deep(ground, recorded):
         tracking = _with_soft_start(tracking, near, SOFTER, improved)
     tracking, solution = _out_of_edges(ground, tracking, inbetween(tracking, improved=improved), improved)
-    return Cleaned(ground, before, recorded, rests, high_rests, tracking, solution)
+    return Cleaned(ground, before, recorded, rests, raised, tracking, solution)
 
 
 def _out_of_edges(
@@ -171,7 +166,7 @@ def _with_soft_start(
 def _problem(
     near: TrackingPenalty,
     ground: Ground,
-    rests: Sequence[Rest],
+    rests: Sequence[Contact],
     times: Array,
     start: Path | None = None,
     *,
@@ -198,7 +193,7 @@ def _curve(problem: Problem) -> Path:
     return natural_spline(_times(problem), problem.figure.to_state(np.array([key.state for key in problem.keys])))
 
 
-def _without_ends(ground: Ground, recorded: RecordedMotion, rest: Rest) -> Rest:
+def _without_ends(ground: Ground, recorded: RecordedMotion, rest: Contact) -> Contact:
     """Return a stance without the times in which the point may already move, hidden by noise."""
     first, last = recorded.path.span
     unsure = min(Thresholds.of(ground.figure).moment, SHARE * (rest.last - rest.first))
@@ -209,7 +204,7 @@ def _without_ends(ground: Ground, recorded: RecordedMotion, rest: Rest) -> Rest:
     )
 
 
-def _refined_stances(ground: Ground, recorded: RecordedMotion, soft_problem: Problem) -> tuple[Rest, ...]:
+def _refined_stances(ground: Ground, recorded: RecordedMotion, soft_problem: Problem) -> tuple[Contact, ...]:
     """Return the stances of a noisy recording after a search with the sure parts of its first ones.
 
     Brief stances are left out, at both ends of a recording also somewhat longer ones: noise hides that a foot moves."""
@@ -220,11 +215,11 @@ def _refined_stances(ground: Ground, recorded: RecordedMotion, soft_problem: Pro
     stances = infer_stances(smoothed, ground.points, ground.surfaces, noise)
     unsure, (first, last) = Thresholds.of(ground.figure).moment, recorded.path.span
 
-    def is_sure(stance: RecordedStance) -> bool:
+    def is_sure(stance: Contact) -> bool:
         is_cut_off = stance.first < first + unsure or stance.last > last - unsure
         return stance.last - stance.first >= (2 * unsure if is_cut_off else unsure)
 
-    return tuple(Rest(*stance, rolls=True) for stance in stances if is_sure(stance))
+    return tuple(stance for stance in stances if is_sure(stance))
 
 
 def started_at(problem: Problem, solution: Solution) -> Problem:
@@ -337,7 +332,7 @@ def is_sound(cleaned: Cleaned) -> bool:
     return max(slips, default=0.0) <= SLIP and depth(cleaned.ground, path, even_times(path.span, RATE)).max() <= DEPTH
 
 
-def slip(figure: Figure, path: Path, rest: Rest) -> float:
+def slip(figure: Figure, path: Path, rest: Contact) -> float:
     """Return the largest distance [m] of a resting point from its mean position, without the part of rolling."""
     samples = samples_at(
         figure, path, np.linspace(rest.first, rest.last, max(2, round((rest.last - rest.first) * RATE)))

@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from dynsplines.solver.contacts import Contacts, ContactSchedule, Interval
+from dynsplines.solver.contacts import Contact, ContactSchedule, Interval
 from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.penalty import Penalty, Placed
+from dynsplines.solver.penalty import Penalty
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.search.descent import optimiser_of
 from dynsplines.solver.search.nlopt_methods import DENSE, is_practical
@@ -90,7 +90,7 @@ class Clip:
     @property
     def stances(self) -> list[dict[str, object]]:
         """The stances of the recording that the clip follows, in the format of motion files; empty for other clips."""
-        return stances_of(self.context.schedule.contacts.requested) if self.has_recording else []
+        return stances_of(self.context.schedule.contacts) if self.has_recording else []
 
     @property
     def penalties(self) -> tuple[tuple[Penalty, float], ...]:
@@ -136,9 +136,9 @@ class Clip:
 
 
 def build(
-    source: Parsed, scene: Scene, figure: Figure, keys: Sequence[Frame], placed: Sequence[Placed], fps: float
+    source: Parsed, scene: Scene, figure: Figure, keys: Sequence[Frame], targets: Sequence[Contact], fps: float
 ) -> Clip:
-    """Return the clip of keyframes, qpos (nq,) and mask each; `placed` are points whose positions the search
+    """Return the clip of keyframes, qpos (nq,) and mask each; `targets` are points whose positions the search
     determines.
 
     Raises:
@@ -150,7 +150,7 @@ def build(
     problem = Problem(figure, tuple(keys), (), source.settings, solve.ends, slope, solve.travel, turn)
     _check_problem(problem, source.where)
     surfaces = static_surfaces(figure.model)
-    context = Context.of(figure, problem.raw, surfaces, source.where, tuple(placed), table.contact, table.grasp)
+    context = Context.of(figure, problem.raw, surfaces, source.where, tuple(targets), table.contact, table.grasp)
     resting: tuple[str, ...] = ()
     stationary = context.is_stationary_at_ends
     if "ends" not in solve.model_fields_set and any(stationary):
@@ -267,7 +267,7 @@ def build_following(
         problem.raw,
         ground.points,
         ground.surfaces,
-        Contacts(rests=rests, requested=rests),
+        rests,
         specified_footings=footings_of(rests),
         specified_flights=(),
         has_cycle=False,

@@ -7,14 +7,14 @@ keyframe puts the body out of the limb's reach, the grasp is relaxed.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from operator import itemgetter
 
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
-from dynsplines.solver.contacts import ROUNDING, Contacts, ContactSchedule, Grasp, Rest, Stance
+from dynsplines.solver.contacts import ROUNDING, Contact, ContactSchedule
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
@@ -46,10 +46,9 @@ def schedule_of(
     """
     complete = [frame.state for frame in keys.frames if frame.is_key]
     soles = sole_points(figure, figure.to_qpos(np.reshape(complete, (-1, figure.width))))
-    contacts_specified = contacts(figure, keys, tables, where, soles, surfaces)
-    return ContactSchedule(
-        figure, keys, soles, surfaces, contacts_specified, grasps_of(figure, keys, grasp_tables, where, soles)
-    )
+    specified = contacts(figure, keys, tables, where, soles, surfaces)
+    grasps = grasps_of(figure, keys, grasp_tables, where, soles)
+    return ContactSchedule(figure, keys, soles, surfaces, (*specified, *grasps))
 
 
 def contacts(
@@ -59,29 +58,31 @@ def contacts(
     where: str,
     soles: Sequence[Point] = (),
     surfaces: Sequence[Surface] = (),
-) -> Contacts:
+) -> tuple[Contact, ...]:
     """Return the contacts of a clip's tables; raises UserError that names the invalid table.
 
     surfaces  if a keyframe has a point inside one of these, the point rises as `collision` requires
     """
     places = Places(figure, soles)
-    stances: list[Stance] = []
-    rests: list[Rest] = []
-    requested: list[Rest] = []
+    found: list[Contact] = []
     for i, table in enumerate(tables):
         name = f"{where}: contact {i + 1} ('{table.point}')"
         point = places.named_point(table.point, name)
         same = [(f"contact {k} of the same point", t) for k, t in enumerate(tables[:i], 1) if t.point == table.point]
         _check_times(table, same, keys, name, "a point rests in one place at a time")
         target = None if table.position is None else np.array(table.position, float)
-        requested.append(Rest(point, table.start, table.end, position=target))
-        spots = _spots(figure, keys, requested[-1], name, surfaces)
-        if spots:
-            stances += [Stance(point, *stretch) for stretch in stretches(spots, table.start, table.end)]
-        else:
-            rests.append(requested[-1])
-    _check_bodies(stances, where, Thresholds.of(figure).near_surface)
-    return Contacts(tuple(stances), tuple(rests), tuple(requested))
+        contact = Contact(point, table.start, table.end, specified=target)
+        found.append(_placed(contact, _spots(figure, keys, contact, name, surfaces)))
+    _check_bodies([piece for contact in found for piece in contact.pieces()], where, Thresholds.of(figure).near_surface)
+    return tuple(found)
+
+
+def _placed(contact: Contact, spots: Sequence[tuple[float, Array]]) -> Contact:
+    """Return a contact with positions (3,) [m] at times [s], if there are any."""
+    if not spots:
+        return contact
+    times, places = zip(*spots, strict=True)
+    return replace(contact, times=np.array(times), places=np.array(places))
 
 
 def _check_times(
@@ -106,13 +107,13 @@ def _check_times(
 
 
 def _spots(
-    figure: Figure, keys: Timeline, rest: Rest, name: str, surfaces: Sequence[Surface]
+    figure: Figure, keys: Timeline, rest: Contact, name: str, surfaces: Sequence[Surface]
 ) -> list[tuple[float, Array]]:
     """Return the point's specified positions at times of the interval, from the table and from keyframes.
 
     Posed keyframes count only if the table specifies no position.
     """
-    at_keys, target = KeyframePoints.of(figure, keys, [rest.point], surfaces), rest.position
+    at_keys, target = KeyframePoints.of(figure, keys, [rest.point], surfaces), rest.specified
     centres, drift = at_keys.centres, at_keys.limits.same_spot
     inside = (keys.times >= rest.first - ROUNDING) & (keys.times <= rest.last + ROUNDING)
     setting = np.flatnonzero(inside & (at_keys.is_known if target is None else at_keys.is_fixed)[0])
@@ -173,24 +174,15 @@ def agreeing(
     return sorted(kept)
 
 
-def stretches(
-    spots: Sequence[tuple[float, Array]], first: float, last: float
-) -> Iterator[tuple[float, float, Array, Array]]:
-    """Yield (first, last, from, to) from spot to spot, constant before the first and after the last."""
-    whole = [(first, spots[0][1]), *spots, (last, spots[-1][1])]
-    for (start, spot), (end, landed) in pairwise(whole):
-        if end > start + ROUNDING:
-            yield start, end, spot, landed
-
-
-def _check_bodies(stances: Sequence[Stance], where: str, stretch: float) -> None:
+def _check_bodies(contacts: Sequence[Contact], where: str, stretch: float) -> None:
     """Raise UserError if the distance of resting points of one body differs from that on it by more than a stretch."""
-    for i, one in enumerate(stances):
-        for other in stances[:i]:
+    placed = [(contact, contact.places[0]) for contact in contacts if contact.places is not None]
+    for i, (one, spot) in enumerate(placed):
+        for other, other_spot in placed[:i]:
             start, end = max(one.first, other.first), min(one.last, other.last)
             if one.point.link != other.point.link or end <= start + ROUNDING:
                 continue
-            apart = float(np.linalg.norm(one.spot - other.spot))
+            apart = float(np.linalg.norm(spot - other_spot))
             distance = float(np.linalg.norm(one.point.position - other.point.position))
             if abs(apart - distance) > stretch:
                 raise UserError(
@@ -201,10 +193,10 @@ def _check_bodies(stances: Sequence[Stance], where: str, stretch: float) -> None
 
 def grasps_of(
     figure: Figure, keys: Timeline, tables: Sequence[GraspTable], where: str, soles: Sequence[Point] = ()
-) -> tuple[Grasp, ...]:
+) -> tuple[Contact, ...]:
     """Return the grasps of a clip's tables; raises UserError that names the invalid table."""
     places, bodies = Places(figure, soles), moving_bodies(figure)
-    grasps: list[Grasp] = []
+    grasps: list[Contact] = []
     for i, table in enumerate(tables):
         name = f"{where}: grasp {i + 1} ('{table.hand}' on '{table.body}')"
         point = places.named_point(table.hand, name)
@@ -218,8 +210,7 @@ def grasps_of(
         target = None
         if table.position is not None:
             target = figure.point_on_link(bodies[table.body], np.array(table.position, float))[1]
-        grasp = Grasp(point, link, table.body, table.start, table.end, position=target)
-        grasps.append(replace(grasp, spots=tuple(_grasp_spots(figure, keys, grasp, name))))
+        grasps.append(_grasped(figure, keys, Contact(point, table.start, table.end, link, specified=target), name))
     return tuple(grasps)
 
 
@@ -238,11 +229,11 @@ def _no_body(figure: Figure, name: str, bodies: dict[str, int]) -> str:
     return unknown("body", name, bodies)
 
 
-def _grasp_spots(figure: Figure, keys: Timeline, grasp: Grasp, name: str) -> list[Stance]:
-    """Return the site's spots on the body over the interval, as far as the table and keyframes specify them."""
+def _grasped(figure: Figure, keys: Timeline, grasp: Contact, name: str) -> Contact:
+    """Return a grasp with the site's positions on the body, as far as the table and keyframes specify them."""
     limits = Thresholds.of(figure)
     setting, places, exact = _grasp_places(figure, keys, grasp)
-    target = grasp.position
+    target = grasp.specified
 
     def contradicts(k: int, distance: float, first: int | None) -> str:
         where = "the grasp's position" if first is None else f"where keyframe {first + 1} has it"
@@ -257,34 +248,27 @@ def _grasp_spots(figure: Figure, keys: Timeline, grasp: Grasp, name: str) -> lis
     if target is not None and not spots:
         spots = {grasp.first: target}
     if not spots:
-        return []
-    there = replace(grasp, spots=tuple(_grasp_stances(spots, grasp)))
+        return grasp
+    firmly = _placed(grasp, sorted(spots.items(), key=itemgetter(0)))
     slack: dict[float, float] = {}
     for k in np.setdiff1d(setting, firm):
         t = float(keys.times[k])
-        spot = there.spot(np.array([t]))
-        assert spot is not None
-        short = float(np.linalg.norm(places[:, k] - spot[:, 0]))
+        short = float(np.linalg.norm(places[:, k] - firmly.place(np.array([t]))[:, 0]))
         if short <= limits.out_of_reach:
             # without slack a stretched limb whips there and back
             spots[t], slack[t] = places[:, k].copy(), short * (short > limits.tiny)
-    return [
-        replace(stance, slack=(slack.get(stance.first, 0.0), slack.get(stance.last, 0.0)))
-        for stance in _grasp_stances(spots, grasp)
-    ]
+    held = _placed(grasp, sorted(spots.items(), key=itemgetter(0)))
+    if not any(slack.values()):
+        return held
+    times = np.unique([grasp.first, *spots, grasp.last])
+    return replace(held, times=times, places=held.place(times).T, slack=np.array([slack.get(t, 0.0) for t in times]))
 
 
-def _grasp_stances(places: dict[float, Array], grasp: Grasp) -> Iterator[Stance]:
-    """Yield the stances from position to position of a grasp, by time."""
-    for stretch in stretches(sorted(places.items(), key=lambda pair: pair[0]), grasp.first, grasp.last):
-        yield Stance(grasp.point, *stretch, link=grasp.link)
-
-
-def _grasp_places(figure: Figure, keys: Timeline, grasp: Grasp) -> tuple[Index, Array, Mask]:
+def _grasp_places(figure: Figure, keys: Timeline, grasp: Contact) -> tuple[Index, Array, Mask]:
     """Return the keyframes within a grasp that specify it. These are indices (k,) of keyframes that set both site and
     body, positions (3, K) on the body, and which (K,) are fixed."""
     samples = Samples.still(figure, keys.states)
-    both = [grasp.point, Point(grasp.body, grasp.link, np.zeros(3))]
+    both = [grasp.point, Point(grasp.point.name, grasp.on, np.zeros(3))]
     is_set, exact = (np.logical_and.reduce(placed(figure, mask, both)) for mask in (keys.known, keys.fixed))
     inside = (keys.times >= grasp.first - ROUNDING) & (keys.times <= grasp.last + ROUNDING)
     return np.flatnonzero(inside & is_set), slipped(samples, grasp), exact

@@ -11,14 +11,14 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import ContactSchedule
+from dynsplines.solver.contacts import Contact, ContactSchedule
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.dynamics import height
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.root import has_fixed_base
-from dynsplines.solver.penalty import Bend, Lean, Placed, Range, Support, holds, leans
+from dynsplines.solver.penalty import Bend, Lean, Range, Support, holds, leans
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, displacements
 
@@ -42,13 +42,11 @@ class Context:
             `collision`), and the surfaces of the scene.
         where: The name of the clip in error messages.
         bends: The knees and elbows on ball joints: all, or those listed for `limits`.
-        placed: The points that the solver moves to target positions.
     """
 
     schedule: ContactSchedule
     where: str
     bends: tuple[Bend, ...] = ()
-    placed: tuple[Placed, ...] = ()
 
     @classmethod
     def of(
@@ -57,14 +55,13 @@ class Context:
         keys: Timeline,
         surfaces: tuple[Surface, ...],
         where: str,
-        placed: tuple[Placed, ...] = (),
+        targets: tuple[Contact, ...] = (),
         tables: Sequence[ContactTable] = (),
         grasp_tables: Sequence[GraspTable] = (),
     ) -> Context:
         """Return the inputs that keyframes and tables specify, without those that [[penalty]] tables change."""
-        targets = tuple((goal.point, goal.time, goal.target) for goal in placed)
         schedule = schedule_of(figure, keys, surfaces, where, tables, grasp_tables)
-        return cls(replace(schedule, targets=targets), where, tuple(knees_and_elbows(figure)), placed)
+        return cls(replace(schedule, targets=targets), where, tuple(knees_and_elbows(figure)))
 
     def scheduled(self, **changes: Any) -> Context:
         """Return the same inputs with changed fields of the schedule of contacts."""
@@ -110,7 +107,10 @@ class Context:
         if keys.ends != "free":
             return False, False
         is_arm = not self.points and has_fixed_base(self.figure.model)
-        feet, inferred = {point.link for point in self.points}, (*schedule.stances, *schedule.contacts.stances)
+        feet, inferred = (
+            {point.link for point in self.points},
+            (*schedule.stances, *(each for each in schedule.on_ground if each.is_placed)),
+        )
         planted = (
             {stance.point.link for stance in inferred if stance.first <= keys.times[0]},
             {stance.point.link for stance in inferred if stance.last >= keys.times[-1]},
@@ -186,7 +186,7 @@ class Context:
         """Notes on objects that a keyframe after their last hold does not place, so that they may drift."""
         schedule, keys, lines = self.schedule, self.keys, list[str]()
         for i in schedule.objects:
-            link, last = self.figure.links[i], max((g.last for g in schedule.grasps if g.link == i), default=np.inf)
+            link, last = self.figure.links[i], max((g.last for g in schedule.grasps if g.on == i), default=np.inf)
             after = keys.times > last + Thresholds.of(self.figure).lift_off
             loose = np.flatnonzero(after & ~keys.known[:, link.columns].all(axis=1))
             if loose.size:

@@ -21,18 +21,16 @@ from dynsplines.solver.penalty import (
     Bend,
     BendLimits,
     Between,
-    Contact,
+    Collision,
     CouplingPenalty,
     CovariantAcceleration,
     Cycle,
     Flight,
-    GraspPenalty,
     HoverPenalty,
     JointRange,
     PeakAcceleration,
     Penalty,
     Posture,
-    RestPenalty,
     RootAcceleration,
     SelfContact,
     Skate,
@@ -177,7 +175,7 @@ class Kind:
 
 
 def _soles(context: Context, options: Options) -> Penalty | None:
-    contact = Contact(context.points, context.surfaces)
+    contact = Collision(context.points, context.surfaces)
     return contact.allowing(context.figure, context.keys) if context.points else None
 
 
@@ -200,7 +198,7 @@ def _body(context: Context, options: Options) -> Penalty:
     return parts[0] if len(parts) == 1 else Sum(parts, term_name=BODY)
 
 
-def body_contacts(context: Context, margin: float = 0.0) -> tuple[Contact, ...]:
+def body_contacts(context: Context, margin: float = 0.0) -> tuple[Collision, ...]:
     """Return the contacts of the body with surfaces.
 
     On floors these are its corners. On steps they are its corners, and spheres in geoms into which an edge may enter
@@ -217,16 +215,16 @@ def body_contacts(context: Context, margin: float = 0.0) -> tuple[Contact, ...]:
     return contacts
 
 
-def _grasped_object_contacts(context: Context, margin: float) -> tuple[Contact, ...]:
+def _grasped_object_contacts(context: Context, margin: float) -> tuple[Collision, ...]:
     """Return the contacts of the figure's corners with the objects that it grasps. Spheres that fill the figure would
     take ten times as long, because these objects are always near its hands."""
     points = context.schedule.exclude_grasped(body_points(context.figure))
     objects = [(link, surfaces_on(context.figure, link)) for link in context.schedule.grasped]
     return tuple(
-        Contact(points, surfaces, margin, term_name=BODY, carrier=link).allowing(
+        Collision(points, surfaces, margin, term_name=BODY, carrier=link).allowing(
             context.figure,
             context.keys,
-            [(grasp.point.link, grasp.first, grasp.last) for grasp in context.schedule.grasps if grasp.link == link],
+            [(grasp.point.link, grasp.first, grasp.last) for grasp in context.schedule.grasps if grasp.on == link],
         )
         for link, surfaces in objects
         if surfaces
@@ -235,16 +233,16 @@ def _grasped_object_contacts(context: Context, margin: float) -> tuple[Contact, 
 
 def _contacts(
     context: Context, points: tuple[Point, ...], surfaces: tuple[Surface, ...], margin: float
-) -> tuple[Contact, ...]:
+) -> tuple[Collision, ...]:
     """Return contacts of points with surfaces, except those of links that overlap a surface by design."""
     links = bolted_links(context.figure)
     groups: dict[frozenset[int], list[Surface]] = {}
     for surface in surfaces:
         groups.setdefault(links.get(surface.name, frozenset()), []).append(surface)
     contacts = [
-        Contact(tuple(p for p in points if p.link not in bolted_here), tuple(group), margin, term_name=BODY)
+        Collision(tuple(p for p in points if p.link not in bolted_here), tuple(group), margin, term_name=BODY)
         for bolted_here, group in groups.items()
-    ] or [Contact(points, surfaces, margin, term_name=BODY)]
+    ] or [Collision(points, surfaces, margin, term_name=BODY)]
     return tuple(contact.allowing(context.figure, context.keys) for contact in contacts)
 
 
@@ -268,17 +266,17 @@ def _stance(context: Context, options: Options) -> Penalty | None:
 
 
 def _contact(context: Context, options: Options) -> Penalty | None:
-    contacts = context.schedule.contacts
-    parts = Attachment(contacts.stances), RestPenalty(contacts.rests, context.surfaces)
-    return Sum(parts, term_name=RestPenalty.name) if contacts.requested else None
+    contacts = context.schedule.on_ground
+    return Attachment(contacts, context.surfaces, "attach.contact") if contacts else None
 
 
 def _grasp(context: Context, options: Options) -> Penalty | None:
-    return GraspPenalty.of(context.schedule.grasps) if context.schedule.grasps else None
+    return Attachment(context.schedule.grasps, term_name="attach.grasp") if context.schedule.grasps else None
 
 
 def _placement(context: Context, options: Options) -> Penalty | None:
-    return Attachment.at_instants(context.placed) if context.placed else None
+    targets = context.schedule.targets
+    return Attachment(targets, term_name="attach.placement") if targets else None
 
 
 def _no_slip(context: Context, options: Options) -> Penalty | None:
@@ -301,7 +299,7 @@ def _equality(context: Context, options: Options) -> Penalty | None:
     loops, followers = closures(context.figure), couplings(context.figure)
     parts = list[Penalty]()
     if loops:
-        parts.append(Attachment(loops, "closed"))
+        parts.append(Attachment(loops, term_name="closed"))
     if followers:
         parts.append(CouplingPenalty(followers))
     return Sum(tuple(parts), term_name="equality") if parts else None

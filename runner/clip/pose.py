@@ -7,11 +7,11 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from dynsplines.solver.array import Array, Mask
-from dynsplines.solver.contacts import ROUNDING
+from dynsplines.solver.contacts import ROUNDING, Contact
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, JointKind, Link, quaternion_columns
 from dynsplines.solver.figure.root import Root, sliding_joints
-from dynsplines.solver.penalty import Placed, couplings
+from dynsplines.solver.penalty import couplings
 from dynsplines.solver.penalty.joints.equality import Coupling, in_order
 from dynsplines.solver.posing import Goal, rest_rotation
 from dynsplines.solver.surface import static_surfaces
@@ -31,7 +31,7 @@ FREE = RootTable(position="free", rotation="free")
 
 def pose(
     source: Parsed, figure: Figure, base: Callable[[float], Array] | None = None
-) -> tuple[list[Frame], list[Placed], list[str]]:
+) -> tuple[list[Frame], list[Contact], list[str]]:
     """Return the keyframes of a clip, the points that the search places, and a line for each keyframe with unreachable
     positions, whose pose is as near as possible.
 
@@ -90,7 +90,7 @@ def _later(key: Frame, base: Callable[[float], Array], by: int) -> Frame:
 
 def _targets(
     figure: Figure, rows: Sequence[KeyframeTable], where: Sequence[str]
-) -> list[tuple[list[Goal], list[Placed]]]:
+) -> list[tuple[list[Goal], list[Contact]]]:
     """Return the target positions in each keyframe. Feet are inferred from complete keyframes."""
     places = Places(figure)
     if any(row.sites or row.bodies for row in rows):

@@ -13,16 +13,15 @@ from functools import cached_property, partial
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
-from dynsplines.solver.contacts import Grasp, Rest, Stance
+from dynsplines.solver.contacts import Contact
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
     Attachment,
     BendLimits,
-    Contact,
+    Collision,
     CouplingPenalty,
     JointRange,
-    Placed,
     Range,
     Rolling,
     Speed,
@@ -245,7 +244,7 @@ def loop_gaps(fixed: Fixed) -> Check | None:
         return None
     names = [pair.point.name for pair in pairs]
     rows = [row_of("torn", name, f"the loop of {name} is torn by {{}}") for name in names]
-    both = fixed.places[[pair.point.link for pair in pairs]] & fixed.places[[pair.link for pair in pairs]]
+    both = fixed.places[[pair.point.link for pair in pairs]] & fixed.places[[pair.on for pair in pairs]]
     _, groups = np.unique(names, return_inverse=True)
     return Check.each("torn", rows, partial(_distances, Attachment(pairs)), both, groups)
 
@@ -269,7 +268,7 @@ def lengths(figure: Figure) -> Check | None:
     return Check.each("length", rows, lambda samples: Hits.of(np.abs(np.sqrt(samples.q_dots[0]) - 1))) if rows else None
 
 
-def hovering(rests: Sequence[Rest], surfaces: Sequence[Surface], groups: Index, fixed: Fixed) -> Check:
+def hovering(rests: Sequence[Contact], surfaces: Sequence[Surface], groups: Index, fixed: Fixed) -> Check:
     """Return the check of contacts whose points are above their surface, or above the one below them."""
     text = "contact {} is {{}} above its surface"
     rows = [row_of("hover", rest.point.name, text.format(rest.point.name)) for rest in rests]
@@ -279,8 +278,8 @@ def hovering(rests: Sequence[Rest], surfaces: Sequence[Surface], groups: Index, 
         places, radii = places_of(points, samples)
         height, _ = heights(surfaces, places, radii)
         for i, rest in enumerate(rests):
-            if rest.ground is not None:
-                height[i] = rest.ground.height(places[:, i]) - radii[i]
+            if rest.surface is not None:
+                height[i] = rest.surface.height(places[:, i]) - radii[i]
         during = np.array([(samples.t >= rest.first) & (samples.t <= rest.last) for rest in rests])
         return Hits.of(np.where(during & (height < FAR), height, 0.0))
 
@@ -296,7 +295,7 @@ class ContactTarget:
     """
 
     kind: str
-    stance: Stance
+    stance: Contact
     rolling: Rolling | None = None
 
     def distance(self, samples: Samples, at: Index) -> Array:
@@ -329,10 +328,13 @@ def displaced(targets: Sequence[ContactTarget], groups: Index, fixed: Fixed) -> 
     return Check.each(kind, rows, hits, fixed.places[[stay.stance.point.link for stay in targets]], groups)
 
 
-def slips(grasps: Sequence[Grasp], starts: Sequence[Array], fixed: Fixed) -> Check:
+def slips(grasps: Sequence[Contact], starts: Sequence[Array], fixed: Fixed) -> Check:
     """Return the check of sites that move on grasped links; starts: initial positions (3,) [m] on these."""
     text = "{} is {{}} from the place where it grasps {}"
-    rows = [row_of("grasp", grasp.point.name, text.format(grasp.point.name, grasp.body)) for grasp in grasps]
+    rows = [
+        row_of("grasp", grasp.point.name, text.format(grasp.point.name, fixed.figure.body_name(grasp.on)))
+        for grasp in grasps
+    ]
 
     def hits(samples: Samples) -> Hits:
         out = np.zeros((len(grasps), samples.count))
@@ -342,14 +344,14 @@ def slips(grasps: Sequence[Grasp], starts: Sequence[Array], fixed: Fixed) -> Che
         return Hits.of(out)
 
     return Check.each(
-        "grasp", rows, hits, np.array([fixed.places[grasp.point.link] & fixed.places[grasp.link] for grasp in grasps])
+        "grasp", rows, hits, np.array([fixed.places[grasp.point.link] & fixed.places[grasp.on] for grasp in grasps])
     )
 
 
-def misses(points: Sequence[Placed]) -> Check:
+def misses(targets: Sequence[Contact]) -> Check:
     """Return the check of points left to the search that miss their positions."""
-    rows = [row_of("placement", place.point.name, f"{place.point.name} is {{}} off its place") for place in points]
-    return Check.each("placement", rows, partial(_distances, Attachment.at_instants(points)))
+    rows = [row_of("placement", place.point.name, f"{place.point.name} is {{}} off its place") for place in targets]
+    return Check.each("placement", rows, partial(_distances, Attachment(tuple(targets))))
 
 
 def _distances(attachment: Attachment, samples: Samples) -> Hits:
@@ -358,7 +360,7 @@ def _distances(attachment: Attachment, samples: Samples) -> Hits:
     return Hits(stance, at, np.linalg.norm(away, axis=0))
 
 
-def penetrations(parts: Sequence[Contact], soles: frozenset[str], feet: Index, fixed: Fixed) -> Check:
+def penetrations(parts: Sequence[Collision], soles: frozenset[str], feet: Index, fixed: Fixed) -> Check:
     """Return the check of points in surfaces: a row for each pair, a group for each pair of a foot or limb and a
     surface.
 

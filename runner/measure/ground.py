@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask, runs
-from dynsplines.solver.contacts.footing import within
+from dynsplines.solver.contacts import within
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import cross
@@ -51,7 +51,7 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
     root     index of the tree's root link;  height  (S,) [m] of its lowest point
     """
     schedule, figure = motion.clip.context.schedule, motion.clip.figure
-    carrying = [(rest.first, rest.last) for rest in (*schedule.contacts.requested, *schedule.grasps)]
+    carrying = [(rest.first, rest.last) for rest in schedule.contacts]
     name, lowest = figure.links[root].name, int(height.round(3).argmin())
     if BOUNDS["aloft"].most < height[lowest] < np.inf and not schedule.flights and not carrying:
         text = f"the figure never comes down: lowest point {height[lowest]:.2f} m above the floor"

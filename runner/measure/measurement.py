@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.contacts import ROUNDING, Rest, Stance, stances
+from dynsplines.solver.contacts import ROUNDING, Contact, stances
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
@@ -20,9 +20,8 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import (
     Attachment,
     BendLimits,
-    Contact,
+    Collision,
     Penalty,
-    RestPenalty,
     Rolling,
     Speed,
     Sum,
@@ -67,7 +66,7 @@ class Measurement:
         stays = tuple(_contact_targets(clip, timeline))
         instants = [t for stay, _ in stays for t in (stay.stance.first, stay.stance.last)]
         instants += [t for grasp in clip.context.schedule.grasps for t in (grasp.first, grasp.last)]
-        instants += [place.time for place in clip.context.placed]
+        instants += [target.first for target in clip.context.schedule.targets]
         time = np.unique(np.concatenate([even_times(path.span, RATE), key_times, instants]))
         key_at = np.searchsorted(time, key_times)
         every = list(_checks(clip, timeline, stays, _peak(clip.figure, raw, time)))
@@ -153,14 +152,14 @@ def _checks(
         path = path_of(timeline)
         starts = [
             slipped(samples_at(figure, path, np.array([grasp.first])), grasp)[:, 0]
-            if grasp.position is None
-            else grasp.position
+            if grasp.specified is None
+            else grasp.specified
             for grasp in context.schedule.grasps
         ]
         yield checks.slips(context.schedule.grasps, starts, fixed)
     soles = frozenset(point.name for point in context.points)
     yield checks.penetrations(_obstacle_contacts(clip, parts), soles, feet, fixed)
-    rests = [rest for part in parts if isinstance(part, RestPenalty) for rest in part.rests]
+    rests = [rest for part in parts if isinstance(part, Attachment) for rest in part.resting]
     if rests and context.surfaces:
         yield checks.hovering(rests, context.surfaces, _groups(rests, feet), fixed)
     joints = joint_ranges(figure)
@@ -170,8 +169,8 @@ def _checks(
     if context.holds and not clip.has_recording:
         text = "{joint.name} swings {} away from its values in the keyframes at {joint.first:g} and {joint.last:g} s"
         yield checks.ranges(context.holds, ("overshoot", "overshoot travel"), text)
-    if context.placed:
-        yield checks.misses(context.placed)
+    if context.schedule.targets:
+        yield checks.misses(context.schedule.targets)
     optional = (
         checks.coupled(fixed),
         checks.loop_gaps(fixed),
@@ -197,14 +196,14 @@ def _parts(clip: Clip) -> Iterator[Penalty]:
         yield from penalty.parts if isinstance(penalty, Sum) else (penalty,)
 
 
-def _obstacle_contacts(clip: Clip, parts: Sequence[Penalty]) -> tuple[Contact, ...]:
+def _obstacle_contacts(clip: Clip, parts: Sequence[Penalty]) -> tuple[Collision, ...]:
     """Return soles and body with the surfaces that they must avoid, whether or not the clip penalises it."""
-    contacts = [part for part in parts if isinstance(part, Contact)]
+    contacts = [part for part in parts if isinstance(part, Collision)]
     if clip.has_recording:  # whose own contacts have the corners of bodies only
         contacts = [part for part in contacts if part.name != BODY]
     names = {part.name for part in contacts}
-    if Contact.term_name not in names:
-        contacts.append(Contact(clip.context.points, clip.context.surfaces))
+    if Collision.term_name not in names:
+        contacts.append(Collision(clip.context.points, clip.context.surfaces))
     if BODY not in names:
         contacts += body_contacts(clip.context)
     return tuple(part for part in contacts if part.points and part.surfaces and not part.carrier)
@@ -219,7 +218,7 @@ def feet_of(figure: Figure, points: Sequence[Point]) -> Index:
     return feet
 
 
-def _groups(rests: Sequence[Rest | Stance], feet: Index) -> Index:
+def _groups(rests: Sequence[Contact], feet: Index) -> Index:
     """Return a number (n,) for every foot and interval; overlapping intervals of a foot are one."""
     order = sorted(range(len(rests)), key=lambda i: (feet[rests[i].point.link], rests[i].first))
     groups, number, foot, end = np.zeros(len(rests), np.intp), -1, -1, -np.inf
@@ -236,28 +235,25 @@ def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[tuple[ContactTa
     Frames of a recording are samples, not poses: a foot that lands between two of them is near its place in both.
     """
     figure, feet = clip.figure, feet_of(clip.figure, clip.context.points)
-    resting = [part for part in _parts(clip) if isinstance(part, Attachment) and part.name == "attach.stance"]
-    specified = [stance for part in resting for stance in part.stances]
-    rests = clip.context.schedule.contacts.requested
+    rests = clip.context.schedule.on_ground
     if rests:
         middle = samples_at(figure, path_of(timeline), np.array([0.5 * (rest.first + rest.last) for rest in rests]))
         spots = np.diagonal(places_of([rest.point for rest in rests], middle)[0], axis1=1, axis2=2)
         for k, (rest, group) in enumerate(zip(rests, _groups(rests, feet).tolist(), strict=True)):
             rolling = Rolling.of(rest, middle.links.Q[:, rest.point.link, k])
-            for stance in _pieces(rest, specified, spots[:, k]):
-                yield ContactTarget("contact", stance, rolling), group
+            yield ContactTarget("contact", _target(rest, spots[:, k]), rolling), group
     is_recording = not clip.text and timeline.variable_count == 0
     shortest = Thresholds.of(figure).far_apart if is_recording else 0.0
     free = [
         stance
         for stance in inferred(clip, timeline)
-        if stance.last - stance.first > shortest and not any(_same(stance, rest) for rest in rests)
+        if stance.last - stance.first > shortest and not any(rest.overlaps(stance) for rest in rests)
     ]
     for stance, group in zip(free, _groups(free, feet).tolist(), strict=True):
         yield ContactTarget("stance", stance), group
 
 
-def inferred(clip: Clip, timeline: Timeline) -> tuple[Stance, ...]:
+def inferred(clip: Clip, timeline: Timeline) -> tuple[Contact, ...]:
     """Return stances of soles inferred from keyframes, with unspecified entries from the motion."""
     states = path_of(timeline).at(np.array([key.time for key in clip.keys]))
     frames = [replace(key, state=state) for key, state in zip(clip.keys, states, strict=True)]
@@ -265,17 +261,10 @@ def inferred(clip: Clip, timeline: Timeline) -> tuple[Stance, ...]:
     return stances(KeyframePoints.of(clip.figure, keys, clip.context.points, clip.context.surfaces))
 
 
-def _same(stance: Stance, rest: Rest) -> bool:
-    """Return whether a stance and a contact have the same point and overlap in time."""
-    meet = stance.first < rest.last - ROUNDING and rest.first < stance.last - ROUNDING
-    return meet and stance.point.coincides(rest.point)
-
-
-def _pieces(rest: Rest, known: Sequence[Stance], middle: Array) -> list[Stance]:
-    """Return the targets of a contact's point: the position that it specifies, else those that keyframes specify, else
-    the one in mid-contact, (3,) [m]."""
-    if rest.position is not None:
-        return [Stance(rest.point, rest.first, rest.last, rest.position, rest.position)]
-    first, last = rest.first - ROUNDING, rest.last + ROUNDING
-    placed = [stance for stance in known if _same(stance, rest) and first <= stance.first and stance.last <= last]
-    return placed or [Stance(rest.point, rest.first, rest.last, middle, middle)]
+def _target(contact: Contact, middle: Array) -> Contact:
+    """Return a contact at its target: the position that it specifies, else those in keyframes, else the one in
+    mid-contact, (3,) [m]."""
+    if contact.specified is None and contact.is_placed:
+        return contact
+    place = middle if contact.specified is None else contact.specified
+    return Contact.at(contact.point, contact.first, contact.last, place)

@@ -120,7 +120,12 @@ def _grasps(clip: Clip, measurement: Measurement) -> list[Entry]:
     """Return the displacement of every grasp's site on the body since the start of the grasp."""
     out = list[Entry]()
     for grasp, (_, moved, time) in zip(clip.context.schedule.grasps, measurement.largest("grasp"), strict=True):
-        row: Entry = {"hand": grasp.point.name, "body": grasp.body, "from, s": grasp.first, "to, s": grasp.last}
+        row: Entry = {
+            "hand": grasp.point.name,
+            "body": clip.figure.body_name(grasp.on),
+            "from, s": grasp.first,
+            "to, s": grasp.last,
+        }
         out.append(row | {"moved, m": moved, "at, s": time})
     return out
 

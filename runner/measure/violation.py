@@ -187,12 +187,13 @@ def _drifts(motion: Measurement) -> Iterator[Violation]:
     """Yield the keyframes in which a resting point is not at its position in the previous keyframe."""
     worst: dict[tuple[str, int, int], tuple[float, Row, float]] = {}
     for stay, group in motion.contact_targets:
-        stance = stay.stance
-        drift = float(np.linalg.norm(stance.landed - stance.spot))
-        place = stay.kind, group, int(np.argmin(np.abs(motion.time[motion.key_at] - stance.last)))
-        if drift > max(BOUNDS[stay.kind].most, worst[place][0] if place in worst else 0.0):
-            text = f"{stance.point.name} should rest, but is {{}} from its position in the previous keyframe"
-            worst[place] = drift, row_of(stay.kind, stance.point.name, text), stance.last
+        for stance in stay.stance.pieces():
+            assert stance.places is not None
+            drift = float(np.linalg.norm(stance.places[-1] - stance.places[0]))
+            place = stay.kind, group, int(np.argmin(np.abs(motion.time[motion.key_at] - stance.last)))
+            if drift > max(BOUNDS[stay.kind].most, worst[place][0] if place in worst else 0.0):
+                text = f"{stance.point.name} should rest, but is {{}} from its position in the previous keyframe"
+                worst[place] = drift, row_of(stay.kind, stance.point.name, text), stance.last
     for (_, _, k), (drift, row, time) in worst.items():
         yield _as_violation(row, drift, time, int(motion.numbers[k]))
 

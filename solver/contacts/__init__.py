@@ -1,9 +1,9 @@
 """Inference of when and where figures touch their surroundings, from keyframes, clips and recordings.
 
 schedule          all contacts of one clip: stances, grasps, flights, gait
-stance            points that stay in one place
-grasp             points that hold another body, and bodies at rest between holds
-footing           points that carry
+contact           a point that stays in one place, and the stances of keyframes
+grasp             which links are held, and where they rest before and after
+footing           points of standing feet that carry
 flight            free fall around keyframes in the air
 keyframe_points   positions and heights of points at keyframes, from which all these are inferred
 gait              the walking or running cycle of keyframes, as a Gaussian process of poses
@@ -15,19 +15,15 @@ steps             legs that swing while another one stands
 thresholds        all distances, times and speeds that decide, relative to the size of the figure
 """
 
-from .footing import Footing as Footing
-from .footing import Interval as Interval
+from .contact import ROUNDING as ROUNDING
+from .contact import Contact as Contact
+from .contact import Interval as Interval
+from .contact import stances as stances
+from .contact import within as within
 from .footing import footings as footings
-from .footing import within as within
-from .grasp import Grasp as Grasp
 from .grasp import grasped_links as grasped_links
 from .grasp import resting_objects as resting_objects
 from .grasp import surfaces_on as surfaces_on
 from .grasp import tree_of as tree_of
-from .schedule import ROUNDING as ROUNDING
-from .schedule import Contacts as Contacts
 from .schedule import ContactSchedule as ContactSchedule
-from .stance import Rest as Rest
-from .stance import Stance as Stance
-from .stance import stances as stances
 from .steps import Steps as Steps

@@ -16,7 +16,7 @@ from ..figure.dynamics import RootWrench
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..surface.points import Point, places_of
-from .footing import Interval
+from .contact import Interval
 from .keyframe_points import KeyframePoints
 from .thresholds import Thresholds
 

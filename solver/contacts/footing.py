@@ -1,73 +1,64 @@
 """The points that can support a figure over time, inferred from its stances.
 
-A segment between two keyframes is a stance if a point of a sole rests on one spot in both, see `stance`. It is a flight
-if nothing can support the figure there, see `flight`. Otherwise its support is unknown, because a foot may touch down
-and lift off in between.
+A segment between two keyframes is a stance if a point of a sole rests on one spot in both, see `contact`. It is a
+flight if nothing can support the figure there, see `flight`. Otherwise its support is unknown, because a foot may touch
+down and lift off in between.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
-from ..array import Array, Index, Mask
-from ..surface import Plane, Surface
+from ..array import Array, Index
+from ..surface import Plane
 from ..surface.points import TIE, Point
+from .contact import Contact
 from .keyframe_points import KeyframePoints
-from .stance import Rest, Stance
 
 TURNED = 0.3  # rotation of search directions, as a fraction of the angle between them, so that no two points tie
-Interval = tuple[float, float]
 
 
-@dataclass(frozen=True)
-class Footing:
-    """A point that a surface may push from `first` to `last` [s], along its unit normal (3,) and by friction."""
+def footings(soles: KeyframePoints, standing: Sequence[Contact], body: Sequence[Point] = ()) -> tuple[Contact, ...]:
+    """Return the contacts by which a surface can push feet that stand from one keyframe to the next.
 
-    point: Point
-    first: float
-    last: float
-    normal: Array
-
-
-def footings(
-    soles: KeyframePoints, stances: Sequence[Stance | Rest], body: Sequence[Point] = ()
-) -> tuple[Footing, ...]:
-    """Return the footings of feet that stand from one keyframe to the next.
-
-    These are the points of the sole and the `body` that touch a surface in one of the two keyframes. Points inside the
-    convex hull of the others are omitted.
+    Their points are those of the sole and the `body` that touch a surface in one of the two keyframes, at the spot that
+    touches it. Points inside the convex hull of the others are omitted.
     """
     feet = set(soles.links.tolist())
     spots = soles.with_points((*soles.points, *(point for point in body if point.link in feet)))
-    begin, end = np.array([s.first for s in stances]), np.array([s.last for s in stances])
-    standing = np.array([s.point.link for s in stances])
+    begin, end = np.array([each.first for each in standing]), np.array([each.last for each in standing])
+    links = np.array([each.point.link for each in standing])
     result = []
     for k, first, last in spots.segments():
-        for link in np.unique(standing[(begin <= first) & (last <= end)]).tolist():
+        for link in np.unique(links[(begin <= first) & (last <= end)]).tolist():
             on, at = np.nonzero(spots.is_near[:, k : k + 2] & (spots.links == link)[:, None])
             if on.size:
-                outer, normal = _outermost(spots, link, on, k + at)
-                result += [Footing(Point(spots.points[i].name, link, p), first, last, normal) for i, p in outer]
+                outer, surface = _outermost(spots, link, on, k + at)
+                result += [
+                    Contact(Point(spots.points[i].name, link, p), first, last, surface=surface) for i, p in outer
+                ]
     return tuple(result)
 
 
-def _outermost(spots: KeyframePoints, link: int, points: Index, keys: Index) -> tuple[list[tuple[int, Array]], Array]:
-    """Return a link's outermost contact points in keyframes (m,), and the unit normal (3,) of the surface.
+def _outermost(spots: KeyframePoints, link: int, points: Index, keys: Index) -> tuple[list[tuple[int, Array]], Plane]:
+    """Return a link's outermost contact points in keyframes (m,), and the plane that they touch.
 
-    A point is its index and its position of contact (3,) in the link's axes.
+    A point is its index and its position of contact (3,) in the link's axes. Surfaces other than planes are taken to be
+    level there.
     """
-    normal = _normal(spots.surfaces[int(spots.nearest[points[0], keys[0]])])
+    surface = spots.surfaces[int(spots.nearest[points[0], keys[0]])]
+    normal = surface.normal if isinstance(surface, Plane) else np.array([0.0, 0, 1])
     touched = spots.centres[:, points, keys] - spots.radii[points] * normal[:, None]
-    touched -= spots.samples.links.x[:, link, keys]
+    plane = Plane(surface.name, touched[:, 0], normal)
+    touched = touched - spots.samples.links.x[:, link, keys]
     rotation = spots.samples.links.rotation[:, :, link, keys]
     local = np.einsum("ijp,ip->jp", rotation, touched)
     directions = rotation[:, :, 0].T @ _around(normal)
     reach = local.T @ directions
     outer = np.unique(np.argmax(reach >= reach.max(axis=0) - TIE, axis=0))
-    return [(int(points[i]), local[:, i]) for i in outer], normal
+    return [(int(points[i]), local[:, i]) for i in outer], plane
 
 
 def _around(normal: Array, count: int = 8) -> Array:
@@ -77,13 +68,3 @@ def _around(normal: Array, count: int = 8) -> Array:
     angle = 2 * np.pi * (np.arange(count) + TURNED) / count
     both = np.column_stack([across, np.cross(normal, across)])
     return np.asarray(both @ np.array([np.cos(angle), np.sin(angle)]), float)
-
-
-def within(intervals: tuple[tuple[float, float], ...], t: Array) -> Mask:
-    """(S,) whether times t (S,) lie in one of the intervals."""
-    edges = np.reshape(intervals, (-1, 2))
-    return np.any((edges[:, :1] <= t) & (t <= edges[:, 1:]), axis=0)
-
-
-def _normal(surface: Surface) -> Array:
-    return surface.normal if isinstance(surface, Plane) else np.array([0.0, 0, 1])

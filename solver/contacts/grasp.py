@@ -1,9 +1,8 @@
-"""Grasps: a point of one link stays where it grasped another body, while both may move. Otherwise the body may rest."""
+"""Grasped objects: which links are held, their surfaces, and where they rest before and after a hold."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -16,46 +15,8 @@ from ..figure.kinematics import Samples
 from ..surface import Surface, moving_surface
 from ..surface.points import Point
 from ..surface.touch import movers
+from .contact import Contact, between_keyframes
 from .keyframe_points import KeyframePoints
-from .stance import Stance, stance_between
-
-
-@dataclass(frozen=True, eq=False)
-class Grasp:
-    """A grasp of one link by a point of another from `first` to `last` [s].
-
-    link   index of the grasped link;  body  its name
-    spots  stances on the link, consecutive without gaps; none if the position is unknown
-    position  the specified position (3,) on the link [m], from which keyframes may differ a little; None without one
-    """
-
-    point: Point
-    link: int
-    body: str
-    first: float
-    last: float
-    spots: tuple[Stance, ...] = ()
-    position: Array | None = None
-
-    @property
-    def name(self) -> str:
-        """ "left_hand on crate" """
-        return f"{self.point.name} on {self.body}"
-
-    def spot(self, t: Array) -> Array | None:
-        """Return the grasped positions (3, S) [m] on the link at times t (S,) of the grasp, None if unknown."""
-        if not self.spots:
-            return None
-        out = np.empty((3, t.size))
-        for spot, during in self._during(t):
-            out[:, during] = spot.place(t[during])
-        return out
-
-    def _during(self, t: Array) -> Iterator[tuple[Stance, Mask]]:
-        """Yield the spots, each with the mask of its times among t (S,)."""
-        which = np.searchsorted([spot.last for spot in self.spots[:-1]], t)
-        for i, spot in enumerate(self.spots):
-            yield spot, which == i
 
 
 def tree_of(figure: Figure, link: int) -> int:
@@ -65,10 +26,10 @@ def tree_of(figure: Figure, link: int) -> int:
     return link
 
 
-def grasped_links(figure: Figure, grasps: Sequence[Grasp]) -> tuple[int, ...]:
+def grasped_links(figure: Figure, grasps: Sequence[Contact]) -> tuple[int, ...]:
     """Return the links, in order, of trees that are held by a point of another tree and hold nothing."""
     holders = {tree_of(figure, grasp.point.link) for grasp in grasps}
-    trees = {tree_of(figure, grasp.link) for grasp in grasps} - holders
+    trees = {tree_of(figure, grasp.on) for grasp in grasps} - holders
     return tuple(i for i in range(1, len(figure.links)) if tree_of(figure, i) in trees)
 
 
@@ -96,13 +57,13 @@ class _Unheld(NamedTuple):
     """
 
     key: int
-    grasp: Grasp
+    grasp: Contact
     hold: float
 
 
 def resting_objects(
-    keyframes: KeyframePoints, links: Sequence[int], grasps: Sequence[Grasp] = ()
-) -> tuple[Stance, ...]:
+    keyframes: KeyframePoints, links: Sequence[int], grasps: Sequence[Contact] = ()
+) -> tuple[Contact, ...]:
     """Return the stances of objects before and after holds, three points per object.
 
     An object with equal poses in two neighbouring keyframes rests between them. In a segment in which a hold begins or
@@ -115,22 +76,22 @@ def resting_objects(
         links: The objects: links with a separate kinematic tree.
         grasps: All grasps.
     """
-    inferred: list[Stance] = []
+    inferred: list[Contact] = []
     for link in links:
         arm, name = keyframes.limits.object_arm, keyframes.figure.links[link].name
         points = keyframes.with_points([Point(name, link, arm * axis) for axis in np.eye(3)])
         is_set = np.logical_and.reduce(points.is_known)
         stays: Mask = np.logical_and.reduce(points.moves < points.limits.tiny) & is_set[:-1] & is_set[1:]
-        inferred += [stance_between(points, i, k) for k in np.flatnonzero(stays).tolist() for i in range(3)]
-        for part in _unheld(points, stays, is_set, [grasp for grasp in grasps if grasp.link == link]):
+        inferred += [between_keyframes(points, i, k) for k in np.flatnonzero(stays).tolist() for i in range(3)]
+        for part in _unheld(points, stays, is_set, [grasp for grasp in grasps if grasp.on == link]):
             if _is_near(points, part, link):
                 first, last = sorted((float(keyframes.keys.times[part.key]), part.hold))
                 places = points.centres[:, :, part.key].T.copy()
-                inferred += [Stance(p, first, last, at, at) for p, at in zip(points.points, places, strict=True)]
+                inferred += [Contact.at(p, first, last, at) for p, at in zip(points.points, places, strict=True)]
     return tuple(inferred)
 
 
-def _unheld(points: KeyframePoints, stays: Mask, is_set: Mask, grasps: Sequence[Grasp]) -> Iterator[_Unheld]:
+def _unheld(points: KeyframePoints, stays: Mask, is_set: Mask, grasps: Sequence[Contact]) -> Iterator[_Unheld]:
     """Yield the parts of segments before and after holds of one object, given by its points.
 
     Args:
@@ -160,8 +121,7 @@ def _is_near(points: KeyframePoints, part: _Unheld, link: int) -> bool:
     samples = Samples(points.figure, *path_of(points.keys).motion(at))
     grasp, links = part.grasp, points.samples.links
     hand, _ = samples.links.points(np.array([grasp.point.link]), grasp.point.position[:, None])
-    spot = grasp.spot(at)
     place: Array = links.x[:, link, part.key]
-    if spot is not None:
-        place = place + links.rotation[:, :, link, part.key] @ spot[:, 0]
+    if grasp.is_placed:
+        place = place + links.rotation[:, :, link, part.key] @ grasp.place(at)[:, 0]
     return float(np.linalg.norm(hand[:, 0, 0] - place)) < points.limits.at_hand

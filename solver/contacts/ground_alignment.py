@@ -18,8 +18,7 @@ from ..figure.kinematics import Samples
 from ..surface import Surface
 from ..surface.heights import height_above, height_over
 from ..surface.points import Point, arrays_of, places_of
-from .footing import within
-from .recorded_stances import RecordedStance
+from .contact import Contact, within
 from .thresholds import Thresholds
 
 LOWEST = 2.0  # [%] of the samples that may be below the ground
@@ -29,7 +28,7 @@ RUN = 1000  # most samples evaluated at once, which bounds the memory
 
 
 def align_to_ground(
-    recorded: RecordedMotion, stances: Sequence[RecordedStance], surfaces: Sequence[Surface]
+    recorded: RecordedMotion, stances: Sequence[Contact], surfaces: Sequence[Surface]
 ) -> RecordedMotion:
     """Return the recording with level soles, and shifted vertically so that stances are on the ground."""
     if not stances or not surfaces:
@@ -55,7 +54,7 @@ def move_to_ground(recorded: RecordedMotion, points: Sequence[Point], surfaces: 
     return recorded.moved([0, 0, lift]) if abs(lift) > Thresholds.of(recorded.figure).same_spot else recorded
 
 
-def _levelled(recorded: RecordedMotion, stances: Sequence[RecordedStance], link: int) -> RecordedMotion:
+def _levelled(recorded: RecordedMotion, stances: Sequence[Contact], link: int) -> RecordedMotion:
     """Return the recording rotated at the link of a sole, so that the mean of it is level when all of it stands."""
     figure = recorded.figure
     columns = quaternion_columns(figure.links[link])
@@ -94,11 +93,11 @@ def _places(recorded: RecordedMotion, points: Sequence[Point]) -> Array:
     )
 
 
-def _points(stances: Sequence[RecordedStance]) -> list[Point]:
+def _points(stances: Sequence[Contact]) -> list[Point]:
     return list({id(one.point): one.point for one in stances}.values())
 
 
-def _standing(times: Array, stances: Sequence[RecordedStance], points: Sequence[Point]) -> Mask:
+def _standing(times: Array, stances: Sequence[Contact], points: Sequence[Point]) -> Mask:
     """Return the mask (n, T) of times within any of the stances of each point."""
     intervals = [tuple((one.first, one.last) for one in stances if one.point is point) for point in points]
     return np.array([within(stood, times) for stood in intervals])

@@ -21,9 +21,10 @@ from ..array import Array, Mask
 from ..curve.recording import GAIN, NORMAL, ORDER, RecordedMotion
 from ..figure.algebra import cross
 from ..figure.kinematics import Samples
-from ..surface import Plane, Surface
+from ..surface import Surface
 from ..surface.heights import ground_at, heights_nearby
 from ..surface.points import Point, arrays_of, places_of
+from .contact import Contact
 from .thresholds import Thresholds
 
 DEAR = 6.0  # minus the log prior of a stance: one sample in e³ begins or ends one
@@ -34,15 +35,6 @@ FLATTEST = 0.1  # quantile of the heights in its stances at which a point of a s
 UP = np.array([0.0, 0, 1])  # normal of the ground on which points roll
 
 
-class RecordedStance(NamedTuple):
-    """A point that stands from `first` to `last` [s] on a plane, if any."""
-
-    point: Point
-    first: float
-    last: float
-    ground: Plane | None = None
-
-
 def infer_stances(
     recorded: RecordedMotion,
     points: Sequence[Point],
@@ -50,7 +42,7 @@ def infer_stances(
     smoothed: float = 0.0,
     *,
     aligned: bool = True,
-) -> tuple[RecordedStance, ...]:
+) -> tuple[Contact, ...]:
     """Return the stances of points on surfaces, point by point in order of time.
 
     smoothed  noise [m] of positions that an earlier search has smoothed. A point that rests only briefly then seems to
@@ -66,7 +58,7 @@ def infer_stances(
 
 def infer_stances_and_raised(
     recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface]
-) -> tuple[tuple[RecordedStance, ...], tuple[RecordedStance, ...]]:
+) -> tuple[tuple[Contact, ...], tuple[Contact, ...]]:
     """Return the stances of an aligned recording, and the intervals in which points rest too high for a stance."""
     if not points or not surfaces or recorded.times.size < ORDER:
         return (), ()
@@ -118,7 +110,7 @@ def _stances(
     points: Sequence[Point],
     surfaces: Sequence[Surface],
     smoothed: float = 0.0,
-) -> Iterator[RecordedStance]:
+) -> Iterator[Contact]:
     """Yield the stances in runs of every point, without their ends in which the point moves."""
     (times, centres, _, noise), speeds, near, _, limits = segments
     largest = _largest_speed(speeds, near, limits) + REMAINS * smoothed / limits.blurred
@@ -132,7 +124,7 @@ def _stances(
             a, b = _trimmed(still, *run)
             if b - a > 1 and not _moves(times, place, a, b, point_noise, limits):
                 ground = ground_at(surfaces, place[:, a:b].mean(axis=1), point.radius, limits.edge)
-                yield RecordedStance(point, float(times[a]), float(times[b - 1]), ground)
+                yield Contact(point, float(times[a]), float(times[b - 1]), surface=ground, rolls=True)
 
 
 def largest_noise(recorded: RecordedMotion, points: Sequence[Point]) -> float:

@@ -2,57 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from ..array import Array, Mask
+from ..array import Mask
 from ..curve.frame import Timeline
 from ..figure.figure import Figure
 from ..surface import Surface
 from ..surface.points import Point, body_points, free_root, hanging
+from .contact import Contact, Interval, stances
 from .flight import Air, Fall
-from .footing import Footing, Interval, footings
+from .footing import footings
 from .gait import GaitCycle
 from .gait_period import Gait
-from .grasp import Grasp, grasped_links, resting_objects
+from .grasp import grasped_links, resting_objects
 from .keyframe_points import KeyframePoints
-from .stance import Rest, Stance, stances
 from .steps import Steps
 from .thresholds import Thresholds
-
-ROUNDING = 1e-9  # [s] rounding tolerance of times
-
-
-@dataclass(frozen=True)
-class Contacts:
-    """The contacts that a clip specifies.
-
-    Attributes:
-        stances: Contacts at a known position.
-        rests: Contacts whose position the search determines.
-        requested: All contacts of the clip, in its order, before they were divided into `stances` and `rests`.
-    """
-
-    stances: tuple[Stance, ...] = ()
-    rests: tuple[Rest, ...] = ()
-    requested: tuple[Rest, ...] = ()
-
-    def overlaps(self, stance: Stance | Rest) -> bool:
-        """Return whether a specified contact of the same point overlaps a stance in time."""
-        return any(contact.point.coincides(stance.point) for contact in self._during(stance.first, stance.last))
-
-    def holds(self, link: int, first: float, last: float) -> bool:
-        """Return whether a specified contact of a link overlaps an interval [s]."""
-        return any(contact.point.link == link for contact in self._during(first, last))
-
-    def _during(self, first: float, last: float) -> Iterator[Stance | Rest]:
-        """Yield the specified contacts that overlap an interval [s]."""
-        for contact in (*self.stances, *self.rests):
-            if contact.first < last - ROUNDING and first < contact.last - ROUNDING:
-                yield contact
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,11 +33,9 @@ class ContactSchedule:
         keys: The keyframes.
         points: The sole points, or the points of the option `points` of `collision`.
         surfaces: The floor and the obstacles.
-        contacts: The contacts that the clip specifies.
-        grasps: The grasps that the clip specifies.
-        targets: Points, times [s] and positions (3,) [m] that the search has to reach, with NaN along free axes. A foot
-            with a target elsewhere does not stand.
-        specified_footings: The points that can support the figure, each with its interval; None: inferred from stances.
+        contacts: The contacts that the clip specifies, with the surroundings and with links that it grasps.
+        targets: Contacts of an instant, which the search has to reach. A foot with a target elsewhere does not stand.
+        specified_footings: The contacts that can support the figure; None: inferred from stances.
         specified_flights: The intervals [s] in which nothing supports the figure; None: inferred from keyframes.
         has_cycle: Whether the keyframes form a gait cycle; None: inferred, true only if a cycle is unambiguous.
         period: The period of a gait cycle [s]; None: the likeliest one.
@@ -78,10 +45,9 @@ class ContactSchedule:
     keys: Timeline
     points: tuple[Point, ...] = ()
     surfaces: tuple[Surface, ...] = ()
-    contacts: Contacts = Contacts()
-    grasps: tuple[Grasp, ...] = ()
-    targets: tuple[tuple[Point, float, Array], ...] = ()
-    specified_footings: tuple[Footing, ...] | None = None
+    contacts: tuple[Contact, ...] = ()
+    targets: tuple[Contact, ...] = ()
+    specified_footings: tuple[Contact, ...] | None = None
     specified_flights: tuple[Interval, ...] | None = None
     has_cycle: bool | None = None
     period: float | None = None
@@ -96,20 +62,36 @@ class ContactSchedule:
         return int(links[0]) if root is None else root
 
     @cached_property
-    def stances(self) -> tuple[Stance, ...]:
+    def on_ground(self) -> tuple[Contact, ...]:
+        """The specified contacts with the surroundings."""
+        return tuple(contact for contact in self.contacts if not contact.on)
+
+    @cached_property
+    def grasps(self) -> tuple[Contact, ...]:
+        """The specified contacts with links."""
+        return tuple(contact for contact in self.contacts if contact.on)
+
+    @cached_property
+    def stances(self) -> tuple[Contact, ...]:
         """The stances inferred from keyframes, without those that contradict specified contacts or targets."""
         inferred = stances(self._soles)
-        return tuple(s for s in inferred if not self.contacts.overlaps(s) and not self._leaves(s))
+        return tuple(
+            stance
+            for stance in inferred
+            if not any(contact.overlaps(stance) for contact in self.on_ground) and not self._leaves(stance)
+        )
 
-    def _leaves(self, stance: Stance) -> bool:
+    def _leaves(self, stance: Contact) -> bool:
         """Return whether a target of the stance's link is too near or too far for it during the stance."""
         tolerance = Thresholds.of(self.figure).near_surface
-        for point, time, target in self.targets:
-            if point.link != stance.point.link or not stance.first <= time <= stance.last:
+        for target in self.targets:
+            if target.point.link != stance.point.link or not stance.first <= target.first <= stance.last:
                 continue
-            known = np.isfinite(target)
-            apart = np.linalg.norm((target - stance.place(np.array([time]))[:, 0])[known])
-            length = np.linalg.norm(point.position - stance.point.position)
+            time = np.array([target.first])
+            position = target.place(time)[:, 0]
+            known = np.isfinite(position)
+            apart = np.linalg.norm((position - stance.place(time)[:, 0])[known])
+            length = np.linalg.norm(target.point.position - stance.point.position)
             if apart > length + tolerance or (known.all() and apart < length - tolerance):
                 return True
         return False
@@ -125,7 +107,7 @@ class ContactSchedule:
         return [link for link in self.grasped if self.figure.links[link].parent == 0]
 
     @cached_property
-    def resting_objects(self) -> tuple[Stance, ...]:
+    def resting_objects(self) -> tuple[Contact, ...]:
         """The stances of grasped objects before and after holds."""
         return resting_objects(self._soles, self.objects, self.grasps)
 
@@ -135,8 +117,8 @@ class ContactSchedule:
         return Steps.of(self._soles, self._standing)
 
     @cached_property
-    def footings(self) -> tuple[Footing, ...]:
-        """The points that can support the figure, each with the interval in which it does."""
+    def footings(self) -> tuple[Contact, ...]:
+        """The contacts that can support the figure."""
         if self.specified_footings is not None or self.root is None:
             return self.specified_footings or ()
         return footings(self._tree_soles, self._carriers, self._tree_body)
@@ -153,8 +135,7 @@ class ContactSchedule:
         """The free falls through keyframes in the air, including those that keyframes miss."""
         if self.root is None:
             return ()
-        carriers = (*self.contacts.stances, *self.contacts.rests, *(grasp for grasp in self.grasps if not grasp.link))
-        contacts = [(each.first, each.last) for each in carriers]
+        contacts = [(contact.first, contact.last) for contact in self.on_ground]
         body = self._soles.with_points((*self._tree_soles.points, *self._tree_body))
         air = Air.of(self.root, body, self._tree_soles.points, contacts)
         return () if air is None else tuple(air.falls())
@@ -236,11 +217,11 @@ class ContactSchedule:
         )
 
     @property
-    def _standing(self) -> tuple[Stance | Rest, ...]:
+    def _standing(self) -> tuple[Contact, ...]:
         """The stances and specified contacts."""
-        return (*self.stances, *self.contacts.stances, *self.contacts.rests)
+        return (*self.stances, *self.on_ground)
 
     @property
-    def _carriers(self) -> tuple[Stance | Rest, ...]:
+    def _carriers(self) -> tuple[Contact, ...]:
         """Those in the kinematic tree of `root`."""
         return tuple(each for each in self._standing if self.figure.tables.path[each.point.link, self.root])

@@ -9,8 +9,8 @@ import numpy as np
 
 from ..array import Array, Index, Mask, segments_at
 from ..figure.figure import Figure
+from .contact import Contact
 from .keyframe_points import KeyframePoints
-from .stance import Rest, Stance
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,7 +30,7 @@ class Steps:
     placing: Mask
 
     @classmethod
-    def of(cls, soles: KeyframePoints, standing: Sequence[Stance | Rest]) -> Steps:
+    def of(cls, soles: KeyframePoints, standing: Sequence[Contact]) -> Steps:
         """Return the legs that take a step between keyframes.
 
         Such a leg moves a point by more than 8 cm (for an adult) from one keyframe to the next. It takes the step while

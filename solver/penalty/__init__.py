@@ -13,14 +13,11 @@ from .block import Dense as Dense
 from .block import Entries as Entries
 from .check import check as check
 from .ground.attachment import Attachment as Attachment
-from .ground.attachment import Placed as Placed
-from .ground.contact import Contact as Contact
+from .ground.attachment import Rolling as Rolling
+from .ground.attachment import slipped as slipped
+from .ground.collision import Collision as Collision
 from .ground.flight import Flight as Flight
-from .ground.grasp import GraspPenalty as GraspPenalty
-from .ground.grasp import slipped as slipped
 from .ground.hover import HoverPenalty as HoverPenalty
-from .ground.rest import RestPenalty as RestPenalty
-from .ground.rest import Rolling as Rolling
 from .ground.skate import Skate as Skate
 from .ground.skate import SwingSegments as SwingSegments
 from .ground.support import Support as Support

@@ -196,6 +196,9 @@ def test_the_stairs_are_climbed_foot_over_foot():
     """The heels stand on step after step in turn, and both on the last."""
     heels = [stance for stance in of("stairs").stances() if "heel" in stance.point.name]
     order = sorted(heels, key=lambda stance: stance.first)
-    steps = [(stance.point.name.split("_")[0], round(stance.spot[2] / 0.17, 6)) for stance in order]
+    steps = [
+        (stance.point.name.split("_")[0], round(stance.place(np.array([stance.first]))[2, 0] / 0.17, 6))
+        for stance in order
+    ]
     climbed = [("right", 0), ("left", 1), ("right", 2), ("left", 3), ("right", 4), ("left", 4)]
     assert list(dict.fromkeys(steps)) == climbed

@@ -135,7 +135,7 @@ def test_what_was_posed_stays_free_and_is_where_the_search_and_the_raw_spline_be
         assert quat.rotation_vector(there[columns])[1] > np.radians(40)
     np.testing.assert_allclose(soles(problem, 1), soles(problem, 0), atol=1e-6)
     planted = next(penalty for penalty, _ in problem.penalties if isinstance(penalty, Attachment))
-    assert {(stance.point.name, stance.first, stance.last) for stance in planted.stances} == {
+    assert {(stance.point.name, stance.first, stance.last) for stance in planted.contacts} == {
         (point.name, first, first + 1.0) for point in problem.context.points for first in (0.0, 1.0)
     }
 

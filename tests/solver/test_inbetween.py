@@ -17,7 +17,7 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.inbetween import continue_from, inbetween
 from dynsplines.solver.objective import Objective
-from dynsplines.solver.penalty import Contact, CovariantAcceleration, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty import Collision, CovariantAcceleration, RootAcceleration, UnitMagnitude
 from dynsplines.solver.problem import SPACING, Problem, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA, split
 from dynsplines.solver.search.minimum import Stop, StopSearch
@@ -237,7 +237,9 @@ def test_a_fast_point_does_not_pass_through_a_thin_wall_between_two_samples(seed
     wall = Box("wall", np.array([x, top - 1, 0]), np.eye(3), np.array([half, 1.0, 1.0]))
     ball = Point("ball", len(figure.links) - 1, np.zeros(3), radius)
     settings = Settings(quadrature=Quadrature(points=3, longest=0.05))
-    motion = inbetween(Problem(figure, keys, [(RootAcceleration(), 1.0), (Contact((ball,), (wall,)), 100.0)], settings))
+    motion = inbetween(
+        Problem(figure, keys, [(RootAcceleration(), 1.0), (Collision((ball,), (wall,)), 100.0)], settings)
+    )
     away = np.abs(motion.path.at(np.linspace(0, 2 * seconds, 4000)) - [x, 0]) - [half, top]
     assert np.linalg.norm(np.maximum(away, 0), axis=1).min() > radius - 0.001
     samples = motion.objective.nodes(motion.timeline.times)[0].size

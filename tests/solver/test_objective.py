@@ -33,7 +33,7 @@ from dynsplines.solver.objective import (
     segment_integrals,
 )
 from dynsplines.solver.penalty import (
-    Contact,
+    Collision,
     CovariantAcceleration,
     Normalization,
     Penalty,
@@ -75,7 +75,7 @@ def test_a_violation_is_divided_by_no_more_than_its_reference_over_the_whole_cli
     length = TIMES[-1] - TIMES[0]
     for height, share in ((50.0, 1.0), (-50.0, 0.01)):
         floor = Plane("floor", np.array([0.0, 0, height]), np.array([0.0, 0, 1]))
-        contact = Contact((Point("p", 1, np.zeros(3)),), (floor,))
+        contact = Collision((Point("p", 1, np.zeros(3)),), (floor,))
         (term,) = Objective.of(figure, [(contact, 3.0)]).renormalised(raw).terms
         np.testing.assert_allclose(term.factor, 3.0 / (little(figure) * share * length), rtol=1e-12)
 

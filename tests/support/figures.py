@@ -18,7 +18,7 @@ from dynsplines.clip.parse import Parsed
 from dynsplines.scene.assets import Scene
 from dynsplines.solver.array import Array
 from dynsplines.solver.cache import Cache
-from dynsplines.solver.contacts import Stance
+from dynsplines.solver.contacts import Contact
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import Bend, BendLimits, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
@@ -212,9 +212,16 @@ def random_points(figure: Figure, rng: np.random.Generator) -> tuple[Point, ...]
     return tuple(Point(f"p{n}", i, 0.3 * rng.normal(size=3), rng.uniform(0, 0.2)) for n, i in enumerate(indices))
 
 
-def stance_of(link: int, first: float, last: float) -> Stance:
+def stance_of(link: int, first: float, last: float) -> Contact:
+    """A contact whose position drifts."""
+    places = np.array([[0.1, 0.2, 0], [0.13, 0.2, 0.01]])
     point = Point("p", link, np.array([0.1, 0.2, -0.3]))
-    return Stance(point, first, last, np.array([0.1, 0.2, 0]), np.array([0.13, 0.2, 0.01]))
+    return Contact(point, first, last, places=places, times=np.array([first, last]))
+
+
+def contact_on(point: Point, first: float, last: float, normal: Array) -> Contact:
+    """A contact with a plane of a normal (3,)."""
+    return Contact(point, first, last, surface=Plane("ground", np.zeros(3), normal))
 
 
 # A mesh as a file's bytes.

@@ -22,7 +22,7 @@ from dynsplines.solver.penalty import (
     Attachment,
     Bend,
     BendLimits,
-    Contact,
+    Collision,
     CovariantAcceleration,
     Penalty,
     RootAcceleration,
@@ -190,7 +190,7 @@ def every_penalty(figure: Figure) -> list[tuple[Penalty, float]]:
         (RootAcceleration(), 1.5),
         (Torque(), 0.3),
         (BendLimits(joints), 2.5),
-        (Contact(points, SURFACES), 4.0),
+        (Collision(points, SURFACES), 4.0),
     ]
 
 
@@ -260,9 +260,9 @@ def _efforts(samples: Samples) -> Array:
 
 def _displacement(samples: Samples) -> Array:
     """Every planted point's way from its place, zeros when its stance is over."""
-    centres, _ = places_of(tuple(s.point for s in PLANTED.stances), samples)
+    centres, _ = places_of(tuple(s.point for s in PLANTED.contacts), samples)
     away = []
-    for stance, centre in zip(PLANTED.stances, centres.swapaxes(0, 1), strict=True):
+    for stance, centre in zip(PLANTED.contacts, centres.swapaxes(0, 1), strict=True):
         lasts = (samples.t >= stance.first) & (samples.t <= stance.last)
         away.append(((centre - stance.place(samples.t)) * lasts).T)
     return np.hstack(away)

@@ -27,7 +27,7 @@ from dynsplines.clip.parse import table_of
 from dynsplines.clip.text import tables
 from dynsplines.motion import Saved, continuous, sampled, samples_at
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import Stance, grasped_links
+from dynsplines.solver.contacts import Contact, grasped_links
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Attachment, BendLimits, Sum
@@ -196,13 +196,14 @@ class Move:
     def knees(self) -> list[int]:
         return [i for i, bend in enumerate(self.clip.context.bends) if "knee" in bend.name]
 
-    def stances(self) -> tuple[Stance, ...]:
+    def stances(self) -> tuple[Contact, ...]:
         penalties = [penalty for penalty, _ in self.clip.penalties]
         parts = [p for penalty in penalties for p in (penalty.parts if isinstance(penalty, Sum) else (penalty,))]
-        resting = [part for part in parts if isinstance(part, Attachment) and part.name == "attach.stance"]
-        return tuple(stance for part in resting for stance in part.stances)
+        resting = [p for p in parts if isinstance(p, Attachment) and p.name in ("attach.stance", "attach.contact")]
+        contacts = (contact for part in resting for contact in part.contacts if contact.is_placed)
+        return tuple(piece for contact in contacts for piece in contact.pieces())
 
-    def displacement(self, stance: Stance) -> Array:
+    def displacement(self, stance: Contact) -> Array:
         """(3, S) [m] how far a point at rest is from its spot."""
         samples = self.samples(stance.first, stance.last, 100)
         places, _ = places_of((stance.point,), samples)

@@ -13,12 +13,12 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.model import kinematics
-from dynsplines.solver.penalty import Placed
 from dynsplines.solver.posing import (
     Balance,
     BodyGoal,
@@ -48,7 +48,7 @@ ALIKE = 0.5  # [1] largest deviation of a foot's displacement from the mean, rel
 MOST_TURNED = np.radians(45)  # [rad] rotation of a foot from which its heading is corrected
 
 
-def released_links(figure: Figure, row: KeyframeTable, goals: Sequence[Goal], placed: Sequence[Placed]) -> list[int]:
+def released_links(figure: Figure, row: KeyframeTable, goals: Sequence[Goal], placed: Sequence[Contact]) -> list[int]:
     """Return the links whose joints a keyframe's goals and placed points free, independent of `others`."""
     bodies = [goal.bodies(figure.model)[0] for goal in goals]
     bodies += [figure.links[point.point.link].body for point in placed]
@@ -56,7 +56,7 @@ def released_links(figure: Figure, row: KeyframeTable, goals: Sequence[Goal], pl
     return sorted({link for body in bodies for link in limb(figure, body)} - named)
 
 
-def targets_of(places: Places, row: KeyframeTable, where: str) -> tuple[list[Goal], list[Placed]]:
+def targets_of(places: Places, row: KeyframeTable, where: str) -> tuple[list[Goal], list[Contact]]:
     """Return a keyframe's position entries: goals of its pose, and points that the search places.
 
     Raises:
@@ -64,7 +64,7 @@ def targets_of(places: Places, row: KeyframeTable, where: str) -> tuple[list[Goa
     """
     figure = places.figure
     goals: list[Goal] = []
-    placed: list[Placed] = []
+    placed: list[Contact] = []
     for name, table in row.sites.items():
         point = places.named_point(name, where)
         table = table if isinstance(table, SiteTable) else SiteTable(position=table)
@@ -74,7 +74,7 @@ def targets_of(places: Places, row: KeyframeTable, where: str) -> tuple[list[Goa
         if table.by == "pose":
             goals.append(goal)
         else:
-            placed.append(Placed(point, row.time, target))
+            placed.append(Contact.at(point, row.time, row.time, target))
     for name, table in row.bodies.items():
         body = places.body(name)
         if body is None:
@@ -271,7 +271,7 @@ def _speed(figure: Figure, path: Timeline, k: int) -> float:
     return float(np.linalg.norm(moves, axis=0).max(initial=0.0) / (path.times[last] - path.times[first]))
 
 
-def check_search(figure: Figure, key: Frame, placed: Sequence[Placed], where: str) -> None:
+def check_search(figure: Figure, key: Frame, placed: Sequence[Contact], where: str) -> None:
     """Raise UserError for a point left to the search that no free joint moves."""
     for point in placed:
         body = figure.links[point.point.link].body

@@ -15,14 +15,14 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
-from dynsplines.solver.contacts import ROUNDING, ContactSchedule
+from dynsplines.solver.contacts import Contact, ContactSchedule
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.penalty import BendLimits, Placed
+from dynsplines.solver.penalty import BendLimits
 from dynsplines.solver.posing import (
     BodyGoal,
     Goal,
@@ -132,7 +132,7 @@ class Stander:
         turn = None if solve.turn is None else float(np.radians(solve.turn))
         return raw_timeline(self.figure, list(keys), solve.ends, slope, solve.travel, turn)
 
-    def stood(self, keys: Sequence[Frame], left: Sequence[Placed]) -> list[Frame]:
+    def stood(self, keys: Sequence[Frame], left: Sequence[Contact]) -> list[Frame]:
         """Pose the free entries of partial keyframes as far as they are certain; left: points left to the search."""
         if all(key.is_key for key in keys):
             return list(keys)
@@ -180,15 +180,16 @@ class Stander:
         tables = list(_during(self.contact_tables, *timeline.times[[0, -1]].tolist()))
         return _KnownPositions(schedule_of(self.figure, timeline, self.surfaces, self.where, tables, self.grasp_tables))
 
-    def _posed(self, key: Frame, known: _KnownPositions, k: int, left: Sequence[Placed]) -> Frame:
+    def _posed(self, key: Frame, known: _KnownPositions, k: int, left: Sequence[Contact]) -> Frame:
         """Return keyframe k posed for its feet and goals; feet that cannot keep their stance are released."""
         figure = self.figure
         frame = known.timeline.frames[k]
         groups = [foot.goals(figure) for foot in known.standing(k)]
         groups += [[goal] for goal in known.holding(k)]
-        for point in left:
-            if abs(point.time - key.time) < ROUNDING:
-                groups.append([PointGoal.of(self.figure, point.point, point.target)])
+        for target in left:
+            if target.covers(key.time):
+                position = target.place(np.array([key.time]))[:, 0]
+                groups.append([PointGoal.of(self.figure, target.point, position)])
         home, count = figure.to_qpos(frame.state), len(groups)
         is_determined, missed = np.zeros(figure.width, bool), list[Goal]()
         while groups:
@@ -230,8 +231,8 @@ class _KnownPositions:
 
     def __init__(self, schedule: ContactSchedule) -> None:
         self.figure, self.timeline, self.limits = schedule.figure, schedule.keys, Thresholds.of(schedule.figure)
-        self.soles, self.contacts, self.grasps = schedule.points, schedule.contacts, schedule.grasps
-        rests = [stance.point for stance in self.contacts.stances]
+        self.soles, self.contacts, self.grasps = schedule.points, schedule.on_ground, schedule.grasps
+        rests = [contact.point for contact in self.contacts if contact.is_placed]
         self.points = self.soles
         for point in rests:
             self.points += () if any(point.coincides(other) for other in self.points) else (point,)
@@ -274,11 +275,10 @@ class _KnownPositions:
         """Return goals of sites that hold a known spot at keyframe k, unless it determines both bodies."""
         t, is_known, goals = self.timeline.times[k], self.timeline.known[k : k + 1], list[PointGoal]()
         for grasp in self.grasps:
-            spot = grasp.spot(np.array([t]))
-            ends = (grasp.point, Point(grasp.body, grasp.link, np.zeros(3)))
-            is_told = placed(self.figure, is_known, ends).all()
-            if spot is not None and grasp.first - ROUNDING <= t <= grasp.last + ROUNDING and not is_told:
-                goals.append(PointGoal.of(self.figure, grasp.point, spot[:, 0], grasp.link))
+            ends = (grasp.point, Point(grasp.point.name, grasp.on, np.zeros(3)))
+            if grasp.is_placed and grasp.covers(t) and not placed(self.figure, is_known, ends).all():
+                position = grasp.place(np.array([t]))[:, 0]
+                goals.append(PointGoal.of(self.figure, grasp.point, position, grasp.on))
         return goals
 
     def _neighbours(self, i: int, k: int) -> tuple[int | None, int | None]:
@@ -322,9 +322,9 @@ class _KnownPositions:
         """Return the position that a contact specifies for a point at keyframe k, None if contacts contradict."""
         t = self.timeline.times[k]
         spots = [
-            stance.place(np.array([t]))[:, 0]
-            for stance in self.contacts.stances
-            if point.coincides(stance.point) and stance.first - ROUNDING <= t <= stance.last + ROUNDING
+            contact.place(np.array([t]))[:, 0]
+            for contact in self.contacts
+            if contact.is_placed and point.coincides(contact.point) and contact.covers(t)
         ]
         is_contradicted = any(np.linalg.norm(spot - spots[0]) >= self.limits.same_spot for spot in spots)
         return spots[0] if spots and not is_contradicted else None
@@ -332,10 +332,7 @@ class _KnownPositions:
     def _spoken_of(self, point: Point, k: int) -> bool:
         """Return whether a contact covers a point at keyframe k."""
         t = self.timeline.times[k]
-        return any(
-            point.coincides(rest.point) and rest.first - ROUNDING <= t <= rest.last + ROUNDING
-            for rest in self.contacts.requested
-        )
+        return any(point.coincides(contact.point) and contact.covers(t) for contact in self.contacts)
 
     def _turn(self, link: int, k: int, near: tuple[int | None, int | None]) -> Array:
         """Return the orientation (4,) of a link in the nearer neighbour that determines it, else at keyframe k."""

@@ -15,19 +15,19 @@ import numpy as np
 from pydantic import TypeAdapter, ValidationError
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import ROUNDING, Footing, Rest
+from dynsplines.solver.contacts import ROUNDING, Contact
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
+    Attachment,
     BendLimits,
-    Contact,
+    Collision,
     JointRange,
     Penalty,
     Range,
-    RestPenalty,
     SelfContact,
     Speed,
     Support,
@@ -131,9 +131,11 @@ def _bends(figure: Figure, qpos: Array) -> BendLimits | None:
     )
 
 
-def rests_of(ground: Ground, tables: Sequence[ContactTable], span: tuple[float, float], where: str) -> tuple[Rest, ...]:
+def rests_of(
+    ground: Ground, tables: Sequence[ContactTable], span: tuple[float, float], where: str
+) -> tuple[Contact, ...]:
     """Return the stances of [[contact]] tables for a recording over a span [s]; `where` is the label in errors."""
-    places, soles, rests = Places(ground.figure, ground.points), {p.name: p for p in ground.points}, list[Rest]()
+    places, soles, rests = Places(ground.figure, ground.points), {p.name: p for p in ground.points}, list[Contact]()
     for number, table in enumerate(tables, start=1):
         name = f"{where}: contact {number} ('{table.point}')"
         point = soles.get(table.point) or places.named_point(table.point, name)
@@ -141,30 +143,30 @@ def rests_of(ground: Ground, tables: Sequence[ContactTable], span: tuple[float, 
             raise UserError(
                 f"{name}: {table.start:g} to {table.end:g} s is not within the recording, {span[0]:g} to {span[1]:g} s"
             )
-        rests.append(Rest(point, table.start, table.end, rolls=True))
+        rests.append(Contact(point, table.start, table.end, rolls=True))
     return tuple(rests)
 
 
-def stances_of(rests: Sequence[Rest]) -> list[dict[str, object]]:
+def stances_of(rests: Sequence[Contact]) -> list[dict[str, object]]:
     """Return stances as stored in a motion's file, see `StanceTable`."""
     return [
         {
             "point": rest.point.name,
             "from, s": rest.first,
             "to, s": rest.last,
-            **({} if rest.ground is None else {"on": [*rest.ground.point.tolist(), *rest.ground.normal.tolist()]}),
+            **({} if rest.surface is None else {"on": [*rest.surface.point.tolist(), *rest.surface.normal.tolist()]}),
         }
         for rest in rests
     ]
 
 
-def stances_in(stances: object, ground: Ground, where: str) -> tuple[Rest, ...]:
+def stances_in(stances: object, ground: Ground, where: str) -> tuple[Contact, ...]:
     """Return the stances that a motion's file contains.
 
     Raises:
         UserError: The stances are damaged, or are not of this figure.
     """
-    places, soles, rests = Places(ground.figure, ground.points), {p.name: p for p in ground.points}, list[Rest]()
+    places, soles, rests = Places(ground.figure, ground.points), {p.name: p for p in ground.points}, list[Contact]()
     try:
         rows = STANCES.validate_python(stances)
     except ValidationError:
@@ -174,12 +176,12 @@ def stances_in(stances: object, ground: Ground, where: str) -> tuple[Rest, ...]:
         if point is None or not row.start < row.end:
             raise UserError(f"{where}: its stances belong to another figure; solve the clip again")
         on = None if row.on is None else Plane("ground", np.array(row.on[:3]), np.array(row.on[3:]))
-        rests.append(Rest(point, row.start, row.end, on, rolls=True))
+        rests.append(Contact(point, row.start, row.end, surface=on, rolls=True))
     return tuple(rests)
 
 
 def problem(
-    near: TrackingPenalty, ground: Ground, rests: Sequence[Rest], times: Array, edits: Sequence[Frame] = ()
+    near: TrackingPenalty, ground: Ground, rests: Sequence[Contact], times: Array, edits: Sequence[Frame] = ()
 ) -> Problem:
     """Return the problem of tracking a recording; times: times of the frames, (M,) [s]."""
     figure, path = near.recorded.figure, near.recorded.path
@@ -208,18 +210,18 @@ def _clear(times: Array, key_times: Array) -> Array:
     return times[(away > NEXT_TO) | (ends & (away > ROUNDING))]
 
 
-def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
+def penalties_of(ground: Ground, rests: Sequence[Contact]) -> list[Penalty]:
     """Return all constraints besides the recording."""
     figure, surfaces = ground.figure, ground.surfaces
     penalties: list[Penalty] = []
     if figure.tables.quaternion_columns.size:
         penalties.append(UnitMagnitude())
     if surfaces and ground.points:
-        penalties.append(Contact(ground.points, surfaces))
+        penalties.append(Collision(ground.points, surfaces))
     if surfaces and (body := ground.clear):
-        penalties.append(Contact(body, surfaces, term_name="collision.body"))
+        penalties.append(Collision(body, surfaces, term_name="collision.body"))
     if rests:
-        penalties.append(RestPenalty(tuple(rests), surfaces))
+        penalties.append(Attachment(tuple(rests), surfaces, "attach.contact"))
         if figure.tables.free_links.size:
             penalties.append(Support.of(figure, int(figure.tables.free_links[0]), footings_of(rests), ()))
     if ranges := joint_ranges(figure):
@@ -232,9 +234,9 @@ def penalties_of(ground: Ground, rests: Sequence[Rest]) -> list[Penalty]:
     return [*penalties, self_contact] if self_contact is not None and self_contact.pairs.size else penalties
 
 
-def footings_of(rests: Sequence[Rest]) -> tuple[Footing, ...]:
+def footings_of(rests: Sequence[Contact]) -> tuple[Contact, ...]:
     """Return the footings of the stances of a recording: the ground is taken to be level."""
-    return tuple(Footing(rest.point, rest.first, rest.last, np.array([0.0, 0, 1])) for rest in rests)
+    return tuple(replace(rest, surface=None) for rest in rests)
 
 
 def _inside(joint_range: Range) -> Range:

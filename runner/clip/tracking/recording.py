@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from dynsplines.solver.array import Array, Mask
-from dynsplines.solver.contacts import ROUNDING, Rest
+from dynsplines.solver.contacts import ROUNDING, Contact
 from dynsplines.solver.contacts.recorded_stances import infer_stances
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
@@ -95,14 +95,12 @@ class TrackedRecording:
             )
         return self.recorded.figure.to_qpos(self.recorded.path.at(np.array([time])))[0]
 
-    def stances(self, ground: Ground, edits: Sequence[Frame], specified: Sequence[Rest]) -> tuple[Rest, ...]:
+    def stances(self, ground: Ground, edits: Sequence[Frame], specified: Sequence[Contact]) -> tuple[Contact, ...]:
         """Return the recording's stances without points in contacts or moved by keyframes, and those of `specified`."""
-        recorded_rests = (
-            Rest(*one, rolls=True) for one in infer_stances(self.recorded, ground.points, ground.surfaces)
-        )
-        return (*(rest for rest in recorded_rests if not self._is_void(rest, edits, specified)), *specified)
+        inferred = infer_stances(self.recorded, ground.points, ground.surfaces)
+        return (*(rest for rest in inferred if not self._is_void(rest, edits, specified)), *specified)
 
-    def problem(self, ground: Ground, edits: Sequence[Frame], rests: Sequence[Rest]) -> Problem:
+    def problem(self, ground: Ground, edits: Sequence[Frame], rests: Sequence[Contact]) -> Problem:
         near = TrackingPenalty(self._warped(edits), tuple((edit.time, self.width) for edit in edits))
         unweighted = problem(near, ground, rests, self._times(near, edits), edits)
         weights = [(p, self.table.weight * w if p is near else w) for p, w in unweighted.penalties]
@@ -185,14 +183,14 @@ class TrackedRecording:
             return frame
         return Frame.key(frame.time, self.pose(frame.time))
 
-    def _is_void(self, rest: Rest, edits: Sequence[Frame], specified: Sequence[Rest]) -> bool:
+    def _is_void(self, rest: Contact, edits: Sequence[Frame], specified: Sequence[Contact]) -> bool:
         """Return whether a stance of the recording is invalid in the clip, or outside all blends."""
         point, width = rest.point, self.width
         if self.table.blend is not None and not any(
             rest.first < edit.time + width and edit.time - width < rest.last for edit in edits
         ):
             return True
-        if any(point.coincides(o.point) and rest.first < o.last and o.first < rest.last for o in specified):
+        if any(rest.overlaps(other) for other in specified):
             return True
         near = [edit for edit in edits if rest.first - width < edit.time < rest.last + width]
         return any(self._moves(point, edit) for edit in near)

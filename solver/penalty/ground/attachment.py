@@ -1,4 +1,8 @@
-"""The penalty on points that leave their positions: stances, grasps, closed loops and targets at single times.
+"""The penalty on points that leave their contacts: stances, grasps, closed loops and targets at single times.
+
+A point with a known position is drawn to it. Without one, it must not slide: its velocity is that of the material that
+it touches, the surroundings or another link. A round foot, such as the heel or the tip of a shoe, rolls: its lowest
+point rests, which may be another one at every instant.
 
 A target represents a keyframe given by positions that the solver has to reach. The paper has keyframes of joint angles
 only.
@@ -13,48 +17,39 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ... import quaternion as quat
 from ...array import Array, Index, Mask, pairs_within
-from ...contacts.stance import Stance
-from ...figure.algebra import applied
+from ...contacts import Contact
+from ...contacts.thresholds import Thresholds
+from ...figure.algebra import applied, cross, dot, turned_back
 from ...figure.kinematics import Samples
-from ...figure.wrenches import along_axes, of_point
-from ...surface.points import Point
+from ...figure.wrenches import along_axes, of_point, of_velocity
+from ...surface import Surface
+from ...surface.heights import height_over
+from ...surface.points import arrays_of
 from ..block import Block
 from ..penalty import Normalization, Penalty
 
 TINY = 1e-12  # [m] least distance in a division
 
 
-@dataclass(frozen=True, eq=False)
-class Placed:
-    """A target position for a point at one time.
-
-    Attributes:
-        time: The time [s].
-        target: The target in the world, (3,) [m]; NaN along unconstrained axes.
-    """
-
-    point: Point
-    time: float
-    target: Array
-
-
 @dataclass(frozen=True)
 class Attachment(Penalty):
-    """Σ over stances, while they last, of weight times squared distance [m²] of the point from its position.
+    """Σ over contacts, while they last, of weight times squared distance [m²] of the point from its position.
 
-    Only the distance beyond the slack of the stance counts. If every stance lasts for an instant, E contains the sum
-    over the instants instead of an integral.
+    Only the distance beyond the slack of the contact counts. A contact without a known position adds (0.05 s)² |v|²
+    (for an adult), with v the velocity of the point's material relative to what it touches: for a sphere that rolls,
+    v_centre − r ω × n with the normal n. On the surroundings it adds h², with h the height above the surface below.
+    If every contact lasts for an instant, E contains the sum over the instants instead of an integral.
+
+    Attributes:
+        contacts: The contacts.
+        surfaces: The surfaces on which contacts without a position and a plane rest.
     """
 
-    stances: tuple[Stance, ...]
+    contacts: tuple[Contact, ...]
+    surfaces: tuple[Surface, ...] = ()
     term_name: str = "attach.stance"
-
-    @classmethod
-    def at_instants(cls, placed: Sequence[Placed]) -> Attachment:
-        """Return the penalty on points that are not at their targets."""
-        stances = (Stance(p.point, p.time, p.time, p.target, p.target) for p in placed)
-        return cls(tuple(stances), "attach.placement")
 
     @property
     def name(self) -> str:
@@ -62,72 +57,118 @@ class Attachment(Penalty):
 
     @cached_property
     def normalization(self) -> Normalization:
-        is_interval = not self.instants.size and all(np.isfinite([s.first, s.last]).all() for s in self.stances)
+        is_interval = not self.instants.size and all(np.isfinite([c.first, c.last]).all() for c in self.contacts)
         return Normalization(1e-4, length_power=2, is_violation=True, is_sharp=is_interval)
 
     @cached_property
     def instants(self) -> Array:
-        return np.unique([s.first for s in self.stances if s.first == s.last])
+        return np.unique([contact.first for contact in self.contacts if contact.first == contact.last])
+
+    @cached_property
+    def resting(self) -> tuple[Contact, ...]:
+        """The contacts with the surroundings at an unknown position."""
+        return tuple(contact for contact in self.contacts if not contact.is_placed and not contact.on)
 
     def displacements(self, samples: Samples) -> tuple[Index, Index, Array]:
         """Return the displacements of points from their positions.
 
         Returns:
-            The stances (p,), a sample during each (p,), and the displacements (3, p) [m], zero along free axes.
+            The contacts (p,), a sample during each (p,), and the displacements (3, p) [m], zero along free axes.
         """
-        stance, at = pairs_within(samples.t, self._arrays.first, self._arrays.last)
-        return stance, at, self._vectors(samples, stance, at)[2]
+        piece, at = pairs_within(samples.t, self._pieces.first, self._pieces.last)
+        return self._pieces.owners[piece], at, self._vectors(samples, piece, at)[2]
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        arrays = self._arrays
-        stance, at = pairs_within(samples.t, arrays.first, arrays.last)
-        if not stance.size:
+        yield from self._placed(samples)
+        if self.resting:
+            yield from self._resting(samples)
+        for contact in self.contacts:
+            if contact.on and not contact.is_placed and (at := np.flatnonzero(contact.during(samples.t))).size:
+                yield _sliding(samples, contact, at)
+
+    def _placed(self, samples: Samples) -> Iterator[Block]:
+        """Yield the distances of points from known positions."""
+        pieces = self._pieces
+        piece, at = pairs_within(samples.t, pieces.first, pieces.last)
+        if not piece.size:
             return
-        offset, spot, away = self._vectors(samples, stance, at)
-        value, (when, link, direction) = away.ravel(), along_axes(at, arrays.links[stance])
-        if arrays.has_slack:
+        offset, spot, away = self._vectors(samples, piece, at)
+        value, (when, link, direction) = away.ravel(), along_axes(at, pieces.links[piece])
+        if pieces.has_slack:
             length = np.maximum(np.linalg.norm(away, axis=0), TINY)
-            share = np.tile(np.maximum(1 - arrays.slack_at(samples.t[at], stance) / length, 0), 3)
+            share = np.tile(np.maximum(1 - pieces.slack_at(samples.t[at], piece) / length, 0), 3)
             along = np.tile(away / length, 3)
             direction = share * direction + (share > 0) * (1 - share) * (away / length).ravel() * along
             value = share * value
         changes = [of_point(when, link, np.tile(offset, 3), direction)]
-        if arrays.is_on_links:
-            changes.append(of_point(when, np.tile(arrays.others[stance], 3), np.tile(spot, 3), -direction))
-        weight = np.tile(arrays.weights[stance], 3)
-        if not arrays.is_whole:
-            rows = np.flatnonzero(arrays.is_constrained[:, stance])
+        if pieces.is_on_links:
+            changes.append(of_point(when, np.tile(pieces.others[piece], 3), np.tile(spot, 3), -direction))
+        weight = np.tile(pieces.weights[piece], 3)
+        if not pieces.is_whole:
+            rows = np.flatnonzero(pieces.is_constrained[:, piece])
             when, value, weight = when[rows], value[rows], weight[rows]
             changes = [part.select(rows) for part in changes]
         yield Block(when, value, tuple(changes), weight)
 
-    def _vectors(self, samples: Samples, stance: Index, at: Index) -> tuple[Array, Array, Array]:
-        """Return vectors (3, p) [m] of stances (p,) at samples (p,).
+    def _vectors(self, samples: Samples, piece: Index, at: Index) -> tuple[Array, Array, Array]:
+        """Return vectors (3, p) [m] of pieces (p,) at samples (p,).
 
         These are the offsets of the points on their links, those of the positions on the other links, and the
         displacements from the positions to the points, zero along free axes.
         """
-        arrays = self._arrays
-        origin, rotation = samples.links.poses(arrays.links[stance] * samples.count + at)
-        offset = applied(rotation, arrays.points[:, stance])
-        spot = arrays.spots[:, stance] + arrays.drifts[:, stance] * (samples.t[at] - arrays.since[stance])
+        pieces = self._pieces
+        origin, rotation = samples.links.poses(pieces.links[piece] * samples.count + at)
+        offset = applied(rotation, pieces.points[:, piece])
+        spot = pieces.spots[:, piece] + pieces.drifts[:, piece] * (samples.t[at] - pieces.since[piece])
         away = origin + offset - spot
-        if arrays.is_on_links:
-            origin, rotation = samples.links.poses(arrays.others[stance] * samples.count + at)
+        if pieces.is_on_links:
+            origin, rotation = samples.links.poses(pieces.others[piece] * samples.count + at)
             away += spot
             spot = applied(rotation, spot)
             away -= origin + spot
-        return offset, spot, away if arrays.is_whole else away * arrays.is_constrained[:, stance]
+        return offset, spot, away if pieces.is_whole else away * pieces.is_constrained[:, piece]
 
     @cached_property
-    def _arrays(self) -> _Arrays:
-        return _Arrays.of(self.stances)
+    def _pieces(self) -> _Pieces:
+        return _Pieces.of(self.contacts)
+
+    def _resting(self, samples: Samples) -> Iterator[Block]:
+        """Yield the heights and velocities of points that rest at unknown positions of the surroundings."""
+        first, last = np.array([(rest.first, rest.last) for rest in self.resting]).T
+        at, which = np.nonzero((samples.t[:, None] >= first) & (samples.t[:, None] <= last))
+        link_of_rest, positions, radii = arrays_of([rest.point for rest in self.resting])
+        links, link, radius = samples.links, link_of_rest[which], radii[which]
+        offset = np.einsum("ijp,jp->ip", links.rotation[:, :, link, at], positions[:, which])
+        place = links.x[:, link, at] + offset
+        has_plane, normals, along = self._planes
+        up = normals[:, which]
+        height = dot(up, place) - along[which] - radius
+        below = np.flatnonzero(~has_plane[which])
+        if below.size:
+            above, normals_below = height_over(self.surfaces, place[:, below, None], radius[below])
+            height[below], up[:, below] = above[:, 0], normals_below[..., 0]
+        yield Block(at, height, (of_point(at, link, offset, up),))
+        rolls = np.array([rest.rolls for rest in self.resting], bool)[which]
+        foot = offset - radius * rolls * up
+        velocity = links.x_d[:, link, at] + cross(links.omega[:, link, at], foot)
+        when, each, axes = along_axes(at, link)
+        moved = of_velocity(samples, when, each, np.tile(foot, 3), axes, turning=np.tile(offset, 3))
+        yield Block(when, velocity.ravel(), (moved,), Thresholds.of(samples.figure).settling ** 2)
+
+    @cached_property
+    def _planes(self) -> tuple[Mask, Array, Array]:
+        """Mask (n,) of resting contacts with a plane, the planes' normals (3, n), and offsets (n,) [m] along these."""
+        planes = [rest.surface for rest in self.resting]
+        normals = np.array([np.zeros(3) if plane is None else plane.normal for plane in planes]).reshape(-1, 3).T
+        along = [0.0 if plane is None else float(plane.normal @ plane.point) for plane in planes]
+        return np.array([plane is not None for plane in planes], bool), normals, np.array(along)
 
 
-class _Arrays(NamedTuple):
-    """The values of n stances.
+class _Pieces(NamedTuple):
+    """The n pieces of contacts with known positions, each with a position that is linear in time.
 
     Attributes:
+        owners: The contacts, (n,).
         first: The start times, (n,) [s].
         last: The end times, (n,) [s].
         since: The times since which positions drift, (n,) [s].
@@ -139,11 +180,12 @@ class _Arrays(NamedTuple):
         is_constrained: The axes that are not free, (3, n).
         slack: The slack at the start and its growth, (2, n) [m, m/s].
         weights: The weights, (n,).
-        has_slack: Whether a stance has slack.
+        has_slack: Whether a piece has slack.
         is_on_links: Whether a position is not in the world.
         is_whole: Whether no axis is free.
     """
 
+    owners: Index
     first: Array
     last: Array
     since: Array
@@ -160,33 +202,92 @@ class _Arrays(NamedTuple):
     is_whole: bool
 
     @classmethod
-    def of(cls, stances: Sequence[Stance]) -> _Arrays:
-        first, last = (np.array([getattr(s, name) for s in stances]) for name in ("first", "last"))
+    def of(cls, contacts: Sequence[Contact]) -> _Pieces:
+        owned = [(i, k, p) for i, c in enumerate(contacts) if c.is_placed for k, p in enumerate(c.pieces())]
+        pieces = [piece for _, _, piece in owned]
+        first, last = (np.array([getattr(piece, name) for piece in pieces], float) for name in ("first", "last"))
         length = np.where(last > first, last - first, 1.0)
-        points, spots, landed = (
-            np.array([vector(s) for s in stances]).reshape(-1, 3).T
-            for vector in (lambda s: s.point.position, lambda s: s.spot, lambda s: s.landed)
-        )
-        slack, then = np.array([s.slack for s in stances]).reshape(-1, 2).T
-        others = np.array([s.link for s in stances], np.intp)
+        since = np.where(np.isfinite(first), first, 0.0)
+        is_later = np.array([k > 0 for _, k, _ in owned], bool)
+        first[is_later] = np.nextafter(first[is_later], np.inf)  # a sample where two pieces meet counts once
+        places = [piece.places for piece in pieces if piece.places is not None]
+        spots, landed = (np.array([place[end] for place in places]).reshape(-1, 3).T for end in (0, -1))
+        slacks = [np.zeros(1) if piece.slack is None else piece.slack for piece in pieces]
+        slack, then = (np.array([each[end] for each in slacks], float) for end in (0, -1))
+        others = np.array([piece.on for piece in pieces], np.intp)
+        links, points, _ = arrays_of([piece.point for piece in pieces])
         return cls(
+            owners=np.array([i for i, _, _ in owned], np.intp),
             first=first,
             last=last,
-            since=np.where(np.isfinite(first), first, 0.0),
-            links=np.array([s.point.link for s in stances], np.intp),
+            since=since,
+            links=links,
             others=others,
             points=points,
             spots=np.nan_to_num(spots),
             drifts=np.nan_to_num(landed - spots) / length,
             is_constrained=~np.isnan(spots),
             slack=np.array([slack, (then - slack) / length]),
-            weights=np.array([s.weight for s in stances]),
+            weights=np.array([piece.weight for piece in pieces], float),
             has_slack=bool(slack.any() or then.any()),
             is_on_links=bool(others.any()),
             is_whole=not np.isnan(spots).any(),
         )
 
-    def slack_at(self, t: Array, stance: Index) -> Array:
-        """Return the slack (P,) [m] of stances (P,) at times t (P,) [s]."""
-        start, growth = self.slack[:, stance]
-        return start + growth * (t - self.since[stance])
+    def slack_at(self, t: Array, piece: Index) -> Array:
+        """Return the slack (P,) [m] of pieces (P,) at times t (P,) [s]."""
+        start, growth = self.slack[:, piece]
+        return start + growth * (t - self.since[piece])
+
+
+@dataclass(frozen=True, eq=False)
+class Rolling:
+    """A sphere of a link that rolls on a plane: the displacement of its centre without slip.
+
+    offset  (3,) [m] from the lowest point of the sphere to its centre
+    start   (4,) orientation of the link for which the displacement is zero
+    """
+
+    offset: Array
+    start: Array
+
+    @classmethod
+    def of(cls, contact: Contact, start: Array) -> Rolling:
+        """Return the rolling of a contact whose link has an orientation (4,) in its place; the arm is zero for none."""
+        return cls(contact.rolls * contact.point.radius * contact.normal, start)
+
+    def displacement(self, turned: Array) -> Array:
+        """Return displacements (3, k) [m] of the centre if the link turns to (4, k), each about a fixed axis."""
+        return cross(quat.rotation_vector(quat.product(turned.T, quat.inverse(self.start))).T, self.offset[:, None])
+
+
+def _sliding(samples: Samples, grasp: Contact, at: Index) -> Block:
+    """Return the velocity of a point relative to the material of the link that it grasps, at samples `at` (P,)."""
+    offset, spot_offset = _offsets(samples, grasp, at)
+    links, one, two = samples.links, np.full(at.size, grasp.point.link), np.full(at.size, grasp.on)
+    spin = links.omega[:, grasp.on, at]
+    slide = links.x_d[:, grasp.point.link, at] + cross(links.omega[:, grasp.point.link, at], offset)
+    slide -= links.x_d[:, grasp.on, at] + cross(spin, spot_offset)
+    (when, first, axes), (_, second, _) = along_axes(at, one), along_axes(at, two)
+    point_offsets, spot_offsets = np.tile(offset, 3), np.tile(spot_offset, 3)
+    other = cross(np.tile(spin, 3), axes)  # moving the point changes the material below it
+    changes = (
+        of_velocity(samples, when, first, point_offsets, axes),
+        of_velocity(samples, when, second, spot_offsets, -axes),
+        of_point(when, first, point_offsets, other),
+        of_point(when, second, spot_offsets, -other),
+    )
+    return Block(when, slide.ravel(), changes, Thresholds.of(samples.figure).settling ** 2)
+
+
+def slipped(samples: Samples, grasp: Contact) -> Array:
+    """Return positions (3, S) [m] of a grasp's point in the axes of the link that it grasps."""
+    _, spot_offset = _offsets(samples, grasp, np.arange(samples.count))
+    return turned_back(samples.links.rotation[:, :, grasp.on], spot_offset)
+
+
+def _offsets(samples: Samples, grasp: Contact, at: Index) -> tuple[Array, Array]:
+    """Return the offsets (3, P) [m] of a grasp's point on its link and on the link that it grasps, at samples (P,)."""
+    links = samples.links
+    offset = np.einsum("ijp,j->ip", links.rotation[:, :, grasp.point.link, at], grasp.point.position)
+    return offset, links.x[:, grasp.point.link, at] + offset - links.x[:, grasp.on, at]

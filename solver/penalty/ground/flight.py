@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...array import Array
-from ...contacts.footing import within
+from ...contacts.contact import within
 from ...figure.adjoint import Cotangent
 from ...figure.dynamics import RootWrench, height, weight
 from ...figure.effort_rows import wrench_rows

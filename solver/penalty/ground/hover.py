@@ -13,7 +13,7 @@ from functools import cached_property
 import numpy as np
 
 from ...array import Array, Index
-from ...contacts.footing import Interval, within
+from ...contacts.contact import Interval, within
 from ...contacts.thresholds import Thresholds
 from ...figure.kinematics import Samples
 from ...figure.size import Size

@@ -15,7 +15,7 @@ import numpy as np
 
 from ...array import Array, Index, Mask
 from ...cone import Unsupplied, projection, unsupplied
-from ...contacts.footing import Footing, Interval, within
+from ...contacts import Contact, Interval, within
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import applied, cross
 from ...figure.dynamics import RootWrench, height, weight
@@ -59,15 +59,16 @@ class Support(Penalty):
     moments about the centre of mass in units of weight times height. Instants outside footings and flights do not
     contribute.
 
-    root               index of the tree's free link
-    footings, flights  intervals in which points can push, and in which nothing does, regardless of footings
-    unit, length       weight [N] and height [m]
-    friction           coefficient μ
-    softness           ε in the added term ε |λ|², which makes the forces unique
+    root      index of the tree's free link
+    footings  contacts that can push along the normal of their plane, level without one, and by friction
+    flights   intervals in which nothing does, regardless of footings
+    unit, length  weight [N] and height [m]
+    friction  coefficient μ
+    softness  ε in the added term ε |λ|², which makes the forces unique
     """
 
     root: int
-    footings: tuple[Footing, ...]
+    footings: tuple[Contact, ...]
     flights: tuple[Interval, ...]
     unit: float
     length: float
@@ -83,7 +84,7 @@ class Support(Penalty):
         cls,
         figure: Figure,
         root: int,
-        footings: Sequence[Footing],
+        footings: Sequence[Contact],
         flights: Sequence[Interval],
         friction: float = FRICTION,
     ) -> Support:

@@ -21,7 +21,7 @@ from numpy.polynomial.polynomial import polyder, polyval
 
 from ... import quaternion as quat
 from ...array import Array, Index
-from ...contacts.stance import Stance
+from ...contacts import Contact
 from ...figure.figure import Figure, JointKind
 from ...figure.kinematics import Samples
 from ...surface.points import Point
@@ -118,7 +118,7 @@ def in_order(chosen: Sequence[Coupling]) -> list[Coupling]:
     return done
 
 
-def closures(figure: Figure) -> tuple[Stance, ...]:
+def closures(figure: Figure) -> tuple[Contact, ...]:
     """Return the points that the active connections and welds of a model hold, except those of mocap bodies."""
     model, result = figure.model, []
     kinds = {int(mujoco.mjtEq.mjEQ_CONNECT): "connect", int(mujoco.mjtEq.mjEQ_WELD): "weld"}
@@ -139,7 +139,7 @@ def closures(figure: Figure) -> tuple[Stance, ...]:
                 ends.append(Point(name, link, place))
             if ends[0].link != ends[1].link:
                 one, two = ends
-                result.append(Stance(one, -np.inf, np.inf, two.position, two.position, link=two.link))
+                result.append(Contact.at(one, -np.inf, np.inf, two.position, on=two.link))
     return tuple(result)
 
 

@@ -66,9 +66,9 @@ def measured(clean: Cleaned, path: Path) -> dict[str, float]:
     figure = clean.figure
     samples = samples_at(figure, path, even_times(path.span, 120))
     heights = [
-        height_over(clean.ground.surfaces if rest.ground is None else (rest.ground,), *places_of((rest.point,), still))[
-            0
-        ]
+        height_over(
+            clean.ground.surfaces if rest.surface is None else (rest.surface,), *places_of((rest.point,), still)
+        )[0]
         for rest in clean.rests
         for still in [samples_at(figure, path, np.linspace(rest.first, rest.last, 50))]
     ]

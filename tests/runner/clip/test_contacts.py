@@ -20,12 +20,12 @@ from dynsplines.clip.text import written
 from dynsplines.errors import UserError
 from dynsplines.measure.report import report
 from dynsplines.measure.violation import violations
-from dynsplines.solver.contacts import Grasp, Rest, Stance
+from dynsplines.solver.contacts import Contact
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import Attachment, Contact, GraspPenalty, RestPenalty, Sum
+from dynsplines.solver.penalty import Attachment, Collision, Sum
 from dynsplines.solver.surface.points import places_of
 
 STEP = """
@@ -48,19 +48,23 @@ def text(*contacts: str, x: float = 0.0, y: float = 0.0) -> str:
     return STEP.format(x=x, y=y) + "".join(f"[[contact]]\n{contact}\n" for contact in contacts)
 
 
-def planted(clip: clips.Clip) -> tuple[tuple[Stance, ...], tuple[Rest, ...]]:
-    penalties = [penalty for penalty, _ in clip.penalties if penalty.name in ("attach.stance", "attach.contact")]
-    parts = [p for penalty in penalties for p in (penalty.parts if isinstance(penalty, Sum) else (penalty,))]
-    stances = tuple(stance for part in parts if isinstance(part, Attachment) for stance in part.stances)
-    return stances, tuple(rest for part in parts if isinstance(part, RestPenalty) for rest in part.rests)
+def planted(clip: clips.Clip) -> tuple[list[Contact], list[Contact]]:
+    """The contacts at known positions, and the others."""
+    found = [contact for name in ("attach.stance", "attach.contact") for contact in contacts_in(clip, name)]
+    return [c for c in found if c.is_placed], [c for c in found if not c.is_placed]
+
+
+def contacts_in(clip: clips.Clip, name: str) -> list[Contact]:
+    return [c for part in parts(clip, name) if isinstance(part, Attachment) for c in part.contacts]
 
 
 def test_a_contact_takes_its_spot_from_the_keyframes_inside_and_holds_it_beyond():
     contact = 'point = "left_heel"\nfrom = 0.25\nto = 0.8'
     stances, rests = planted(recordings.from_text(text(contact), name="stand"))
-    own = sorted((s for s in stances if s.point.name == "left_heel"), key=lambda s: s.first)
-    assert [(s.first, s.last) for s in own] == [(0.25, 0.5), (0.5, 0.8)]
-    np.testing.assert_allclose([s.spot for s in own], [own[0].landed] * 2)
+    (own,) = (s for s in stances if s.point.name == "left_heel")
+    assert (own.first, own.last) == (0.25, 0.8)
+    places = own.place(np.array([0.25, 0.5, 0.8])).T
+    np.testing.assert_allclose(places, [places[1]] * 3)
     assert not rests
     assert any(s.point.name == "left_toe" and s.first == 0 for s in stances)
 
@@ -69,18 +73,17 @@ def test_a_contact_that_a_keyframe_begins_in_the_floor_rises_with_what_is_let_pa
     sunk = text('point = "left_heel"\nfrom = 0.3\nto = 0.8').replace("[0.0, 0, 0.93]", "[0.0, 0, 0.90]", 1)
     clip = recordings.from_text(sunk, name="sunk")
     stances, _ = planted(clip)
-    before, after = sorted(
-        (s for s in stances if s.point.name == "left_heel" and s.first >= 0.3), key=lambda s: s.first
-    )
-    (clearance,) = [p for p, _ in clip.penalties if p.name == "collision.soles" and isinstance(p, Contact)]
+    (own,) = (s for s in stances if s.point.name == "left_heel" and s.first >= 0.3)
+    (clearance,) = [p for p, _ in clip.penalties if p.name == "collision.soles" and isinstance(p, Collision)]
     assert clearance.allowed is not None
     heel = [point.name for point in clearance.points].index("left_heel")
-    for end, spot in ((0.3, before.spot), (0.5, before.landed), (0.5, after.spot), (0.8, after.landed)):
+    ends = np.array([0.3, 0.5, 0.8])
+    for end, spot in zip(ends, own.place(ends).T, strict=True):
         let_pass = clearance.allowed.at(np.array([end]))[heel, 0]
         depth = -(spot[2] - clearance.points[heel].radius)
         assert depth == pytest.approx(let_pass, abs=1e-9)
         assert depth > 0.005
-    np.testing.assert_allclose(before.spot[:2], before.landed[:2])
+    np.testing.assert_allclose(np.ptp(own.place(ends)[:2], axis=1), 0, atol=1e-12)
 
 
 def test_a_contact_with_a_position_and_one_that_nobody_placed():
@@ -242,11 +245,13 @@ def place(clip: clips.Clip, qpos: np.ndarray, hand: str) -> np.ndarray:
     return crate.xmat.reshape(3, 3).T @ (data.site(hand).xpos - crate.xpos)
 
 
-def spot_of(grasp: Grasp, *times: float) -> np.ndarray:
+def spot_of(grasp: Contact, *times: float) -> np.ndarray:
     """(T, 3) where it is on the body."""
-    found = grasp.spot(np.array(times))
-    assert found is not None
-    return found.T
+    return grasp.place(np.array(times)).T
+
+
+def name_of(clip: clips.Clip, grasp: Contact) -> str:
+    return f"{grasp.point.name} on {clip.figure.body_name(grasp.on)}"
 
 
 def parts(clip: clips.Clip, name: str) -> list:
@@ -279,20 +284,20 @@ def test_a_saved_motion_holds_the_body_at_the_same_places(lifted, tmp_path):
 
 def test_a_grasp_is_where_the_keyframes_have_the_site_on_the_body_and_arms_left_free_begin_there(lifted):
     grasps = lifted.context.schedule.grasps
-    assert [grasp.name for grasp in grasps] == ["left_hand on crate", "right_hand on crate"]
+    assert [name_of(lifted, grasp) for grasp in grasps] == ["left_hand on crate", "right_hand on crate"]
     arm = lifted.figure.model.joint("left_shoulder").qposadr[0]
     for grasp, y in zip(grasps, (0.17, -0.17), strict=True):
-        assert (grasp.first, grasp.last, lifted.figure.links[grasp.link].name) == (0.6, 1.5, "crate")
+        assert (grasp.first, grasp.last, lifted.figure.links[grasp.on].name) == (0.6, 1.5, "crate")
         np.testing.assert_allclose(spot_of(grasp, 0.6, 0.8, 1.0, 1.5), [[0, y, 0]] * 4, atol=1e-5)
         for key in lifted.keys[2:4]:
             np.testing.assert_allclose(place(lifted, key.state, grasp.point.name), [0, y, 0], atol=1e-5)
             assert not key.fixed[arm : arm + 4].any() and key.known[arm : arm + 4].all()
     (holding,) = parts(lifted, "attach.grasp")
-    assert isinstance(holding, GraspPenalty) and [w for p, w in lifted.penalties if p is holding] == [750]
+    assert isinstance(holding, Attachment) and [w for p, w in lifted.penalties if p is holding] == [750]
 
 
 def test_a_grasp_gives_way_where_a_keyframe_puts_the_body_out_of_reach(lifted):
-    told = {}
+    told: dict[str, tuple[float, np.ndarray]] = {}
     far = recordings.from_text(lift().replace("[0.36, 0, 1.2]", "[0.98, 0, 1.2]"), name="far")
     for name, clip in {"near": lifted, "far": far}.items():
         key, grasp = clip.keys[2], next(each for each in clip.context.schedule.grasps if each.point.name == "left_hand")
@@ -301,8 +306,9 @@ def test_a_grasp_gives_way_where_a_keyframe_puts_the_body_out_of_reach(lifted):
         short = np.linalg.norm(place(clip, key.state, "left_hand") - [0, 0.17, 0])
         np.testing.assert_allclose(spot_of(grasp, 1.0)[0], place(clip, key.state, "left_hand"), atol=1e-6)
         np.testing.assert_allclose(spot_of(grasp, 0.6)[0], [0, 0.17, 0], atol=1e-6)
-        told[name] = short, next(spot.slack for spot in grasp.spots if spot.first < 0.8 < spot.last)
-    assert told["near"][0] < 1e-5 and not any(told["near"][1])
+        slack = next(piece.slack for piece in grasp.pieces() if piece.first < 0.8 < piece.last)
+        told[name] = float(short), np.zeros(2) if slack is None else slack
+    assert told["near"][0] < 1e-5 and not told["near"][1].any()
     assert 0.02 < told["far"][0] < 0.15
     np.testing.assert_allclose(told["far"][1], np.array([0, 1.0]) * told["far"][0], atol=1e-6)
 
@@ -311,7 +317,7 @@ def test_a_thing_lies_where_it_was_put_until_it_is_held_and_again_after(lifted):
     own = slice(lifted.figure.model.joint("crate").qposadr[0], None)
     assert all(key.fixed[own].all() for key in lifted.keys)
     np.testing.assert_array_equal(lifted.keys[4].state[own], lifted.keys[3].state[own])
-    stances = [s for part in parts(lifted, "attach.stance") if isinstance(part, Attachment) for s in part.stances]
+    stances = contacts_in(lifted, "attach.stance")
     assert {(s.first, s.last) for s in stances if s.point.name == "crate"} == {(0.0, 0.6), (1.5, 2.1)}
     late = recordings.from_text(lift().replace(AT, "", 1), name="late")
     np.testing.assert_array_equal(late.keys[0].state[own], lifted.keys[0].state[own])
@@ -325,9 +331,9 @@ def test_a_thing_lies_still_in_the_part_of_a_segment_before_and_after_its_hold()
 
     def stances(text: str) -> set[tuple[float, float]]:
         clip = recordings.from_text(text, name="lift")
-        found = [s for part in parts(clip, "attach.stance") if isinstance(part, Attachment) for s in part.stances]
-        crate = [s for s in found if s.point.name == "crate"]
-        assert all(np.array_equal(s.spot, s.landed) for s in crate if s.first in (0.6, 1.4))
+        crate = [s for s in contacts_in(clip, "attach.stance") if s.point.name == "crate"]
+        ends = (s.place(np.array([s.first, s.last])) for s in crate if s.first in (0.6, 1.4))
+        assert all(np.array_equal(*place.T) for place in ends)
         return {(s.first, s.last) for s in crate}
 
     late = lift().replace("from = 0.6", "from = 0.7").replace("to = 1.5", "to = 1.4")
@@ -400,14 +406,14 @@ def test_hands_stay_within_millimetres_where_the_raw_spline_loses_the_crate_and_
 def test_limbs_stay_out_of_what_is_carried_and_not_of_what_is_not_held():
     for hands, expected in (((), 0), (("left",), 1)):
         found = parts(recordings.from_text(lift(hands=hands), name="lift"), "collision.body")
-        assert sum(isinstance(part, Contact) and part.carrier > 0 for part in found) == expected
+        assert sum(isinstance(part, Collision) and part.carrier > 0 for part in found) == expected
 
 
 def test_a_grasp_with_a_position_and_one_that_was_not_placed():
     free = lift(hands=()).replace(HANDS, "")
     grasp = HOLD.format(hand="left", start=0.7, end=0.9)
     (unknown,) = recordings.from_text(free + grasp, name="free").context.schedule.grasps
-    assert unknown.spots == ()
+    assert not unknown.is_placed
     (known,) = recordings.from_text(free + grasp + "position = [0, 0.15, 0.05]\n", name="free").context.schedule.grasps
     np.testing.assert_allclose(spot_of(known, 0.7, 0.8, 0.9), [[0, 0.15, 0.05]] * 3)
 
@@ -447,8 +453,8 @@ def test_a_mirrored_clip_holds_with_the_other_hand_and_both_may_hold_one_thing()
     clip = recordings.from_text(both, name="both")
     mirrored = mirrored_tables(table_of(both, "both"), clip.figure, Mirror.of(clip.figure))
     other = recordings.from_text(written(mirrored), name="other")
-    one, two = ([(each.name, each.last) for each in made.context.schedule.grasps] for made in (clip, other))
+    one, two = ([(name_of(made, each), each.last) for each in made.context.schedule.grasps] for made in (clip, other))
     assert one == [("left_hand on crate", 1.5), ("right_hand on crate", 1.0)]
     assert two == [("right_hand on crate", 1.5), ("left_hand on crate", 1.0)]
-    starts = (made.context.schedule.grasps[0].spots[0].spot for made in (other, clip))
+    starts = (spot_of(made.context.schedule.grasps[0], 0.6)[0] for made in (other, clip))
     np.testing.assert_allclose(next(starts), next(starts) * [1, -1, 1], atol=1e-6)

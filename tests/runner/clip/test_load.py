@@ -26,7 +26,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import (
     Bend,
-    Contact,
+    Collision,
     Flight,
     HoverPenalty,
     Support,
@@ -176,7 +176,7 @@ def test_a_site_named_by_the_clip_must_be_there(tmp_path):
         with pytest.raises(UserError, match="no site 'left_to'; did you mean 'left_toe'"):
             loaded(tmp_path, CLIP + entry + f"weight = {weight}\n")
     problem = loaded(tmp_path, CLIP + entry.replace("left_to", "left_toe"))
-    (contact,) = [p for p, _ in problem.penalties if isinstance(p, Contact) and p.name == "collision.soles"]
+    (contact,) = [p for p, _ in problem.penalties if isinstance(p, Collision) and p.name == "collision.soles"]
     assert [point.name for point in contact.points] == ["left_toe"]
 
 

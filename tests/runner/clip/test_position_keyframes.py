@@ -154,7 +154,7 @@ def test_hinges_and_slides_are_solved_too(tmp_path):
 @pytest.mark.slow
 def test_a_search_ends_within_a_millimetre_and_is_reported():
     problem = read(SEARCH)
-    assert [p.point.name for p in problem.context.placed] == ["right_hand"]
+    assert [p.point.name for p in problem.context.schedule.targets] == ["right_hand"]
     assert not problem.keys[1].fixed[_columns(problem, "right_shoulder")].any()
     assert placements(problem) == [30]
     solved = solving.solve(problem, quiet())
@@ -168,8 +168,8 @@ def test_a_search_ends_within_a_millimetre_and_is_reported():
     assert told["after"]["keyframe error"] < 1e-9
     assert max(abs(bend["backward"]) for bend in told["after"]["bends, degrees"].values()) < 1
     moved = with_keys(problem, [problem.keys[0], Frame.key(1.0, problem.keys[1].state)])
-    assert moved.context.placed == ()
-    assert with_keys(problem, problem.keys).context.placed == problem.context.placed
+    assert moved.context.schedule.targets == ()
+    assert with_keys(problem, problem.keys).context.schedule.targets == problem.context.schedule.targets
 
 
 def placements(problem: Clip) -> list[float]:
@@ -483,7 +483,7 @@ def test_feet_geoms_and_bodies_are_put_where_a_keyframe_specifies_and_rest_as_co
     points = ["right_ball", "left_calf 2", "left_calf", "trunk"]
     contacts = "".join(f'[[contact]]\npoint = "{point}"\nfrom = 0\nto = 1\n' for point in points)
     problem = read_robot("joints.left_knee = 12\n", contacts)
-    assert [rest.point.name for rest in problem.context.schedule.contacts.requested] == points
+    assert [rest.point.name for rest in problem.context.schedule.contacts] == points
     problem = read_robot("sites.left_ball = [0.2, 0.12, 0.1]\n")
     np.testing.assert_allclose(seen_points(problem).geom("left_ball").xpos, [0.2, 0.12, 0.1], atol=1e-6)
 

@@ -280,8 +280,8 @@ def test_a_loop_that_ships_is_followed_as_often_as_the_clip_specifies_and_false_
         with pytest.raises(UserError, match="stances"):
             clips.clip_from_motion(replace(found, search={"stances": change}))
     kept = clips.clip_from_motion(replace(found, search={"stances": clip.stances}))
-    assert [(r.point.name, r.first, r.last) for r in kept.context.schedule.contacts.requested] == [
-        (r.point.name, r.first, r.last) for r in clip.context.schedule.contacts.requested
+    assert [(r.point.name, r.first, r.last) for r in kept.context.schedule.contacts] == [
+        (r.point.name, r.first, r.last) for r in clip.context.schedule.contacts
     ]
 
 

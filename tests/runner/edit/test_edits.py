@@ -273,7 +273,7 @@ def test_keyframes_places_contacts_and_obstacles_change_sides_with_a_clip(tmp_pa
     table = table_of(two.text, "two")
     assert table.contact[0].point == "right_toe"
     assert table.contact[0].position == (0.2, -0.1, 0.0)
-    assert two.context.placed[0].point.name == "left_hand"
+    assert two.context.schedule.targets[0].point.name == "left_hand"
     assert [bend.name for bend in two.context.bends] == ["right_knee", "left_elbow"]
     for geom in ("step", "box 1", "capsule 1"):
         mine, its = (found.figure.model.geom(geom) for found in (one, two))
@@ -340,11 +340,11 @@ def test_keyframes_of_a_recording_are_not_named_in_messages(motions, tmp_path):
 
 def test_a_motion_as_a_clip_has_its_tables_or_else_its_keyframes(motions, tmp_path):
     clip_text.write(motions["plain"], tmp_path / "plain.toml", overwrite=False)
-    assert recordings.load(str(tmp_path / "plain.toml")).context.schedule.contacts.requested
+    assert recordings.load(str(tmp_path / "plain.toml")).context.schedule.contacts
     clip_text.write(edits.mirrored(motions["plain"]), tmp_path / "edited.toml", overwrite=True)
     again = recordings.load(str(tmp_path / "edited.toml"))
     assert [key.time for key in again.keys] == [0, 0.2, 0.41]
-    assert not again.context.schedule.contacts.requested
+    assert not again.context.schedule.contacts
     with pytest.raises(UserError, match=r"follows the recording 'own\.npz'; save it as a motion"):
         clip_text.write(motions["following"], tmp_path / "other.toml", overwrite=False)
     kerb = solving.unsolved(recordings.load("step_on_kerb")).saved(quiet(), with_report=False)

@@ -18,7 +18,7 @@ from dynsplines.clip import load
 from dynsplines.clip.load import Clip
 from dynsplines.scene.compose import compose
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import Footing, footings, stances
+from dynsplines.solver.contacts import Contact, footings, stances
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -85,7 +85,7 @@ def timeline_of(*keys: Frame) -> Timeline:
     return raw_timeline(FIGURE, list(keys))
 
 
-def footings_of(*keys: Frame, body: tuple[Point, ...] = ()) -> tuple[Footing, ...]:
+def footings_of(*keys: Frame, body: tuple[Point, ...] = ()) -> tuple[Contact, ...]:
     timeline = timeline_of(*keys)
     soles = KeyframePoints.of(FIGURE, timeline, SOLES, (FLOOR,))
     return footings(soles, stances(soles), body)

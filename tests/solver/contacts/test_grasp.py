@@ -9,13 +9,13 @@ from oracles import kinematics
 from random_models import random_samples
 
 from dynsplines import inbetween, load
-from dynsplines.solver.contacts import Contacts, ContactSchedule, Grasp, Stance, grasped_links, surfaces_on
+from dynsplines.solver.contacts import Contact, ContactSchedule, grasped_links, surfaces_on
 from dynsplines.solver.contacts.flight import STRETCHED
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Contact
+from dynsplines.solver.penalty import Collision
 from dynsplines.solver.surface import Plane, moving_surface
 from dynsplines.solver.surface.cover import covering_points
 from dynsplines.solver.surface.points import Point
@@ -31,11 +31,11 @@ CARRIER = """<mujoco><compiler angle="degree"/><worldbody>
 </body></worldbody></mujoco>"""
 
 
-def few(link: int) -> Contact:
+def few(link: int) -> Collision:
     """Three spheres of arm and trunk instead of hundreds, one of them a point."""
     places = ((2, 0.9, 0.25), (2, 0.5, 0.0), (1, 0.1, 0.3))
     points = tuple(Point(f"{i}", i, np.array([0.05, 0, z]), radius) for i, z, radius in places)
-    return Contact(points, surfaces_on(figure_of(CARRIER), link), carrier=link)
+    return Collision(points, surfaces_on(figure_of(CARRIER), link), carrier=link)
 
 
 def tangled(figure: Figure, rng: np.random.Generator) -> Samples:
@@ -50,15 +50,15 @@ def tangled(figure: Figure, rng: np.random.Generator) -> Samples:
 def test_what_another_tree_holds_is_carried_with_all_its_parts():
     figure = figure_of(CARRIER)
     hand, knee = Point("hand", 2, np.zeros(3)), Point("knee", 1, np.zeros(3))
-    assert grasped_links(figure, [Grasp(hand, 3, "crate", 0, 1)]) == (3, 4)
-    assert grasped_links(figure, [Grasp(hand, 1, "trunk", 0, 1)]) == ()
-    assert grasped_links(figure, [Grasp(Point("hook", 3, np.zeros(3)), 1, "trunk", 0, 1)]) == (1, 2)
-    assert grasped_links(figure, [Grasp(hand, 3, "crate", 0, 1), Grasp(knee, 2, "arm", 0, 1)]) == (3, 4)
+    assert grasped_links(figure, [Contact(hand, 0, 1, 3)]) == (3, 4)
+    assert grasped_links(figure, [Contact(hand, 0, 1, 1)]) == ()
+    assert grasped_links(figure, [Contact(Point("hook", 3, np.zeros(3)), 0, 1, 1)]) == (1, 2)
+    assert grasped_links(figure, [Contact(hand, 0, 1, 3), Contact(knee, 0, 1, 2)]) == (3, 4)
     assert [surface.name for surface in surfaces_on(figure, 3)] == ["crate", "knob"]
     schedule = ContactSchedule(
         figure,
         raw_timeline(figure, [Frame.key(t, figure.model.qpos0) for t in (0, 1)]),
-        grasps=(Grasp(hand, 3, "crate", 0, 1),),
+        contacts=(Contact(hand, 0, 1, 3),),
     )
     assert schedule.exclude_grasped([hand, knee, Point("lid", 4, np.zeros(3))]) == (hand, knee)
     assert {point.link for point in schedule.low_points} == {1, 2}
@@ -72,7 +72,7 @@ def test_what_is_deep_is_as_deep_as_in_what_stands_still_there(rng):
     for i, qpos in enumerate(figure.to_qpos(samples.y)):
         data = kinematics(model, qpos)
         still = [moving_surface(model, g, data.geom_xpos[g], data.geom_xmat[g].reshape(3, 3)) for g in own]
-        expected = Contact(contact.points, tuple(s for s in still if s is not None)).evaluate(
+        expected = Collision(contact.points, tuple(s for s in still if s is not None)).evaluate(
             samples.select(np.array([i]))
         )
         np.testing.assert_allclose(found[i], expected[0], rtol=1e-6, atol=1e-12)
@@ -93,7 +93,7 @@ def test_a_limb_that_holds_on_may_stay_as_deep_as_it_took_hold_while_the_hold_la
         qpos[crate : crate + 3] = [0, 0, 1.2]  # the arm's tip is in it
         keys.append(Frame(time, qpos, ~arm if is_free else np.ones(figure.width, bool)))
     timeline, points = raw_timeline(figure, keys), covering_points(figure)
-    contact = Contact(tuple(p for p in points if p.link in (1, 2, 5)), surfaces_on(figure, 3), carrier=3)
+    contact = Collision(tuple(p for p in points if p.link in (1, 2, 5)), surfaces_on(figure, 3), carrier=3)
     plain = contact.allowing(figure, timeline).allowed
     holding = contact.allowing(figure, timeline, [(2, 1.0, 3.0)]).allowed
     assert plain is not None
@@ -130,8 +130,8 @@ def hop(*poses: tuple[float, float, float], hold: tuple[float, float] | None = N
     """Keyframes at a time, of a root height and with the leg drawn in by some length, while a hand may be held."""
     keys = raw_timeline(FIGURE, [Frame.key(t, [0, 0, z, 1, 0, 0, 0, drawn]) for t, z, drawn in poses])
     hand = Point("hand", 1, np.zeros(3))
-    rests = (Stance(hand, *hold, np.zeros(3), np.zeros(3)),) if hold else ()
-    return ContactSchedule(FIGURE, keys, SOLE, (FLOOR,), Contacts(stances=rests))
+    rests = (Contact.at(hand, *hold, np.zeros(3)),) if hold else ()
+    return ContactSchedule(FIGURE, keys, SOLE, (FLOOR,), rests)
 
 
 def crouch(t: float, z: float = 0.8) -> tuple[float, float, float]:

@@ -13,10 +13,10 @@ from dynsplines.clip.tracking.penalties import Ground
 from dynsplines.motion import samples_at
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.ground_alignment import LOWEST, align_to_ground, move_to_ground
 from dynsplines.solver.contacts.recorded_stances import (
     DEAR,
-    RecordedStance,
     _cut,
     infer_stances,
     infer_stances_and_raised,
@@ -60,7 +60,7 @@ def resting(take: Take, ground: Ground) -> np.ndarray:
     return (np.linalg.norm(np.gradient(places, take.time, axis=2), axis=0) < 0.15) & (height < 0.03)
 
 
-def marked(stances: tuple[RecordedStance, ...], take: Take, ground: Ground) -> np.ndarray:
+def marked(stances: tuple[Contact, ...], take: Take, ground: Ground) -> np.ndarray:
     """(p, T) which points stand by stances."""
     out = np.zeros((len(ground.points), take.time.size), bool)
     for one in stances:
@@ -89,14 +89,14 @@ RUNNER = Point("runner", 2, np.array([0.0, 0, -0.1]), 0.05)
 FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
 
 
-def stances_of(times: np.ndarray, x: np.ndarray, over: np.ndarray) -> tuple[RecordedStance, ...]:
+def stances_of(times: np.ndarray, x: np.ndarray, over: np.ndarray) -> tuple[Contact, ...]:
     """Of a sphere at places along a line, its lowest spot so high over the floor."""
     return infer_stances(
         RecordedMotion.of(SLED, times, np.column_stack([x, over + 0.15]), exact=True), [RUNNER], [FLOOR]
     )
 
 
-def spans(stances: tuple[RecordedStance, ...]) -> list[tuple[float, float]]:
+def spans(stances: tuple[Contact, ...]) -> list[tuple[float, float]]:
     return [(one.first, one.last) for one in stances]
 
 
@@ -195,8 +195,8 @@ def test_a_stance_on_an_edge_is_on_what_ends_there():
     times = np.arange(40) / FPS
     recorded = RecordedMotion.of(SLED, times, np.column_stack([0 * times, np.full(40, 0.65)]), exact=True)
     (one,) = infer_stances(recorded, [RUNNER], [FLOOR, box])
-    assert one.ground is not None
-    assert one.ground.height(np.array([0.0, 0.0, 0.5])) == pytest.approx(0, abs=1e-12)
+    assert one.surface is not None
+    assert one.surface.height(np.array([0.0, 0.0, 0.5])) == pytest.approx(0, abs=1e-12)
     assert infer_stances(recorded, [RUNNER], [FLOOR]) == ()
 
 
@@ -261,8 +261,8 @@ def bottoms(found: RecordedMotion, points: tuple[Point, ...]) -> Array:
     return places_of(points, samples)[0][2] - np.array([[point.radius] for point in points])
 
 
-def standing(points: tuple[Point, ...]) -> list[RecordedStance]:
-    return [RecordedStance(point, TIMES[0], TIMES[-1]) for point in points]
+def standing(points: tuple[Point, ...]) -> list[Contact]:
+    return [Contact(point, TIMES[0], TIMES[-1]) for point in points]
 
 
 @pytest.mark.parametrize(

@@ -28,7 +28,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import (
-    Contact,
+    Collision,
     CovariantAcceleration,
     Normalization,
     Penalty,
@@ -85,9 +85,9 @@ class Entry(Penalty):
 
 
 ONE_SIDED: dict[str, Callable[[Figure, np.random.Generator], Penalty]] = {
-    "floor": lambda figure, rng: Contact(random_points(figure, rng), (FLOOR,), 0.01),
-    "slope": lambda figure, rng: Contact(random_points(figure, rng), (SLOPE,)),
-    "floor and slope": lambda figure, rng: Contact(random_points(figure, rng), (FLOOR, SLOPE)),
+    "floor": lambda figure, rng: Collision(random_points(figure, rng), (FLOOR,), 0.01),
+    "slope": lambda figure, rng: Collision(random_points(figure, rng), (SLOPE,)),
+    "floor and slope": lambda figure, rng: Collision(random_points(figure, rng), (FLOOR, SLOPE)),
     "bend": lambda figure, rng: limits_of(figure),
 }
 
@@ -143,7 +143,7 @@ def test_the_weak_form_ranks_the_segment_that_dips_into_the_floor_first():
     figure = figure_of(BALL)
     heights = [0.5, 0.4, 0.5, 0.12, 0.12, 0.5, 0.4]
     raw = raw_timeline(figure, [Frame.key(float(i), [0, 0, z, 1, 0, 0, 0]) for i, z in enumerate(heights)])
-    contact = Contact((Point("ball", 1, np.zeros(3), 0.1),), (FLOOR,))
+    contact = Collision((Point("ball", 1, np.zeros(3), 0.1),), (FLOOR,))
     objective = Objective.of(figure, [(RootAcceleration(), 1.0), (contact, 50.0)]).renormalised(path_of(raw))
     assert np.argmax(WeakForm(objective, path_of(raw)).decrements(midpoints(raw))) == 3
 

@@ -10,14 +10,14 @@ from typing import Any
 import mujoco
 import numpy as np
 import pytest
-from figures import FLOOR, SLOPE, figure_named, random_points, stance_of, with_armature
+from figures import FLOOR, SLOPE, contact_on, figure_named, random_points, stance_of, with_armature
 from gradients import curvature_of, penalty_slope, shifted, sides_of
 from random_models import at_times, random_samples
 from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.contacts import Footing, Grasp, Rest, Stance
+from dynsplines.solver.contacts import Contact
 from dynsplines.solver.curve.recording import RecordedMotion
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
@@ -25,21 +25,18 @@ from dynsplines.solver.penalty import (
     Attachment,
     Bend,
     BendLimits,
-    Contact,
+    Collision,
     Coupling,
     CouplingPenalty,
     CovariantAcceleration,
     Flight,
-    GraspPenalty,
     HoverPenalty,
     JointRange,
     Lean,
     PeakAcceleration,
     Penalty,
-    Placed,
     Posture,
     Range,
-    RestPenalty,
     RootAcceleration,
     SelfContact,
     Skate,
@@ -97,7 +94,7 @@ def contact(*surfaces: Surface, allowed: bool = False) -> Kind:
         samples, points = timed(figure, rng), random_points(figure, rng)
         samples.y[:, 2] = -0.3
         allowance = Allowance(np.array([0.0, 0.8, 2]), rng.uniform(0, 0.1, (len(points), 3))) if allowed else None
-        return Contact(points, surfaces, margin=0.02, allowed=allowance), samples
+        return Collision(points, surfaces, margin=0.02, allowed=allowance), samples
 
     return case
 
@@ -105,7 +102,7 @@ def contact(*surfaces: Surface, allowed: bool = False) -> Kind:
 def carried(figure: Figure, rng: np.random.Generator) -> Case:
     """A block on the last link, and points of the others."""
     points = tuple(point for point in random_points(figure, rng) if point.link != last(figure))
-    return Contact(points, (BLOCK,), carrier=last(figure)), random_samples(figure, rng, 8)
+    return Collision(points, (BLOCK,), carrier=last(figure)), random_samples(figure, rng, 8)
 
 
 def self_contact(figure: Figure, rng: np.random.Generator) -> Case:
@@ -139,9 +136,9 @@ def support(figure: Figure, rng: np.random.Generator) -> Case:
     inside, slope = np.flatnonzero(figure.tables.path[:, 1]), rng.normal(size=3)
     ends, places = (int(inside[0]), int(inside[-1])), rng.normal(size=(3, 3))
     footings = (
-        Footing(Point("a", ends[0], places[0]), 0.0, 1.0, UP),
-        Footing(Point("b", ends[1], places[1]), 0.6, 1.6, slope / np.linalg.norm(slope)),
-        Footing(Point("c", ends[1], places[2]), 0.6, 1.2, UP),
+        contact_on(Point("a", ends[0], places[0]), 0.0, 1.0, UP),
+        contact_on(Point("b", ends[1], places[1]), 0.6, 1.6, slope / np.linalg.norm(slope)),
+        contact_on(Point("c", ends[1], places[2]), 0.6, 1.2, UP),
     )
     return Support.of(figure, 1, footings, ((0.7, 0.9), (1.9, 2.2))), timed(figure, rng, 9)
 
@@ -154,29 +151,29 @@ def planted(figure: Figure, rng: np.random.Generator) -> Case:
 def instants(figure: Figure, rng: np.random.Generator) -> Case:
     """Points with targets at two times, one of them with a free axis."""
     targets = [np.array([0.3, -0.2, 0.8]), np.array([0.4, np.nan, 0.2])]
-    goals = [Placed(p, t, target) for t in (0.5, 1.0) for p, target in zip(two_points(figure), targets, strict=True)]
-    return Attachment.at_instants(tuple(goals)), at_times(random_samples(figure, rng, 4), np.array([0, 0.5, 0.5, 1]))
+    goals = zip(two_points(figure), targets, strict=True)
+    contacts = tuple(Contact.at(point, t, t, target) for point, target in goals for t in (0.5, 1.0))
+    return Attachment(contacts), at_times(random_samples(figure, rng, 4), np.array([0, 0.5, 0.5, 1]))
 
 
 def resting(figure: Figure, rng: np.random.Generator) -> Case:
     end, tilt = last(figure), np.array([0.28, 0, 0.96])
+    slope = Plane("slope", 3 * tilt, tilt)
     rests = (
-        Rest(Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), 0.1, 0.5, rolls=True),
-        Rest(Point("b", end, UP), 0.3, 1.0),
-        Rest(Point("c", end, np.array([0.2, 0.1, 0.0]), 0.02), 0.1, 1.9, Plane("slope", 3 * tilt, tilt), rolls=True),
-        Rest(Point("d", end, np.array([0.0, 0.1, 0.2]), 0.03), 0.2, 0.8),
+        Contact(Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), 0.1, 0.5, rolls=True),
+        Contact(Point("b", end, UP), 0.3, 1.0),
+        Contact(Point("c", end, np.array([0.2, 0.1, 0.0]), 0.02), 0.1, 1.9, surface=slope, rolls=True),
+        Contact(Point("d", end, np.array([0.0, 0.1, 0.2]), 0.03), 0.2, 0.8),
     )
-    return RestPenalty(rests, (Plane("floor", -50 * UP, UP),)), timed(figure, rng)
+    return Attachment(rests, (Plane("floor", -50 * UP, UP),)), timed(figure, rng)
 
 
 def grasp(*, is_known: bool) -> Kind:
     def case(figure: Figure, rng: np.random.Generator) -> Case:
-        hand, end, spot = Point("hand", 1, np.array([0.1, 0.2, -0.3])), last(figure), np.array([0.1, 0.3, 0])
-        spots = (
-            Stance(hand, 0.1, 0.8, np.array([0.1, 0, 0.2]), spot, 1.0, end, (0.0, 0.3)),
-            Stance(hand, 0.8, 1.6, spot, spot, 1.0, end, (0.3, 0.7)),
-        )
-        return GraspPenalty.of((Grasp(hand, end, "it", 0.1, 1.6, spots if is_known else ()),)), timed(figure, rng)
+        hand, end, times = Point("hand", 1, np.array([0.1, 0.2, -0.3])), last(figure), np.array([0.1, 0.8, 1.6])
+        places = np.array([[0.1, 0, 0.2], [0.1, 0.3, 0], [0.1, 0.3, 0]])
+        known = Contact(hand, 0.1, 1.6, end, places, times, slack=np.array([0.0, 0.3, 0.7]))
+        return Attachment((known if is_known else Contact(hand, 0.1, 1.6, end),)), timed(figure, rng)
 
     return case
 
@@ -384,8 +381,9 @@ def test_a_motion_moved_and_turned_about_the_vertical_costs_the_same(name, coord
     np.testing.assert_allclose(values, penalty.evaluate(samples), rtol=1e-7, atol=1e-10)
 
 
-AXIAL, POLAR = {"lateral"}, {"position", "spot", "landed", "point", "centre", "target", "normal", "long_axis", "axis"}
-GROWTH = dict.fromkeys(("position", "spot", "landed", "point", "centre", "target", "half", "radius", "length"), 1.0)
+PLACES = {"position", "places", "specified", "point", "centre"}
+AXIAL, POLAR = {"lateral"}, {*PLACES, "normal", "long_axis", "axis"}
+GROWTH = dict.fromkeys((*PLACES, "half", "radius", "length"), 1.0)
 GROWTH |= dict.fromkeys(("reach", "blend", "margin", "slack", "excess"), 1.0) | {"unit": 3.0}
 GROWTH |= dict.fromkeys(("first", "last", "time", "times", "intervals", "flights", "settling"), 0.5)
 

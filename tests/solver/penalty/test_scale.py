@@ -12,7 +12,7 @@ from figures import BALL, BALL_TREE, CHAIN, FLOOR, figure_of
 from dynsplines import models
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import Grasp, Rest, Stance
+from dynsplines.solver.contacts import Contact
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
@@ -21,17 +21,14 @@ from dynsplines.solver.penalty import (
     Attachment,
     Bend,
     BendLimits,
-    Contact,
+    Collision,
     Coupling,
     CouplingPenalty,
-    GraspPenalty,
     HoverPenalty,
     JointRange,
     Normalization,
     Penalty,
-    Placed,
     Range,
-    RestPenalty,
     Sum,
 )
 from dynsplines.solver.penalty.block import Block, Dense, Entries
@@ -46,13 +43,12 @@ ORIGIN = Point("middle", 1, np.zeros(3))
 
 
 CENTIMETRE = {
-    "contact": Contact((ORIGIN,), (FLOOR,)),
+    "contact": Collision((ORIGIN,), (FLOOR,)),
     "grounded": HoverPenalty((ORIGIN,), (FLOOR,), reach=10.0),
-    "planted": Attachment((Stance(ORIGIN, -1, 1, np.zeros(3), np.zeros(3)),)),
-    "resting": RestPenalty((Rest(ORIGIN, -1, 1),), (FLOOR,)),
-    "placement": Attachment.at_instants((Placed(ORIGIN, 0.0, np.zeros(3)),)),
-    "grasp": GraspPenalty.of((Grasp(ORIGIN, 0, "world", -1, 1, (Stance(ORIGIN, -1, 1, np.zeros(3), np.zeros(3)),)),)),
-    "closed": Attachment((Stance(ORIGIN, -np.inf, np.inf, np.zeros(3), np.zeros(3)),), "closed"),
+    "planted": Attachment((Contact.at(ORIGIN, -1, 1, np.zeros(3)),)),
+    "resting": Attachment((Contact(ORIGIN, -1, 1),), (FLOOR,)),
+    "placement": Attachment((Contact.at(ORIGIN, 0, 0, np.zeros(3)),)),
+    "closed": Attachment((Contact.at(ORIGIN, -np.inf, np.inf, np.zeros(3)),), term_name="closed"),
     "self": SelfContact((Bar(0, 1, 0 * UP, UP, 0.0, 0.1), Bar(1, 0, 0.19 * UP, UP, 0.0, 0.1)), np.array([[0], [1]])),
 }  # fmt: skip
 

@@ -22,7 +22,7 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective, segment_integrals
 from dynsplines.solver.penalty import (
     Block,
-    Contact,
+    Collision,
     CovariantAcceleration,
     Dense,
     Penalty,
@@ -45,7 +45,7 @@ FINE = Quadrature(points=12)
 
 
 def penalties() -> list[tuple[Penalty, float]]:
-    contact = Contact((Point("foot", 2, np.array([0.01, 0, -0.3]), 0.06),), (FLOOR,))
+    contact = Collision((Point("foot", 2, np.array([0.01, 0, -0.3]), 0.06),), (FLOOR,))
     return [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 0.5), (RootAcceleration(), 1.0), (contact, 1.0)]
 
 

@@ -26,7 +26,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.size import Size
 from dynsplines.solver.objective import Discretised, Objective
-from dynsplines.solver.penalty import Contact, Penalty
+from dynsplines.solver.penalty import Collision, Penalty
 from dynsplines.solver.penalty.block import Block
 from dynsplines.solver.search.quadratic import Layout, Model, line_minimum
 from dynsplines.solver.surface.points import Point
@@ -100,7 +100,7 @@ def test_a_model_that_has_no_minimum_promises_nothing(rng):
     assert promised == 0
 
 
-class Touching(Contact):
+class Touching(Collision):
     """All points near the floor, but not in it, touch it."""
 
     def nearby(self, samples: Samples) -> Iterator[Block]:
@@ -109,7 +109,7 @@ class Touching(Contact):
 
 
 def one_sided_problem(
-    rng: np.random.Generator, ends: str, *, floor: bool = True, kind: type[Contact] = Contact
+    rng: np.random.Generator, ends: str, *, floor: bool = True, kind: type[Collision] = Collision
 ) -> tuple[Discretised, Array]:
     """Two bodies whose points lie in a floor and just over it, and whose knee bends too far or nearly so."""
     figure = figure_of(TINY)
@@ -165,7 +165,7 @@ class Dense:
         return np.linalg.solve(half.T, found.x), float(found.fun)
 
 
-@pytest.mark.parametrize("kind", [Contact, Touching])
+@pytest.mark.parametrize("kind", [Collision, Touching])
 @pytest.mark.parametrize("ends", ["clamped", "periodic"])
 def test_with_one_sided_residuals_the_step_minimises_the_convex_model(rng, ends, kind, monkeypatch):
     problem, x = one_sided_problem(rng, ends, kind=kind)

@@ -21,7 +21,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import (
-    Contact,
+    Collision,
     CovariantAcceleration,
     Penalty,
     RootAcceleration,
@@ -156,7 +156,7 @@ def test_violations_dominate_that_cost_more_than_all_motion_does(angular, bend, 
 )
 def test_motion_and_an_obstacle_that_cost_twice_the_raw_cost_are_a_reason_to_restart(with_ball, parts, increased):
     floor, ball = Plane("floor", np.array([0.0, 0, -9]), np.eye(3)[2]), Sphere("ball", np.array([0.0, 0, 5]), 0.1)
-    contact = Contact((Point("tip", 1, np.zeros(3)),), (floor, ball) if with_ball else (floor,))
+    contact = Collision((Point("tip", 1, np.zeros(3)),), (floor, ball) if with_ball else (floor,))
     raw = path_of(raw_timeline(LIMB, swinging(6)))
     objective = Objective.of(LIMB, [*TERMS, (contact, 1.0)]).renormalised(raw)
     angular = COST_RATIO * objective.raw_cost + parts["acceleration.angular"]

@@ -12,7 +12,7 @@ from random_models import TIMES, at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import Grasp, Rest, Stance, resting_objects, stances
+from dynsplines.solver.contacts import Contact, resting_objects, stances
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -25,16 +25,13 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import (
     Attachment,
-    Contact,
+    Collision,
     CovariantAcceleration,
-    GraspPenalty,
-    Placed,
-    RestPenalty,
+    Rolling,
     RootAcceleration,
     UnitMagnitude,
     slipped,
 )
-from dynsplines.solver.penalty.ground.rest import Rolling
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
@@ -55,7 +52,7 @@ def test_it_is_the_sum_of_squared_depths_of_points_placed_by_mujoco(figure, rng)
                 height = (data.xpos[body] + data.xmat[body].reshape(3, 3) @ point.position)[2]
                 total += max(point.radius + 0.05 - height, 0) ** 2
         expected.append(total)
-    np.testing.assert_allclose(Contact(points, (FLOOR,), margin=0.05).evaluate(samples), expected, rtol=1e-10)
+    np.testing.assert_allclose(Collision(points, (FLOOR,), margin=0.05).evaluate(samples), expected, rtol=1e-10)
     assert np.count_nonzero(expected) > 4
 
 
@@ -74,7 +71,7 @@ def test_it_is_the_squared_distance_from_the_drifting_spot_while_the_stance_last
     assert np.count_nonzero(expected) == 3
 
 
-def found(places: list[tuple[float, float]]) -> tuple[Stance, ...]:
+def found(places: list[tuple[float, float]]) -> tuple[Contact, ...]:
     """The stances of a ball on a stick whose foot is at these (x, height) in keyframes a second apart."""
     model = mujoco.MjModel.from_xml_string(BALL)
     figure = Figure(model)
@@ -123,7 +120,8 @@ def test_a_thing_lies_still_between_keyframes_that_both_say_the_same_of_it():
         KeyframePoints.of(figure, box_keys(figure, [here, here, there, there], [True] * 4), ()), [1]
     )
     assert [(stance.first, stance.last) for stance in found] == [(0.0, 1.0)] * 3 + [(2.0, 3.0)] * 3
-    np.testing.assert_allclose([stance.landed for stance in found], [stance.spot for stance in found], atol=1e-12)
+    places = [stance.place(np.array([stance.first, stance.last])) for stance in found]
+    np.testing.assert_allclose(np.ptp(places, axis=2), 0, atol=1e-12)
     for told in ([True, False], [False, True], [False, False]):
         assert resting_objects(KeyframePoints.of(figure, box_keys(figure, [here, here], told), ()), [1]) == ()
     assert resting_objects(KeyframePoints.of(figure, box_keys(figure, [here, here], [True, True]), ()), []) == ()
@@ -132,15 +130,15 @@ def test_a_thing_lies_still_between_keyframes_that_both_say_the_same_of_it():
 TARGET = np.array([0.3, -0.2, 0.8])
 
 
-def placed(link: int, time: float, target: Array = TARGET) -> Placed:
-    return Placed(Point("p", link, np.array([0.1, 0.2, -0.3])), time, target)
+def placed(link: int, time: float, target: Array = TARGET) -> Contact:
+    return Contact.at(Point("p", link, np.array([0.1, 0.2, -0.3])), time, time, target)
 
 
 def placement_of(figure: Figure, *times: float) -> Attachment:
     """Points of the first and the last link at every time, one of them with a free axis."""
     last = len(figure.links) - 1
     loose = np.array([0.4, np.nan, 0.2])
-    return Attachment.at_instants(tuple(point for t in times for point in (placed(1, t, loose), placed(last, t))))
+    return Attachment(tuple(point for t in times for point in (placed(1, t, loose), placed(last, t))))
 
 
 def some(figure: Figure, rng: np.random.Generator) -> Samples:
@@ -190,7 +188,7 @@ def test_a_reachable_place_is_reached_within_a_millimetre(coordinates, which):
     free = np.zeros(7, bool)
     keys = [Frame.key(float(i), [0.1 * i, 0, 1, 1, 0, 0, 0]) for i in range(3)]
     keys[which] = Frame.key(float(which), keys[which].state, free)
-    placement = Attachment.at_instants((placed(1, float(which)),))
+    placement = Attachment((placed(1, float(which)),))
     penalties = [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 1.0), (placement, 30.0)]
     motion = inbetween(Problem(figure, keys, penalties))
     data = kinematics(figure.model, motion.at(float(which))[0])
@@ -203,29 +201,29 @@ UP, TILT = np.array([0.0, 0, 1]), np.array([0.28, 0, 0.96])
 LOW_FLOOR = Plane("floor", -50 * UP, UP)
 
 
-def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, RestPenalty]:
+def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, Attachment]:
     samples = at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6))
     last, slope = len(figure.links) - 1, Plane("slope", -50 * UP + 3 * TILT, TILT)
     rests = (
-        Rest(Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), 0.1, 0.5, rolls=True),
-        Rest(Point("b", last, UP), 0.3, 1.0),
-        Rest(Point("c", last, np.array([0.2, 0.1, 0.0]), 0.02), 0.1, 0.9, slope, rolls=True),
-        Rest(Point("d", last, np.array([0.0, 0.1, 0.2]), 0.03), 0.2, 0.8),
-        Rest(Point("c again", last, np.array([0.2, 0.1, 0.0]), 0.02), 0.5, 1.0, rolls=True),
+        Contact(Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), 0.1, 0.5, rolls=True),
+        Contact(Point("b", last, UP), 0.3, 1.0),
+        Contact(Point("c", last, np.array([0.2, 0.1, 0.0]), 0.02), 0.1, 0.9, surface=slope, rolls=True),
+        Contact(Point("d", last, np.array([0.0, 0.1, 0.2]), 0.03), 0.2, 0.8),
+        Contact(Point("c again", last, np.array([0.2, 0.1, 0.0]), 0.02), 0.5, 1.0, rolls=True),
     )
-    return samples, RestPenalty(rests, (LOW_FLOOR,))
+    return samples, Attachment(rests, (LOW_FLOOR,))
 
 
 def test_the_value_by_hand(figure, rng):
     samples, resting = case(figure, rng)
     expected = np.zeros(6)
-    for rest in resting.rests:
+    for rest in resting.resting:
         links = samples.links
         offset = np.einsum("ijs,j->is", links.rotation[:, :, rest.point.link], rest.point.position)
-        place, normal = links.x[:, rest.point.link] + offset, UP if rest.ground is None else TILT
+        place, normal = links.x[:, rest.point.link] + offset, UP if rest.surface is None else TILT
         lowest = offset - rest.rolls * rest.point.radius * normal[:, None]
         velocity = links.x_d[:, rest.point.link] + np.cross(links.omega[:, rest.point.link].T, lowest.T).T
-        height = normal @ (place + 50 * UP[:, None]) - (3 if rest.ground else 0) - rest.point.radius
+        height = normal @ (place + 50 * UP[:, None]) - (3 if rest.surface else 0) - rest.point.radius
         during = (samples.t >= rest.first) & (samples.t <= rest.last)
         expected += during * (height**2 + Thresholds.of(samples.figure).settling ** 2 * np.sum(velocity**2, axis=0))
     np.testing.assert_allclose(resting.evaluate(samples), expected, rtol=1e-9)
@@ -236,7 +234,7 @@ def test_a_sphere_that_rolls_goes_as_far_as_it_has_turned(angle):
     start = quat.from_rotation_vector([0.2, -0.4, 0.9])
     turned = quat.product(quat.from_rotation_vector([0, angle, 0]), start)[:, None]
     for rolls, ground, way in ((True, None, 1.0), (True, Plane("floor", np.zeros(3), UP), 1.0), (False, None, 0.0)):
-        rest = Rest(Point("ball", 1, np.zeros(3), 0.05), 0.0, 1.0, ground, rolls)
+        rest = Contact(Point("ball", 1, np.zeros(3), 0.05), 0.0, 1.0, surface=ground, rolls=rolls)
         found = Rolling.of(rest, start).displacement(turned)
         np.testing.assert_allclose(found[:, 0], [way * 0.05 * angle, 0, 0], atol=1e-12)
 
@@ -250,21 +248,19 @@ TWO = """<mujoco><worldbody>
 HAND = Point("hand", 1, np.array([0.1, 0.2, -0.3]))
 
 
-def grasps(figure: Figure) -> tuple[Grasp, Grasp]:
+def grasps(figure: Figure) -> tuple[Contact, Contact]:
     """One whose spot drifts and then stays, with more and more slack, and one whose spot nobody knows."""
     last = len(figure.links) - 1
-    spots = (
-        Stance(HAND, 0.1, 0.4, np.array([0.1, 0, 0.2]), np.array([0.1, 0.3, 0]), 1.0, last, (0.0, 0.3)),
-        Stance(HAND, 0.4, 0.8, np.array([0.1, 0.3, 0]), np.array([0.1, 0.3, 0]), 1.0, last, (0.3, 0.7)),
-    )
-    return Grasp(HAND, last, "it", 0.1, 0.8, spots), Grasp(Point("b", last, np.ones(3)), 1, "it", 0.3, 1.0)
+    places = np.array([[0.1, 0, 0.2], [0.1, 0.3, 0], [0.1, 0.3, 0]])
+    drifting = Contact(HAND, 0.1, 0.8, last, places, np.array([0.1, 0.4, 0.8]), slack=np.array([0.0, 0.3, 0.7]))
+    return drifting, Contact(Point("b", last, np.ones(3)), 0.3, 1.0, 1)
 
 
-def grasp_case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, tuple[Grasp, Grasp]]:
+def grasp_case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, tuple[Contact, Contact]]:
     return at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6)), grasps(figure)
 
 
-def known(samples: Samples, grasp: Grasp) -> Array:
+def known(samples: Samples, grasp: Contact) -> Array:
     """(S, 3) the way from the spot to the hand, as far as it is beyond the slack."""
     links = samples.links
     away = np.empty((samples.count, 3))
@@ -272,13 +268,13 @@ def known(samples: Samples, grasp: Grasp) -> Array:
         share = np.clip((t - 0.1) / 0.3, 0, 1)
         spot = np.array([0.1, 0.3 * share, 0.2 * (1 - share)])
         hand = links.x[:, grasp.point.link, s] + links.rotation[:, :, grasp.point.link, s] @ grasp.point.position
-        whole = hand - links.x[:, grasp.link, s] - links.rotation[:, :, grasp.link, s] @ spot
+        whole = hand - links.x[:, grasp.on, s] - links.rotation[:, :, grasp.on, s] @ spot
         far = float(np.linalg.norm(whole))
         away[s] = max(far - np.interp(t, [0.1, 0.8], [0, 0.7]), 0) / far * whole
     return away
 
 
-def sliding(samples: Samples, grasp: Grasp) -> Array:
+def sliding(samples: Samples, grasp: Contact) -> Array:
     """(S, 3) how fast the hand moves on the body, in that link's axes, by differences along y', y''."""
     h = 1e-5
     there = [
@@ -296,7 +292,7 @@ def test_the_value_is_the_distance_from_the_spot_or_what_the_hand_slides_on_the_
     expected = ((t >= 0.1) & (t <= 0.8)) * np.sum(known(samples, first) ** 2, axis=1)
     settling = Thresholds.of(samples.figure).settling
     expected += ((t >= 0.3) & (t <= 1.0)) * settling**2 * np.sum(sliding(samples, second) ** 2, axis=1)
-    np.testing.assert_allclose(GraspPenalty.of((first, second)).evaluate(samples), expected, rtol=1e-6)
+    np.testing.assert_allclose(Attachment((first, second)).evaluate(samples), expected, rtol=1e-6)
 
 
 @pytest.mark.slow
@@ -308,12 +304,11 @@ def test_a_hand_stays_on_a_box_that_turns_where_the_raw_spline_loses_it(is_known
         box, turn = np.array([0.5, 0.4, 0.3]) * i, [np.cos(0.6 * i), 0, 0, np.sin(0.6 * i)]
         keys.append(Frame.key(float(i), [*(box + quat.rotated(turn, spot)), 1, 0, 0, 0, *box, *turn]))
     hand = Point("hand", 1, np.zeros(3))
-    spots = (Stance(hand, 0, 1, spot, spot, link=2),) if is_known else ()
-    grasp = Grasp(hand, 2, "box", 0.0, 1.0, spots)
+    grasp = Contact.at(hand, 0.0, 1.0, spot, on=2) if is_known else Contact(hand, 0.0, 1.0, 2)
     others = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
 
     def worst(weight: float) -> float:
-        penalties = [*others, (GraspPenalty.of((grasp,)), weight)]
+        penalties = [*others, (Attachment((grasp,)), weight)]
         motion = inbetween(Problem(figure, keys, penalties, Settings(tolerance=1e-5)))
         samples = Samples(figure, *(figure.to_state(motion.at(np.linspace(0, 1, 80))),) * 3)
         return float(np.linalg.norm(slipped(samples, grasp) - spot[:, None], axis=0).max())

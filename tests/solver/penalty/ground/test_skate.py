@@ -14,7 +14,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import (
-    Contact,
+    Collision,
     CovariantAcceleration,
     HoverPenalty,
     RootAcceleration,
@@ -43,7 +43,7 @@ def test_the_value_is_the_velocity_by_differences_weighted_by_height(figure, rng
     samples, h = random_samples(figure, rng, 5), 1e-6
     points, floor = some_points(samples), below(samples)
     before, after = (Samples(figure, samples.y + s * samples.y_d, samples.y_d, samples.y_dd) for s in (-h, h))
-    contact = Contact(points, ())
+    contact = Collision(points, ())
     velocity = (contact.centres(after)[0] - contact.centres(before)[0]) / (2 * h)
     height = contact.centres(samples)[0][2] - floor.point[2] - np.array([0.05, 0])[:, None]
     u = height / 0.4

@@ -7,7 +7,7 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 import pytest
-from figures import WOOD, figure_of
+from figures import WOOD, contact_on, figure_of
 from gradients import assembled, curvature_of, shifted
 from oracles import mujoco_forces
 from random_models import at_times, random_samples
@@ -15,7 +15,6 @@ from scipy.optimize import nnls
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.cone import projection
-from dynsplines.solver.contacts import Footing
 from dynsplines.solver.figure.dynamics import RootWrench, weight
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
@@ -38,9 +37,9 @@ def standing(figure: Figure, rng: np.random.Generator) -> Support:
     first, last = int(inside[0]), int(inside[-1])
     places = rng.normal(size=(3, 3))
     footings = (
-        Footing(Point("a", first, places[0]), 0.0, 0.5, UP),
-        Footing(Point("b", last, places[1]), 0.3, 0.8, slope),
-        Footing(Point("c", last, places[2]), 0.3, 0.6, slope),
+        contact_on(Point("a", first, places[0]), 0.0, 0.5, UP),
+        contact_on(Point("b", last, places[1]), 0.3, 0.8, slope),
+        contact_on(Point("c", last, places[2]), 0.3, 0.6, slope),
     )
     return Support.of(figure, 1, footings, ((0.35, 0.45), (0.95, 1.1)))
 
@@ -76,7 +75,7 @@ def test_the_curvature_is_the_second_derivative_the_wrench_itself_taken_as_linea
     root = int(figure.tables.free_links[0])
     samples = at_times(random_samples(figure, rng, 3), np.array([0.1, 0.4, 1.0]))
     inside = np.flatnonzero(figure.tables.path[:, root])
-    feet = (Footing(Point("a", int(inside[-1]), rng.normal(size=3)), 0.0, 0.2, UP),)
+    feet = (contact_on(Point("a", int(inside[-1]), rng.normal(size=3)), 0.0, 0.2, UP),)
     support = Support.of(figure, root, feet, ((0.3, 0.5), (0.9, 1.1)))
     scale, h = rng.uniform(0.5, 2, 3), 1e-5
     phi = rng.normal(size=(3, 3, 1))
@@ -109,7 +108,7 @@ def table(x: float, count: int = 3) -> tuple[Figure, Support, Samples]:
     """A body that is `x` m before the middle of two feet, at rest, at times at which both or one of them hold."""
     figure = figure_of(TABLE)
     feet = [
-        Footing(Point(f"foot {side}", 1, np.array([side - x, 0, -1])), 0, last, UP)
+        contact_on(Point(f"foot {side}", 1, np.array([side - x, 0, -1])), 0, last, UP)
         for side, last in ((-0.2, 9.0), (0.2, 1.5))
     ]
     support = replace(Support.of(figure, 1, feet, ((7.0, 8.0),)), softness=1e-9)

@@ -30,7 +30,7 @@ _Near = tuple[Index, Array, Array, Array]
 
 
 @dataclass(frozen=True)
-class Contact(Penalty):
+class Collision(Penalty):
     """Σ over points and surfaces of depth² [m²], every point enlarged by `margin` [m].
 
     allowed  (n, K) [m] reductions of the points' radii, for depths fixed by keyframes
@@ -51,7 +51,7 @@ class Contact(Penalty):
     def name(self) -> str:
         return self.term_name
 
-    def allowing(self, figure: Figure, keys: Timeline, holding: Sequence[tuple[int, float, float]] = ()) -> Contact:
+    def allowing(self, figure: Figure, keys: Timeline, holding: Sequence[tuple[int, float, float]] = ()) -> Collision:
         """Return the penalty without the depth that keyframes fix, including the margin.
 
         holding  (link, first, last [s]) of links that hold the surfaces, with their limbs. If a keyframe leaves a link

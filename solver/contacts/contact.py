@@ -1,0 +1,143 @@
+"""Contacts: points that stay in one place for a time, specified by a clip, or inferred from keyframes or a recording.
+
+Feet on the ground, hands on a body that they grasp, objects at rest and the ends of a closed loop are all contacts. The
+paper leaves skidding to future work (§6).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ..array import Array, Mask
+from ..surface import Plane
+from ..surface.points import Point
+from .keyframe_points import KeyframePoints
+
+HELD = 10.0  # [1] weight of stances of posed keyframes, which meet positions only approximately
+ROUNDING = 1e-9  # [s] rounding tolerance of times
+Interval = tuple[float, float]
+
+
+@dataclass(frozen=True, eq=False)
+class Contact:
+    """A point that stays in one place of the world, or of another link, from `first` to `last`.
+
+    Attributes:
+        point: The point.
+        first: The start of the contact [s]; minus infinity: of the motion.
+        last: The end of the contact [s]; infinity: of the motion.
+        on: The index of the link that the point touches; 0: the world.
+        places: The positions at `times`, (m, 3) [m] in the axes of `on`; NaN along unconstrained axes of the world.
+            They change linearly between the times, and are constant before and after them. Without any, the search
+            determines the position, and the point must not slide.
+        times: The times of the positions, ascending, (m,) [s].
+        slack: The distances from the positions without cost, (m,) [m]; None: zero. If a keyframe puts a held body out
+            of a limb's reach, only a stretched limb approaches the position. Without slack it would whip there and
+            back.
+        specified: The position that a clip specifies (3,) [m], from which keyframes may differ a little; None without.
+        surface: The plane that the point touches; None: any surface below it.
+        rolls: Whether a sphere may roll on the surface like a wheel; otherwise its centre rests.
+        weight: The weight relative to other contacts [1].
+    """
+
+    point: Point
+    first: float
+    last: float
+    on: int = 0
+    places: Array | None = None
+    times: Array | None = None
+    slack: Array | None = None
+    specified: Array | None = None
+    surface: Plane | None = None
+    rolls: bool = False
+    weight: float = 1.0
+
+    @classmethod
+    def at(cls, point: Point, first: float, last: float, place: Array, *, on: int = 0) -> Contact:
+        """Return a contact at one position (3,) [m] in the axes of link `on`."""
+        return cls(point, first, last, on, place[None], np.array([first]))
+
+    @property
+    def is_placed(self) -> bool:
+        """Whether the position is known."""
+        return self.places is not None
+
+    @property
+    def normal(self) -> Array:
+        """The unit normal (3,) of the surface; without one it is level."""
+        return np.array([0.0, 0, 1]) if self.surface is None else self.surface.normal
+
+    def place(self, t: Array) -> Array:
+        """Return the positions at times t (S,) [s] of a contact with a known position, (3, S) [m], in the axes of
+        `on`."""
+        assert self.places is not None and self.times is not None
+        if len(self.places) == 1:
+            return np.repeat(self.places.T, t.size, axis=1)
+        return np.array([np.interp(t, self.times, axis) for axis in self.places.T])
+
+    def pieces(self) -> list[Contact]:
+        """Return contacts with at most two positions, in order of time, which together are this one."""
+        if self.times is None or len(self.times) == 1:
+            return [self]
+        inner = [t for t in self.times.tolist() if self.first + ROUNDING < t < self.last - ROUNDING]
+        edges = np.array([self.first, *inner, self.last])
+        places, slack = self.place(edges).T, None if self.slack is None else np.interp(edges, self.times, self.slack)
+        return [
+            replace(
+                self,
+                first=float(edges[k]),
+                last=float(edges[k + 1]),
+                times=edges[k : k + 2],
+                places=places[k : k + 2],
+                slack=None if slack is None else slack[k : k + 2],
+            )
+            for k in range(edges.size - 1)
+        ]
+
+    def covers(self, t: float) -> bool:
+        """Return whether a time [s] is within the contact."""
+        return self.first - ROUNDING <= t <= self.last + ROUNDING
+
+    def during(self, t: Array) -> Mask:
+        """Return which times t (S,) [s] are within the contact, (S,)."""
+        return np.asarray((self.first <= t) & (t <= self.last))
+
+    def meets(self, first: float, last: float) -> bool:
+        """Return whether the contact overlaps an interval [s]."""
+        return self.first < last - ROUNDING and first < self.last - ROUNDING
+
+    def overlaps(self, other: Contact) -> bool:
+        """Return whether another contact of the same point overlaps this one in time."""
+        return self.meets(other.first, other.last) and self.point.coincides(other.point)
+
+
+def stances(soles: KeyframePoints) -> tuple[Contact, ...]:
+    """Return the stances of points inferred from keyframes.
+
+    In both of two neighbouring keyframes, the point is near a surface and every joint from the root to the point is
+    set. The two positions are close to each other (12 mm and 5 cm for an adult, see `Thresholds`), and the point moves
+    slower than 0.35 m/s.
+    """
+    limits = soles.limits
+    drift = np.minimum(limits.same_spot, limits.fast * np.diff(soles.keys.times))
+    stays = soles.is_near[:, :-1] & soles.is_near[:, 1:] & (soles.moves < drift)
+    is_exact = soles.is_fixed[:, :-1] & soles.is_fixed[:, 1:]
+    return tuple(
+        between_keyframes(soles, i, k, 1.0 if is_exact[i, k] else HELD) for k, i in np.argwhere(stays.T).tolist()
+    )
+
+
+def between_keyframes(points: KeyframePoints, i: int, k: int, weight: float = 1.0) -> Contact:
+    """Return the contact of point i from keyframe k to the next, from its position in the one to that in the other."""
+    times = points.keys.times[k : k + 2]
+    places = np.ascontiguousarray(points.centres[:, i, k : k + 2].T)
+    return Contact(points.points[i], float(times[0]), float(times[1]), 0, places, times, weight=weight)
+
+
+def within(intervals: Sequence[Interval], t: Array) -> Mask:
+    """Return which times t (S,) [s] are in one of the intervals, (S,)."""
+    edges = np.reshape(intervals, (-1, 2))
+    return np.any((edges[:, :1] <= t) & (t <= edges[:, 1:]), axis=0)
