@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import pickle
+import threading
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -46,6 +47,7 @@ class Actions:
         self.session = session
         self._clipboard: list[TomlTable] = []
         self._prepared: tuple[bytes, Poser] | None = None  # the poser of a pickled figure
+        self._preparing = threading.Lock()
         self._drag: _Drag | None = None
 
     def prepare(self) -> None:
@@ -57,11 +59,15 @@ class Actions:
         return await asyncio.to_thread(self._poser)
 
     def _poser(self) -> Poser:
-        data, present = self.session.figure, self._prepared
-        if data is None:
-            raise UserError("there is no figure yet; wait for the clip to load")
-        if present is not None and present[0] is data:
+        with self._preparing:  # the first drag may begin during the preparation
+            data, present = self.session.figure, self._prepared
+            if data is None:
+                raise UserError("there is no figure yet; wait for the clip to load")
+            if present is None or present[0] is not data:
+                present = self._prepared = data, self._new_poser(data)
             return present[1]
+
+    def _new_poser(self, data: bytes) -> Poser:
         import numpy as np
 
         from dynsplines.solver.figure.figure import Figure
@@ -73,9 +79,7 @@ class Actions:
         figure = Figure(scene.model(), coordinates)
         whole = [key["qpos"] for key in self.session.loaded.get("keys", ()) if all(key["fixed"])]
         table = table_of(self.session.document.text, self.session.document.place)
-        poser = Poser(figure, table.penalty, np.reshape(np.array(whole, float), (-1, figure.width)))
-        self._prepared = data, poser
-        return poser
+        return Poser(figure, table.penalty, np.reshape(np.array(whole, float), (-1, figure.width)))
 
     async def _same_poser(self, drag: _Drag) -> Poser:
         """Return the poser of the present figure. Raises UserError if an edit has changed the figure during a drag."""

@@ -115,16 +115,15 @@ export class Hands {
     void ask("drag", { position }).then((answer) => {
       this.waiting = false;
       if (!this.held) return;
-      if (answer.ok) {
-        this.times.push(answer.ms as number);
-        this.trips.push(performance.now() - asked);
-        this.stage.override = { position: answer.position as number[], rotation: answer.rotation as number[] };
-        this.mark.visible = true;
-        this.stage.figure!.put(this.stage.override);
-        this.mark.position.copy(this.stage.placeOf(this.held.body, this.held.offset));
-        (this.mark.material as THREE.MeshBasicMaterial).color.set((answer.missed as number) > 0.005 ? 0xff5c5c : 0xffb454);
-        this.stage.draw();
-      }
+      if (!answer.ok) { toast(answer.words ?? "", "wrong"); void this.cancel(); return; }
+      this.times.push(answer.ms as number);
+      this.trips.push(performance.now() - asked);
+      this.stage.override = { position: answer.position as number[], rotation: answer.rotation as number[] };
+      this.mark.visible = true;
+      this.stage.figure!.put(this.stage.override);
+      this.mark.position.copy(this.stage.placeOf(this.held.body, this.held.offset));
+      (this.mark.material as THREE.MeshBasicMaterial).color.set((answer.missed as number) > 0.005 ? 0xff5c5c : 0xffb454);
+      this.stage.draw();
       this.follow();
     });
   }

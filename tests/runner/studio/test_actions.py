@@ -65,6 +65,13 @@ def done(session, *deeds):
     return before, session.loaded["keys"][1], tomllib.loads(session.document.text)["keyframe"][1]
 
 
+def test_a_drag_that_begins_during_the_preparation_waits_for_it(session):
+    async def deed(actions):
+        assert len(set(await asyncio.gather(*(actions.poser() for _ in range(4))))) == 1
+
+    live(session, deed)
+
+
 def fixed(key):
     return {name for name, columns in COLUMNS.items() if np.all(key["fixed"][columns])}
 

@@ -379,12 +379,21 @@ def test_arrows_go_when_what_they_move_is_gone(tab):
     tab.press("p")
 
 
+FAILING = """void (sockets.at(-1).send = function(text) {
+  WebSocket.prototype.send.call(this, text.includes('"do":"drag"') ? text.replace("position", "nowhere") : text); })"""
+
+
 def test_a_partial_keyframe_specifies_only_the_dragged_limb(tab):
     tab.press("n")
     tab.seek(1.0)
     tab.press("3")
     tab.shown()
     x, y = tab.grip("left_forearm")
+    tab.evaluate(FAILING)
+    tab.drag((x, y), (x + 12, y - 12))
+    tab.until("document.getElementById('toast').textContent.includes('invalid request')")
+    tab.until("!studio.hands.busy && studio.stage.override === null && studio.stage.orbit.enabled")
+    assert tab.evaluate("delete sockets.at(-1).send")
     tab.changes(lambda: tab.drag((x, y), (x + 12, y - 12)))
     (key,) = [key for key in tab.evaluate("studio.model.document.keys") if abs(key["time"] - 1.0) < 1e-6]
     assert set(key["joints"]) == {"left_shoulder", "left_elbow"}

@@ -18,6 +18,7 @@ from starlette.websockets import WebSocketDisconnect
 
 from dynsplines.errors import UserError
 from dynsplines.studio import files, launch
+from dynsplines.studio.actions import Actions
 from dynsplines.studio.document import Document
 from dynsplines.studio.server import application
 from dynsplines.studio.session import Session
@@ -240,6 +241,16 @@ def test_what_the_studio_does_not_know_is_answered_in_words(client):
     assert [each["ok"] for each in told] == [False] * 6
     assert "unknown request" in told[0]["words"]
     assert "no edit 'rm'" in told[1]["words"]
+
+
+def test_an_internal_error_is_an_answer_too(client, monkeypatch):
+    async def grip(self):
+        raise RuntimeError("out of luck")
+
+    monkeypatch.setattr(Actions, "grip", grip)
+    (refused,) = answers(client, {"do": "grip"})
+    assert not refused["ok"]
+    assert refused["words"].startswith("internal error: RuntimeError: out of luck (test_server.py:")
 
 
 def test_another_host_needs_leave_and_says_what_it_means():
