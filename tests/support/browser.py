@@ -20,6 +20,7 @@ GRAPHICS = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swifts
 FLAGS = ["--no-sandbox", "--disable-gpu-compositing", *GRAPHICS]  # only WebGL is drawn by the software GPU
 SOCKETS = """window.sockets = [], window.WebSocket = class extends WebSocket {
   constructor(...all) { super(...all); sockets.push(this); } }"""
+PATIENCE = 240.0  # [s] of a machine that may have much else to do
 COMMAND = "import sys; from dynsplines.__main__ import main; sys.argv[0] = 'dynsplines'; main()"
 
 
@@ -77,8 +78,10 @@ def studio(folder: Path, *words: str) -> Iterator[Studio]:
     running = Studio(folder, *words)
     try:
         yield running
-    finally:
-        running.end()
+    except BaseException as error:
+        error.add_note(running.end())
+        raise
+    running.end()
 
 
 class Tab:
@@ -86,7 +89,7 @@ class Tab:
 
     def __init__(self, browser: Any, address: str, width: int = 900, height: int = 600) -> None:
         self.page, self.folder = browser.new_page(viewport={"width": width, "height": height}), ""
-        self.page.set_default_timeout(60_000)
+        self.page.set_default_timeout(1e3 * PATIENCE)
         self.errors: list[str] = []
         self.requested: list[str] = []
         self.page.on("request", lambda request: self.requested.append(request.url))
@@ -104,7 +107,7 @@ class Tab:
     def evaluate(self, what: str) -> Any:
         return self.page.evaluate(what)
 
-    def until(self, condition: str | Callable[[], bool], seconds: float = 60.0) -> None:
+    def until(self, condition: str | Callable[[], bool], seconds: float = PATIENCE) -> None:
         """Waits until it is so; asked from outside, for the page forbids itself to evaluate text."""
         end, pause = time.monotonic() + seconds, 0.02
         while time.monotonic() < end:
@@ -112,9 +115,8 @@ class Tab:
                 return
             time.sleep(pause)
             pause = min(1.3 * pause, 0.3)
-        raise AssertionError(
-            f"never: {condition}; {self.evaluate('JSON.stringify(studio.model.status)')} {self.errors}"
-        )
+        status = self.evaluate("JSON.stringify(studio.model.status)")
+        raise AssertionError(f"never: {condition}; {status} {self.words()!r} {self.errors}")
 
     def settled(self, revision: int | None = None) -> None:
         """Until the search has come to its end."""
@@ -125,7 +127,7 @@ class Tab:
     def revision(self) -> int:
         return int(self.evaluate("studio.model.document.revision"))
 
-    def changes(self, deed: Callable[[], object], seconds: float = 60.0) -> None:
+    def changes(self, deed: Callable[[], object], seconds: float = PATIENCE) -> None:
         """Does something, and waits until the document has changed, its path is on the page and the timeline drawn."""
         before = self.revision
         deed()
@@ -137,7 +139,7 @@ class Tab:
         """Until the page has drawn what it knows by now: rows of the timeline are made anew, once an image."""
         self.evaluate(
             """new Promise((done, fail) => {
-              setTimeout(() => fail(new Error("nothing was drawn for 60 s")), 60000);
+              setTimeout(() => fail(new Error("nothing was drawn for 240 s")), 240000);
               requestAnimationFrame(() => requestAnimationFrame(() => done(null))); })"""
         )
 
