@@ -110,7 +110,7 @@ class Objective:
         """
         integrals = self._typical(raw, self.integrals(raw))
         if initial_guess is not None:
-            costs = np.array([not term.penalty.normalization.is_violation for term in self.terms])
+            costs = np.array([not term.penalty.role.is_violation for term in self.terms])
             guessed = self._typical(initial_guess, self.integrals(initial_guess))
             integrals = np.where(costs, np.maximum(integrals, guessed), integrals)
         (first, last), size = raw.span, Size.of(self.figure)
@@ -120,7 +120,7 @@ class Objective:
             scale, instants = term.penalty.normalization, term.penalty.instants
             length = instants.size or last - first
             whole = scale.reference * size.length**scale.length_power * length / spacing**scale.time_power
-            most = whole if scale.is_violation else scale.raw_cap * length
+            most = whole if term.penalty.role.is_violation else scale.raw_cap * length
             terms.append(replace(term, factor=term.weight / min(max(float(integral), SMALL_SHARE * whole), most)))
         measures = {term.penalty.name: term for term in terms if term.weight > 0}
         for i, term in enumerate(terms):
@@ -141,9 +141,7 @@ class Objective:
     def raw_normalized(self) -> tuple[Term, ...]:
         """The terms whose divisor is their integral over the raw spline; terms that measure violations are excluded."""
         return tuple(
-            t
-            for t in self.terms
-            if not t.penalty.normalization.is_violation and not t.penalty.normalization.normalize_by
+            t for t in self.terms if not t.penalty.role.is_violation and not t.penalty.normalization.normalize_by
         )
 
     def _typical(self, raw: Path, integrals: Array) -> Array:
@@ -151,7 +149,7 @@ class Objective:
         not changed. For any other term, the mean over each segment between knots is capped at four times the 80th
         percentile of all segment means, weighted by time. The result is at least a tenth of the integral."""
         times = np.asarray(raw.spline.times)
-        costs = [i for i, term in enumerate(self.terms) if not term.penalty.normalization.is_violation]
+        costs = [i for i, term in enumerate(self.terms) if not term.penalty.role.is_violation]
         plain = tuple(replace(self.terms[i], factor=1.0) for i in costs)
         if times.size < 3 or not plain:
             return integrals
@@ -263,7 +261,7 @@ class Objective:
         A search tends to move a short collision, such as that of a toe and the edge of a step, between two samples.
         Panels in which the samples see less than half of a depth above HIDDEN are therefore cut into quarters.
         """
-        obstacles = [term.penalty for term in self.terms if term.penalty.role is Role.OBSTACLE]
+        obstacles = [term.penalty for term in self.terms if term.penalty.role in (Role.COLLISION, Role.OBSTACLE)]
         if self.quadrature.kind != "gauss" or not obstacles:
             return self
         edges = self.quadrature.panels(path.spline.times)

@@ -79,6 +79,8 @@ class Block:
             per residual, in the same order, unless `of` is given.
         weight: Weights of the squared residuals, (P,).
         one_sided: Whether only positive residuals count.
+        curved: curved(curvature, scale) adds the matrices of Σ_s scale_s f(s), scale (S,), to `curvature`, for a model
+            that differs from that of Gauss and Newton. None: the Gauss-Newton matrices.
         of: If residuals have several wrenches each: for each of the Q wrenches, the index of its residual, (Q,).
             Otherwise None.
     """
@@ -89,6 +91,7 @@ class Block:
     weight: Array | float = 1.0
     one_sided: bool = False
     of: Index | None = None
+    curved: Callable[[Curvature, Array], None] | None = None
 
     @classmethod
     def joined(cls, parts: Sequence[Block]) -> Block:
@@ -125,6 +128,9 @@ class Block:
 
     def add_to(self, curvature: Curvature, scale: Array) -> None:
         """Add the Gauss-Newton matrices of Σ_s scale_s f(s) to `curvature`. One-sided residuals add nothing."""
+        if self.curved is not None:
+            self.curved(curvature, scale)
+            return
         if self.one_sided or not self.at.size:
             return
         factor = scale[self.at] * self.weight
@@ -171,7 +177,7 @@ class Dense:
         pulled_back: pulled_back(cotangent, bar) adds the gradient of Σ bar[i, s] · r[i, s] to `cotangent`. The shape of
             `bar` is (R, S).
         curved: curved(curvature, scale) adds the Gauss-Newton matrices of Σ_s scale_s f(s) to `curvature`. The shape
-            of `scale` is (S,). If None, they are computed by an adjoint sweep of the kinematics for every residual.
+            of `scale` is (S,). If None, they come from R adjoint sweeps of the kinematics.
         more: Summand of f in addition to the squares, (S,). Its gradient is not computed: the gradient of f is
             taken to be that of the squares. This is correct if f was minimised over auxiliary variables, and the
             gradient of r is computed with these held constant (envelope theorem).
@@ -190,6 +196,17 @@ class Dense:
         """Add the gradient of Σ_s scale_s f(s) to `into`."""
         self.pulled_back(into, 2 * scale * self.value)
 
+    def add_to(self, curvature: Curvature, scale: Array) -> None:
+        """Add the Gauss-Newton matrices of Σ_s scale_s f(s) to `curvature`."""
+        if self.curved is not None:
+            self.curved(curvature, scale)
+            return
+        every = np.arange(scale.size)
+        for unit in np.eye(len(self.value)):
+            cotangent = Cotangent(curvature.samples)
+            self.pulled_back(cotangent, np.repeat(unit[:, None], scale.size, axis=1))
+            curvature.add_rows(every, scale, np.stack(cotangent.gradients(), axis=1))
+
 
 def summed(
     blocks: Iterable[Block | Dense], samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0
@@ -201,6 +218,12 @@ def summed(
         if into is not None:
             block.pull_back(into, scale)
     return values
+
+
+def one_sided_residuals(blocks: Iterable[Block | Dense], samples: Samples) -> OneSidedResiduals | None:
+    """Return the one-sided residuals among blocks; None if there are none."""
+    chosen = [block for block in blocks if isinstance(block, Block) and block.one_sided]
+    return OneSidedResiduals.joined([block.one_sided_residuals(samples) for block in chosen]) if chosen else None
 
 
 def every(

@@ -3,23 +3,19 @@
 A penalty is a sum of squares of residuals. Their Jacobians with respect to (y, y', y'') at a sample define one positive
 semidefinite matrix, which omits the residuals' second derivatives. It is the model of the search and the H of the weak
 form; E itself does not use it. One-sided residuals are stored separately, because they may become active within a step.
-
-Jacobian rows that depend on the figure's kinematics come from its adjoint sweep on copies of the samples, one per row.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from ..array import Array, Index, add_rows_at
-from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
 
-ROWS_AT_ONCE = 400  # copies of samples in one adjoint sweep, few enough to stay in cache
 ENTRIES_AT_ONCE = 500_000  # [1] largest number of array entries that are copied at once, 4 MB
 
 
@@ -133,22 +129,6 @@ class Curvature:
         for columns, blocks in self._blocks:
             out[:, columns] += np.einsum("snkk->snk", blocks[:, :, 2, :, 2])
         return out if self._diagonals[2] is None else out + self._diagonals[2]
-
-
-def jacobian(samples: Samples, at: Index, seeded: Callable[[Samples, Cotangent, Index], None]) -> Array:
-    """Return the gradients of P residuals at samples `at` (P,) with respect to y, y', y'', (P, 3, N).
-
-    Args:
-        seeded: seeded(copies, cotangent, rows) adds the seeds of rows (R,) to the cotangent of R copied samples.
-    """
-    out = np.empty((at.size, 3, samples.y.shape[1]))
-    for first in range(0, at.size, ROWS_AT_ONCE):
-        rows = np.arange(first, min(first + ROWS_AT_ONCE, at.size))
-        copies = samples.select(at[rows])
-        cotangent = Cotangent(copies)
-        seeded(copies, cotangent, rows)
-        out[rows] = np.stack(cotangent.gradients(), axis=1)
-    return out
 
 
 @dataclass(frozen=True, eq=False)

@@ -18,6 +18,7 @@ from ..array import Array, Index
 from ..curve.quadrature import gauss_nodes
 from ..curve.spline import Path, Sampling, Spline
 from ..objective import Objective
+from ..penalty.block import one_sided_residuals
 from ..penalty.curvature import Curvature
 
 NODES = 8  # nodes per span of the strong form's integrals
@@ -133,6 +134,10 @@ class WeakForm:
         samples = self.objective.samples(self.path, nodes)
         curvature = Curvature(samples)
         for term in self.objective.terms:
-            scale = self.objective.factor(term, samples.t) * shares
-            term.penalty.active_curvature(samples, curvature, scale, term.factor * shares)
+            scale, blocks = self.objective.factor(term, samples.t) * shares, tuple(term.penalty.residuals(samples))
+            for block in blocks:
+                block.add_to(curvature, scale)
+            sides = one_sided_residuals(blocks, samples)
+            if sides is not None:
+                curvature.add_one_sided(sides, scale)
         return curvature

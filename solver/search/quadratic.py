@@ -35,6 +35,7 @@ from ..curve.seam import Seam
 from ..curve.spline import DEGREE, Path, Piece, Sampling
 from ..figure.kinematics import Samples
 from ..objective import Discretised, EvaluatedRun, Term
+from ..penalty.block import one_sided_residuals
 from ..penalty.curvature import Curvature, OneSidedResiduals
 
 POINTS = 2  # nodes per span for the curvature of smooth terms, which needs fewer nodes than E
@@ -338,7 +339,7 @@ class OneSidedTerms:
         parts = list[tuple[float, OneSidedResiduals]]()
         for run in evaluated:
             for term, blocks in zip(layout.problem.objective.terms, run.blocks, strict=True):
-                residuals = term.penalty.one_sided_residuals(run.samples, blocks)
+                residuals = one_sided_residuals(blocks, run.samples)
                 if residuals is not None and residuals.at.size:
                     parts.append((term.factor, residuals.shifted(run.piece.which.start)))
         return cls(layout, parts) if parts else None
@@ -434,21 +435,24 @@ class Model:
         layout, problem = self.layout, self.layout.problem
         matrix, sizes, rows = self.curvature, [], []
         terms = problem.objective.terms
-        sharp = [k for k, term in enumerate(terms) if term.penalty.normalization.is_sharp]
+        sharp = [k for k, term in enumerate(terms) if term.penalty.is_sharp]
         smooth = [term for k, term in enumerate(terms) if k not in sharp]
 
         def curvature_at(piece: Piece, chosen: Sequence[Term], weights: Array) -> Curvature:
             samples = Samples(problem.objective.figure, *piece.samples(path.coefficients), t=piece.t)
             curvature = Curvature(samples)
             for term in chosen:
-                term.penalty.curvature(samples, curvature, problem.objective.factor(term, samples.t) * weights)
+                scale = problem.objective.factor(term, samples.t) * weights
+                for block in term.penalty.residuals(samples):
+                    block.add_to(curvature, scale)
             return curvature
 
         for run in evaluated:
             curvature = Curvature(run.samples)
             for k in sharp:
                 weights = terms[k].factor * problem.weights[run.piece.which]
-                terms[k].penalty.curvature(run.samples, curvature, weights, run.blocks[k])
+                for block in run.blocks[k]:
+                    block.add_to(curvature, weights)
             rows.append((curvature, layout.sampling.piece(run.piece.which)))
         for nodes, piece in layout.pieces:
             weights = layout.weights[nodes.which]

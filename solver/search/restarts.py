@@ -80,7 +80,7 @@ def violation_of(objective: Objective, parts: Mapping[str, float]) -> float:
     bounds = {
         term.penalty.name
         for term in objective.terms
-        if term.penalty.normalization.is_violation
+        if term.penalty.role.is_violation
         and term.penalty.role is not Role.PHYSICS
         and not isinstance(term.penalty, Guide)
     }
@@ -92,7 +92,7 @@ def cost_increased(objective: Objective, parts: Mapping[str, float]) -> bool:
 
     Without obstacles the result is False: feet that must clear the floor or a step cost as much on any route.
     """
-    obstacles = {term.penalty.name for term in objective.terms if term.penalty.obstructs}
+    obstacles = {term.penalty.name for term in objective.terms if term.penalty.role is Role.OBSTACLE}
     counted = obstacles | {term.penalty.name for term in objective.raw_normalized}
     cost = sum(value for name, value in parts.items() if name in counted)
     return bool(obstacles) and cost > COST_RATIO * objective.raw_cost

@@ -54,7 +54,7 @@ ONE_HINGE = '<mujoco><worldbody><body><joint axis="0 1 0"/><geom size=".1"/></bo
 def test_the_renormalised_raw_spline_costs_the_sum_of_the_weights(figure, rng):
     raw = path_of(clip(figure, rng))
     length, spacing = TIMES[-1] - TIMES[0], np.mean(np.diff(TIMES))
-    every = [(p, weight) for p, weight in every_penalty(figure) if not p.normalization.is_violation]
+    every = [(p, weight) for p, weight in every_penalty(figure) if not p.role.is_violation]
     integrals = Objective.of(figure, every).integrals(raw)
     floors = [p.normalization.reference * SMALL_SHARE * length / spacing**p.normalization.time_power for p, _ in every]
     penalties = [pair for pair, integral, floor in zip(every, integrals, floors, strict=True) if integral > floor]
@@ -176,7 +176,7 @@ def test_what_costs_more_on_a_path_that_leads_is_divided_by_that_and_violations_
     )
     below = 0
     for own, there, both in zip(plain, other, found, strict=True):
-        if both.penalty.normalization.is_violation:
+        if both.penalty.role.is_violation:
             assert both.factor == own.factor
         else:
             assert both.factor == pytest.approx(min(own.factor, there.factor))

@@ -8,7 +8,7 @@ import numpy as np
 from figures import TINY, figure_of, stance_of
 from random_models import at_times, closed, evenly, mask_without, partial_keys, random_keys, random_samples
 
-from dynsplines.solver.array import Array
+from dynsplines.solver.array import Array, Index
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.quadrature import gauss_nodes
 from dynsplines.solver.curve.spline import path_of
@@ -29,6 +29,7 @@ from dynsplines.solver.penalty import (
     Torque,
     UnitMagnitude,
 )
+from dynsplines.solver.penalty.block import one_sided_residuals
 from dynsplines.solver.penalty.curvature import Curvature, OneSidedResiduals
 from dynsplines.solver.search.quadratic import POINTS, Layout, Model
 from dynsplines.solver.surface import Box, Plane
@@ -61,7 +62,7 @@ def dense_hessian(problem: Discretised, names: tuple[str, ...], x: Array) -> Arr
     def residuals(at: Array) -> Array:
         parts = []
         for name, term in zip(names, problem.objective.terms, strict=True):
-            t, w = own if term.penalty.normalization.is_sharp else few
+            t, w = own if term.penalty.is_sharp else few
             samples = problem.objective.samples(problem.path(at), t)
             parts.append((np.sqrt(2 * term.factor * w)[:, None] * RESIDUALS[name][1](samples)).ravel())
         return np.concatenate(parts)
@@ -294,9 +295,22 @@ def jacobians(residuals: Callable[[Samples], Array], samples: Samples) -> Array:
     return np.array(out).reshape(3, width, count, -1).transpose(2, 3, 0, 1)
 
 
+def jacobian(samples: Samples, at: Index, seeded: Callable[[Samples, Cotangent, Index], None]) -> Array:
+    """(P, 3, N): the gradients of P residuals at samples `at` (P,) with respect to y, y', y''.
+
+    seeded(copies, cotangent, rows) adds the seeds of rows (R,) to the cotangent of R copied samples.
+    """
+    rows = np.arange(at.size)
+    copies = samples.select(at)
+    cotangent = Cotangent(copies)
+    seeded(copies, cotangent, rows)
+    return np.stack(cotangent.gradients(), axis=1)
+
+
 def curvature_of(penalty: Penalty, samples: Samples, scale: Array) -> Curvature:
     curvature = Curvature(samples)
-    penalty.curvature(samples, curvature, scale)
+    for block in penalty.residuals(samples):
+        block.add_to(curvature, scale)
     return curvature
 
 
@@ -343,7 +357,7 @@ def low_samples(figure: Figure, rng: np.random.Generator, count: int = 40) -> Sa
 
 
 def sides_of(penalty: Penalty, samples: Samples) -> OneSidedResiduals:
-    sides = penalty.one_sided_residuals(samples)
+    sides = one_sided_residuals(penalty.residuals(samples), samples)
     assert sides is not None
     assert sides.at.shape == sides.value.shape == sides.rows.shape[:1]
     return sides

@@ -28,7 +28,7 @@ from ...surface import Surface
 from ...surface.heights import height_over
 from ...surface.points import arrays_of
 from ..block import Block
-from ..penalty import Normalization, Penalty
+from ..penalty import Normalization, Penalty, Role
 
 TINY = 1e-12  # [m] least distance in a division
 
@@ -51,14 +51,16 @@ class Attachment(Penalty):
     surfaces: tuple[Surface, ...] = ()
     term_name: str = "attach.stance"
 
+    role = Role.TARGET
+    normalization = Normalization(1e-4, length_power=2)
+
     @property
     def name(self) -> str:
         return self.term_name
 
     @cached_property
-    def normalization(self) -> Normalization:
-        is_interval = not self.instants.size and all(np.isfinite([c.first, c.last]).all() for c in self.contacts)
-        return Normalization(1e-4, length_power=2, is_violation=True, is_sharp=is_interval)
+    def is_sharp(self) -> bool:
+        return not self.instants.size and all(np.isfinite([c.first, c.last]).all() for c in self.contacts)
 
     @cached_property
     def instants(self) -> Array:

@@ -44,8 +44,8 @@ class Collision(Penalty):
     term_name: str = "collision.soles"
     carrier: int = 0
 
-    role = Role.OBSTACLE
-    normalization = Normalization(1e-4, length_power=2, is_violation=True)
+    is_sharp = True
+    normalization = Normalization(1e-4, length_power=2)
 
     @property
     def name(self) -> str:
@@ -76,8 +76,9 @@ class Collision(Penalty):
         return replace(self, allowed=Allowance(keys.times, excess))
 
     @property
-    def obstructs(self) -> bool:
-        return any(not isinstance(s, Plane) and not (isinstance(s, Box) and s.buried) for s in self.surfaces)
+    def role(self) -> Role:
+        is_ground = all(isinstance(s, Plane) or (isinstance(s, Box) and s.buried) for s in self.surfaces)
+        return Role.COLLISION if is_ground else Role.OBSTACLE
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:
@@ -147,15 +148,9 @@ class Collision(Penalty):
         return np.einsum("ijs,ins->jns", samples.links.rotation[:, :, self.carrier], away)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        return self._within(samples, 0.0)
-
-    def nearby(self, samples: Samples) -> Iterator[Block]:
-        return self._within(samples, NEAR * Size.of(samples.figure).length)
-
-    def _within(self, samples: Samples, margin: float) -> Iterator[Block]:
-        """Yield points inside a surface, or less than a margin [m] outside it."""
         if not self.points or not self.surfaces:
             return
+        margin = NEAR * Size.of(samples.figure).length
         carriers, middles, reach = self._bounds
         around = self.relative_to_carrier(samples, samples.links.points(carriers, middles)[0])
         touching = [surface.near(around, reach[:, None] + margin) for surface in self.surfaces]
@@ -170,7 +165,7 @@ class Collision(Penalty):
     def _in(self, surface: Surface, samples: Samples, candidates: _Near, margin: float) -> Block:
         flat, arms, centres, radii = candidates
         depth, direction = surface.depth(centres, radii, margin)
-        near = np.flatnonzero(depth > FAR if margin else depth)
+        near = np.flatnonzero(depth > FAR)
         depth, direction = depth.ravel()[near], direction.reshape(3, -1)[:, near]
         link, at = np.divmod(flat[near % flat.size], samples.count)
         direction, leg = self._in_world(samples, at, direction, centres[:, near, 0])

@@ -45,7 +45,8 @@ class Flight(Penalty):
 
     name = "flight"
     role = Role.PHYSICS
-    normalization = Normalization(A_TENTH, is_violation=True, is_sharp=True)
+    is_sharp = True
+    normalization = Normalization(A_TENTH)
 
     @classmethod
     def of(cls, figure: Figure, root: int, intervals: tuple[tuple[float, float], ...], angular: float = 0.0) -> Flight:

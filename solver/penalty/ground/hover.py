@@ -51,7 +51,8 @@ class HoverPenalty(Penalty):
 
     name = "grounded"
     role = Role.PHYSICS
-    normalization = Normalization(1e-4, length_power=2, is_violation=True)
+    is_sharp = True
+    normalization = Normalization(1e-4, length_power=2)
 
     @cached_property
     def _arrays(self) -> tuple[Index, Array, Array]:

@@ -23,6 +23,7 @@ from ...surface import Surface
 from ...surface.heights import clearance_gradients, clearances
 from ...surface.points import Point, arrays_of
 from ..block import Block
+from ..curvature import Curvature
 from ..penalty import Normalization, Penalty
 
 NEGLIGIBLE, TINY = 0.03, 1e-8  # [1] smallest root of the weight of a point in a model of E, and in E
@@ -124,20 +125,21 @@ class Skate(Penalty):
     def residuals(self, samples: Samples) -> Iterator[Block]:
         for near in self._near(samples, TINY):
             by_velocity = near.by_velocity(near.share * near.velocity / np.maximum(near.speed, TINY))
-            yield Block(near.at, near.share * near.speed, (by_velocity, near.by_weight))
+            changes = by_velocity, near.by_weight
+            yield Block(near.at, near.share * near.speed, changes, curved=self._add_curvature)
 
-    def nearby(self, samples: Samples) -> Iterator[Block]:
-        """Return √weight · v with its derivatives by v, and separately √weight · |v| with that by the weight.
+    def _add_curvature(self, into: Curvature, scale: Array) -> None:
+        """Add the matrices of √weight · v with its derivatives by v, and of √weight · |v| with that by the weight.
 
         The gradient of E contains both kinds of derivatives. Without the second kind, the model would have no curvature
         in the height of a moving point, and raising it would seem to reduce E without limit. If the same residuals had
         both kinds, the model would make it costly to raise a point that stops in the same step of the search.
         """
-        for near in self._near(samples, NEGLIGIBLE):
+        for near in self._near(into.samples, NEGLIGIBLE):
             value = near.share * near.velocity
             for k, axis in enumerate(np.eye(3)):
-                yield Block(near.at, value[k], (near.by_velocity(near.share * axis[:, None]),))
-            yield Block(near.at, near.share * near.speed, (near.by_weight,))
+                Block(near.at, value[k], (near.by_velocity(near.share * axis[:, None]),)).add_to(into, scale)
+            Block(near.at, near.share * near.speed, (near.by_weight,)).add_to(into, scale)
 
     def _near(self, samples: Samples, least: float) -> Iterator[_Near]:
         """Yield the points with √weight above `least`."""

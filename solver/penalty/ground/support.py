@@ -77,7 +77,8 @@ class Support(Penalty):
 
     name = "support"
     role = Role.PHYSICS
-    normalization = Normalization(A_TENTH, is_violation=True, is_sharp=True)
+    is_sharp = True
+    normalization = Normalization(A_TENTH)
 
     @classmethod
     def of(

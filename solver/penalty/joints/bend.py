@@ -67,7 +67,8 @@ class BendLimits(Penalty):
 
     name = "limits.bend"
     role = Role.LIMIT
-    normalization = Normalization(float(np.radians(1) ** 2), is_violation=True)
+    is_sharp = True
+    normalization = Normalization(float(np.radians(1) ** 2))
 
     def allowing(self, figure: Figure, keys: Timeline) -> BendLimits:
         """Return the penalty with tolerances for joints that keyframes fix beyond their bounds."""
@@ -121,20 +122,13 @@ class BendLimits(Penalty):
         return angles, (world, frame, u, v, planar, p)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        return self._beyond(samples, 0.0)
-
-    def nearby(self, samples: Samples) -> Iterator[Block]:
-        return self._beyond(samples, -NEAR)
-
-    def _beyond(self, samples: Samples, least: float) -> Iterator[Block]:
-        """Yield the angles whose excess is more than `least` [rad]."""
         if not self.joints:
             return
         angles, rotated = self._angles_and_frames(samples)
         excess = self._excess(angles)
         if self.allowed is not None and self.allowed.excess.any():
             excess -= self.allowed.at(samples.t)
-        side, joint, at = np.nonzero(excess > least)
+        side, joint, at = np.nonzero(excess > -NEAR)
         axis = SIGN[side] * _turning_axes(rotated, ANGLE[side], joint, at)
         link = self._axes[0][joint]
         changes = of_turn(at, link, axis), of_turn(at, samples.figure.tables.parents[link], -axis)

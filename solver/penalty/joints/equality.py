@@ -26,7 +26,7 @@ from ...figure.figure import Figure, JointKind
 from ...figure.kinematics import Samples
 from ...surface.points import Point
 from ..block import Block, Entries
-from ..penalty import Normalization, Penalty
+from ..penalty import Normalization, Penalty, Role
 
 UNTURNED = np.array([1.0, 0, 0, 0])
 ARM = 0.1  # [m] distance from the middle of a weld to the points that hold its rotation
@@ -64,7 +64,8 @@ class CouplingPenalty(Penalty):
     couplings: tuple[Coupling, ...]
 
     name = "coupled"
-    normalization = Normalization(float(np.radians(1) ** 2), is_violation=True)
+    role = Role.TARGET
+    normalization = Normalization(float(np.radians(1) ** 2))
 
     @cached_property
     def _columns(self) -> tuple[Index, Index]:

@@ -69,6 +69,8 @@ class JointRange(Penalty):
     term_name: str = "limits.range"
 
     role = Role.LIMIT
+    is_sharp = True
+    normalization = Normalization(float(np.radians(1)) ** 2)
 
     @property
     def name(self) -> str:
@@ -92,10 +94,6 @@ class JointRange(Penalty):
         fixed = np.array([keys.fixed[:, group].all(axis=1) for group in columns])
         return replace(self, allowed=Allowance(keys.times, np.maximum(excess, 0) * fixed))
 
-    @property
-    def normalization(self) -> Normalization:
-        return Normalization(float(np.radians(1)) ** 2, is_violation=True)
-
     def beyond(self, samples: Samples) -> Array:
         """Return the excess of every joint over its range, negative within it, (n, S) [rad or m]."""
         local, which = self._during(samples.t)
@@ -118,22 +116,15 @@ class JointRange(Penalty):
         return self._turned(samples)[3]
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        return self._outside(samples, near=False)
-
-    def nearby(self, samples: Samples) -> Iterator[Block]:
-        return self._outside(samples, near=True)
-
-    def _outside(self, samples: Samples, *, near: bool) -> Iterator[Block]:
-        """Yield joints beyond their ranges; with `near` also those close to a bound."""
         local, _ = self._during(samples.t)
         if local is not self:
-            yield from local._outside(samples, near=near)
+            yield from local.residuals(samples)
             return
         plain, balls = self._which
         if plain.size:
             columns, (low, high) = self._columns(samples), self._limits(samples.t, plain)
             value = samples.columns(columns)
-            least = np.array([-near * NEAR[self.joints[i].kind] for i in plain])[:, None]
+            least = np.array([-NEAR[self.joints[i].kind] for i in plain])[:, None]
             for sign, over in ((-1.0, low - value), (1.0, value - high)):
                 joint, at = np.nonzero(over > least)
                 yield Block(at, over[joint, at], (Entries(at, 0, columns[joint], sign),), one_sided=True)
@@ -142,9 +133,9 @@ class JointRange(Penalty):
             most = self._limits(samples.t, balls)[1]
             least = np.where(self._is_home, NEAR_HOME, NEAR[JointKind.BALL])[:, None]
             over, axes = (angle - most)[None], (rate * axis)[:, None]
-            if near and np.any(most < least):
+            if np.any(most < least):
                 over, axes = _with_other_axes(over, axes, angle, most)
-            side, joint, at = np.nonzero(over > -near * least)
+            side, joint, at = np.nonzero(over > -least)
             direction, link = axes[:, side, joint, at], self._links[joint]
             changes = of_turn(at, link, direction), of_turn(at, samples.figure.tables.parents[link], -direction)
             yield Block(at, over[side, joint, at], changes, one_sided=True)
@@ -285,7 +276,8 @@ class Speed(Penalty):
 
     name = "limits.speed"
     role = Role.LIMIT
-    normalization = Normalization(1.0, is_violation=True, time_power=2, is_sharp=True)
+    is_sharp = True
+    normalization = Normalization(1.0, time_power=2)
 
     @classmethod
     def of(cls, figure: Figure, limit: float) -> Speed:

@@ -72,8 +72,9 @@ class SelfContact(Penalty):
     watched: Index | None = None
 
     name = "collision.self"
-    role = Role.OBSTACLE
-    normalization = Normalization(1e-4, length_power=2, is_violation=True)
+    role = Role.COLLISION
+    is_sharp = True
+    normalization = Normalization(1e-4, length_power=2)
 
     @classmethod
     def of(cls, figure: Figure, margin: float = 0.0) -> SelfContact:
@@ -106,16 +107,9 @@ class SelfContact(Penalty):
         return self if is_same else replace(self, watched=watched)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        return self._met_by(samples, 0.0)
-
-    def nearby(self, samples: Samples) -> Iterator[Block]:
-        return self._met_by(samples, NEAR)
-
-    def _met_by(self, samples: Samples, near: float) -> Iterator[Block]:
-        """Yield the pairs of capsules less than `near` [m] apart."""
         if self.pairs.size and (self.watched is None or self.watched.size):
             links = self._arrays[0]
-            at, i, j, depth, first, last, direction = self._met(samples, near, self.watched)
+            at, i, j, depth, first, last, direction = self._met(samples, NEAR, self.watched)
             wrenches = of_point(at, links[i], first, -direction), of_point(at, links[j], last, direction)
             yield Block(at, depth, wrenches, one_sided=True)
 

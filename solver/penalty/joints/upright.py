@@ -19,7 +19,7 @@ from ...figure.figure import Figure, quaternion_columns
 from ...figure.kinematics import Samples
 from ...figure.wrenches import along_axes, of_turn
 from ..block import Block
-from ..penalty import Normalization, Penalty
+from ..penalty import Normalization, Penalty, Role
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,7 +41,8 @@ class Upright(Penalty):
     leans: tuple[Lean, ...]
     term_name: str = "upright.trunk"
 
-    normalization = Normalization(float(np.radians(10) ** 2), is_violation=True)
+    role = Role.TARGET
+    normalization = Normalization(float(np.radians(10) ** 2))
 
     @classmethod
     def of(cls, figure: Figure, bodies: Sequence[int], axis: Sequence[float] | None = None) -> Upright:

@@ -11,7 +11,7 @@ high power of them that the largest dominates, lowers it.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -23,7 +23,7 @@ from ...figure.kinematics import Samples
 from ...figure.wrenches import Wrenches
 from ..block import Block, Dense, every
 from ..curvature import Curvature
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import Normalization, Penalty
 
 POWER = 4  # [1] power of squared accelerations, hence the eighth power of accelerations
 NEGLIGIBLE = 1e-3  # [1] gradient relative to the largest below which a residual is omitted from the model
@@ -124,24 +124,24 @@ class PeakAcceleration(Penalty):
     """Σ over ball joints and hinges of |α − α_parent|⁸ [rad⁸/s¹⁶]."""
 
     name = "peak"
-    role = Role.PHYSICS
-    normalization = Normalization(8.0 ** (2 * POWER), time_power=4 * POWER, is_sharp=True)
+    is_sharp = True
+    normalization = Normalization(8.0 ** (2 * POWER), time_power=4 * POWER)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        return self._larger(samples, 0.0, 1.0)
+        yield replace(self._larger(samples, 0.0, 1.0), curved=self._add_curvature)
 
-    def nearby(self, samples: Samples) -> Iterator[Block]:
-        return self._larger(samples, NEGLIGIBLE, STEEPER)
+    def _add_curvature(self, into: Curvature, scale: Array) -> None:
+        self._larger(into.samples, NEGLIGIBLE, STEEPER).add_to(into, scale)
 
-    def _larger(self, samples: Samples, least: float, steeper: float) -> Iterator[Block]:
-        """Yield residuals |α|⁴ whose gradients exceed `least` times the largest, with gradients times `steeper`."""
+    def _larger(self, samples: Samples, least: float, steeper: float) -> Block:
+        """Return residuals |α|⁴ whose gradients exceed `least` times the largest, with gradients times `steeper`."""
         directions, sizes = relative_accelerations(samples)
         slopes = POWER * sizes ** (POWER - 1)
         at, link = np.nonzero(least * slopes.max(initial=0.0) < slopes.T)
         size, axis = sizes[link, at], steeper * slopes[link, at] * directions[:, link, at]
         parent = samples.figure.tables.parents[link]
         changes = Wrenches(at, link, torque_dd=axis), Wrenches(at, parent, torque_dd=-axis)
-        yield Block(at, size**POWER, changes)
+        return Block(at, size**POWER, changes)
 
 
 def relative_accelerations(samples: Samples) -> tuple[Array, Array]:

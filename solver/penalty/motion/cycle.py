@@ -23,7 +23,7 @@ from ...figure.figure import Figure, independent_joints
 from ...figure.kinematics import Samples
 from ..block import Block, Dense, every
 from ..curvature import Curvature
-from ..penalty import Guide, Normalization
+from ..penalty import Guide, Normalization, Role
 
 FRAMES = 8  # variable frames per period that a path needs to follow a cycle
 LITTLE = np.radians(5)  # [rad] small deviation of one joint, for the normalization
@@ -42,7 +42,8 @@ class Cycle(Guide):
     gait_cycle: GaitCycle
 
     name = "cycle"
-    normalization = Normalization(LITTLE**2, is_violation=True)
+    role = Role.TARGET
+    normalization = Normalization(LITTLE**2)
 
     def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         figure = samples.figure

@@ -18,7 +18,7 @@ from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
 from ...figure.wrenches import every_axis, of_point
 from ..block import Block, every
-from ..penalty import Guide, Normalization
+from ..penalty import Guide, Normalization, Role
 
 AWAY, FOR = 0.03, 0.3  # deviation [m] of a limb's end by one joint, and its duration [s], that together cost 1
 STRAYS, BACK = 0.01, 0.1  # standard deviation [m] and correlation time [s] of a recording's position errors
@@ -65,7 +65,8 @@ class TrackingPenalty(Guide):
     _targets: dict[tuple[float, float, int], _Target] = field(default_factory=dict)
 
     name = "near"
-    normalization = Normalization(1.0, is_violation=True)
+    role = Role.TARGET
+    normalization = Normalization(1.0)
 
     @property
     def expected(self) -> Path:

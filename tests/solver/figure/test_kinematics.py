@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 import pytest
 from figures import assert_near, figure_of, with_armature
-from gradients import taylor_slope
+from gradients import jacobian, taylor_slope
 from oracles import kinematics, mujoco_forces
 from random_models import random_figure, random_samples
 
@@ -22,7 +22,6 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.model import boxes
 from dynsplines.solver.figure.wrenches import Wrenches
 from dynsplines.solver.penalty import Torque
-from dynsplines.solver.penalty.curvature import jacobian
 
 
 @pytest.mark.parametrize("name", ["x", "x_d", "x_dd", "omega", "alpha", "rotation"])

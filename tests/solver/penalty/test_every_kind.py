@@ -49,7 +49,7 @@ from dynsplines.solver.penalty import (
     Upright,
 )
 from dynsplines.solver.penalty.allowance import Allowance
-from dynsplines.solver.penalty.block import Block
+from dynsplines.solver.penalty.block import Block, one_sided_residuals
 from dynsplines.solver.penalty.joints.self_contact import Bar
 from dynsplines.solver.surface import Box, Plane, Surface
 from dynsplines.solver.surface.points import Point, places_of
@@ -301,7 +301,7 @@ def test_the_gradient_has_taylor_slope_two(kind: str, figure: Figure, rng: np.ra
 
 def two_sided(penalty: Penalty, samples: Samples) -> list[tuple[Array, Index]]:
     """The residuals of which the model consists, without the one-sided ones, each with its samples."""
-    blocks = [block for block in penalty.nearby(samples) if not (isinstance(block, Block) and block.one_sided)]
+    blocks = [block for block in penalty.residuals(samples) if not (isinstance(block, Block) and block.one_sided)]
     every = np.arange(samples.count)
     return [(np.sqrt(getattr(block, "weight", 1.0)) * block.value, getattr(block, "at", every)) for block in blocks]
 
@@ -322,7 +322,7 @@ def test_the_curvature_is_twice_the_square_of_the_residuals_jacobian(name, figur
 
 def test_one_sided_residuals_add_up_and_their_rows_are_their_gradients(kind, figure, rng) -> None:
     penalty, samples = KINDS[kind](figure, rng)
-    sides = penalty.one_sided_residuals(samples)
+    sides = one_sided_residuals(penalty.residuals(samples), samples)
     if sides is None or not sides.at.size:
         return
     total = np.bincount(sides.at, np.maximum(sides.value, 0) ** 2, samples.count)

@@ -59,7 +59,7 @@ def test_a_centimetre_counts_as_the_reference_specifies(name):
     away = {"contact": -0.01, "self": 0.0}.get(name, 0.01)
     y = np.array([[0, 0, away, 1, 0, 0, 0.0]])
     still = Samples(figure, y, 0 * y, 0 * y, t=np.zeros(1))
-    assert penalty.normalization.is_violation
+    assert penalty.role.is_violation
     assert penalty.normalization.time_power == 0
     np.testing.assert_allclose(penalty.evaluate(still), penalty.normalization.reference, rtol=1e-5)
     assert Sum((penalty,), "both").normalization == penalty.normalization
@@ -76,7 +76,7 @@ def test_a_degree_beyond_a_joints_range_a_bends_bound_or_a_couplings_line_counts
     of_coupling = CouplingPenalty((Coupling("hinge", 4, -1, (0.3, 0.0), np.array([0.1, 0, 0, 0, 0]), "degrees"),))
     for penalty in (of_range, of_coupling):
         np.testing.assert_allclose(penalty.evaluate(still), penalty.normalization.reference)
-        assert penalty.normalization.is_violation
+        assert penalty.role.is_violation
     balls = figure_of(CHAIN.format("ball"), "joint")
     straight = quat.from_rotation_vector(np.array([0, 0.2 - np.radians(1), 0]))
     y = np.concatenate([[1.0, 0, 0, 0], straight])[None]

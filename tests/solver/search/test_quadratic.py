@@ -14,6 +14,7 @@ from gradients import (
     discretised,
     flat_energy,
     moved_by,
+    sides_of,
     smooth_problem,
     tiny_clip,
 )
@@ -103,8 +104,8 @@ def test_a_model_that_has_no_minimum_promises_nothing(rng):
 class Touching(Collision):
     """All points near the floor, but not in it, touch it."""
 
-    def nearby(self, samples: Samples) -> Iterator[Block]:
-        for block in super().nearby(samples):
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        for block in super().residuals(samples):
             yield replace(block, value=np.where(block.value > 0, block.value, -1e-9))
 
 
@@ -136,8 +137,7 @@ class Dense:
         moved = moved_by(problem, problem.sampling.t)[:, 0]
         values, weights, rows = [], [], []
         for term in problem.objective.terms[len(SMOOTH) :]:
-            sides = term.penalty.one_sided_residuals(samples)
-            assert sides is not None
+            sides = sides_of(term.penalty, samples)
             values.append(sides.value)
             weights.append(term.factor * problem.weights[sides.at])
             rows.append(np.einsum("pn,pnx->px", sides.rows, moved[sides.at]))
