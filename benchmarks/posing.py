@@ -27,7 +27,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.penalty import BendLimits
-from dynsplines.solver.posing import BodyGoal, Goal, PointGoal, limb, posed
+from dynsplines.solver.posing import BodyGoal, Goal, PointGoal, posed
 from dynsplines.solver.surface.points import Point, site_points
 
 POSES, DRAGS = 200, 300
@@ -104,7 +104,7 @@ class Draw:
         free, there = np.ones(figure.width, bool), self.pose(rng)
         if number % 2:
             free[:] = False
-            for link in {i for point in chosen for i in limb(figure, figure.links[point.link].body)}:
+            for link in {i for point in chosen for i in figure.limb(figure.links[point.link].body)}:
                 free[figure.links[link].columns] = True
             there = np.where(free, there, rest)
         data = mujoco.MjData(figure.model)

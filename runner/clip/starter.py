@@ -213,7 +213,7 @@ def _placed(figure: Figure, qpos: Array, soles: Sequence[Point]) -> list[str]:
     points = [point for name in dict.fromkeys(names) if (point := places.point(name)) is not None and point.link]
     positions = [(f"sites.{_key(p.name)}", "{}", p) for p in points]
     busy = {point.link for point in points}
-    for body in _ends(figure):
+    for body in (figure.links[limb[0]].body for limb in figure.limbs):  # hands, heads, tips of fingers
         name, link = str(figure.model.body(body).name), int(figure.body_link[body])
         if name and link not in busy:
             positions.append(
@@ -228,12 +228,6 @@ def _placed(figure: Figure, qpos: Array, soles: Sequence[Point]) -> list[str]:
         where = ", ".join(f"{round(float(x), 4) + 0.0:g}" for x in place)
         lines.append(f"#   {key} = {form.format(f'[{where}]')}{thick}")
     return lines
-
-
-def _ends(figure: Figure) -> list[int]:
-    """Return the last body of every limb: hands, heads, tips of fingers."""
-    carries = set(figure.tables.parents.tolist())
-    return [link.body for i, link in enumerate(figure.links) if i and i not in carries]
 
 
 def _joint_line(figure: Figure, link: Link) -> str:

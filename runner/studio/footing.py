@@ -12,7 +12,7 @@ import numpy as np
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.model import kinematics
-from dynsplines.solver.posing import FloorClearance, PointGoal, limb
+from dynsplines.solver.posing import FloorClearance, PointGoal
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, body_points
 from dynsplines.solver.surface.surface import Plane
@@ -84,8 +84,8 @@ class Footing:
     def end_joints(self) -> frozenset[int]:
         """The links of ankles and wrists: the joints of a limb that are near its tip."""
         figure, out = self.figure, set[int]()
-        for leaf in set(self.spheres) - set(figure.tables.parents.tolist()):
-            links, tips = limb(figure, figure.links[leaf].body), self.spheres[leaf].centres(self.rest)
+        for links in (links for links in figure.limbs if links[0] in self.spheres):
+            tips = self.spheres[links[0]].centres(self.rest)
             anchors = [self.rest.xanchor[figure.links[link].joint] for link in links]
             lengths = [float(np.linalg.norm(tips - anchor, axis=1).max()) for anchor in anchors]
             out |= {link for link, length in zip(links, lengths, strict=True) if length < END * max(lengths)}

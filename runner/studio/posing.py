@@ -28,9 +28,7 @@ from dynsplines.solver.posing import (
     PointGoal,
     Posed,
     SupportPolygon,
-    chain,
     dragged,
-    limb,
 )
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import Point
@@ -106,7 +104,7 @@ class Poser:
         With `plant`, feet, floor and balance constrain the pose. With `alone`, only the limb of the point may move.
         """
         figure = self.figure
-        links, root = limb(figure, body), (chain(figure, body)[-1:] or [0])[0]
+        links, root = figure.limb(body), (figure.chain(body)[-1:] or [0])[0]
         limb_mask, whole = np.zeros(figure.width, bool), np.zeros(figure.width, bool)
         for link in links:
             limb_mask[figure.links[link].columns] = figure.links[link].kind is not JointKind.FREE
@@ -144,7 +142,7 @@ class Poser:
         set_qpos(self.figure.model, self.data, grip.qpos)
         points += [foot.centres(self.data) for foot in grip.standing]
         set_qpos(self.figure.model, self.data, here)
-        root = self.figure.links[(chain(self.figure, grip.body)[-1:] or [0])[0]].body
+        root = self.figure.links[(self.figure.chain(grip.body)[-1:] or [0])[0]].body
         return SupportPolygon.of(root, np.concatenate(points)) if points else None
 
     def pulled(self, grip: Grip, position: ArrayLike, begin: Array) -> Posed:
@@ -212,7 +210,7 @@ class Poser:
     def _is_within_reach(self, grip: Grip, position: Array) -> bool:
         """Return whether the straightened limb is long enough for a position (3,) [m]."""
         set_qpos(self.figure.model, self.data, grip.qpos)
-        joints = [self.figure.links[link].joint for link in limb(self.figure, grip.body)]
+        joints = [self.figure.links[link].joint for link in self.figure.limb(grip.body)]
         path = np.array([self._point(grip, self.data), *self.data.xanchor[joints]])
         length = float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
         return float(np.linalg.norm(position - path[-1])) < length + SHORT
@@ -280,7 +278,7 @@ class Poser:
     def deciding_joints(self, place: str) -> tuple[set[str], set[str]]:
         """Return the joints that determine a point's position: all, and those of its limb; none for unknown points."""
         body = self._places.body(place)
-        links_of = ([], []) if body is None else (chain(self.figure, body), limb(self.figure, body))
+        links_of = ([], []) if body is None else (self.figure.chain(body), self.figure.limb(body))
         whole, limb_names = ({self.figure.links[link].name for link in links} for links in links_of)
         return whole, limb_names
 
@@ -290,7 +288,7 @@ class Poser:
 
     def limb_names(self, body: int) -> set[str]:
         """Return the names of the sites, soles, bodies and joints of a body's limb."""
-        model, links = self.figure.model, set(limb(self.figure, body))
+        model, links = self.figure.model, set(self.figure.limb(body))
         bodies = {b for b in range(model.nbody) if int(self.figure.body_link[b]) in links}
         names = {str(model.site(i).name) for i in range(model.nsite) if int(model.site_bodyid[i]) in bodies}
         names |= {str(model.body(b).name) for b in bodies} | {self.figure.links[i].name for i in links}

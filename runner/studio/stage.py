@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.model import kinematics
-from dynsplines.solver.posing import limb
 
 from ..clip.build import Clip, weight_factors
 from ..clip.kinds import KINDS
@@ -86,20 +86,14 @@ def limbs(figure: Figure) -> list[dict[str, Any]]:
 
     A free body other than the figure's root has a separate row. "end" is the last body of a limb, which is dragged.
     """
-    parents = figure.tables.parents
-    carries = {int(parents[i]) for i in range(1, len(figure.links))}
     rows: list[dict[str, Any]] = []
     assigned: set[int] = set()
-    for i in range(1, len(figure.links)):
-        if i in carries or figure.links[i].kind is JointKind.FREE:
-            continue
-        links = limb(figure, figure.links[i].body)
-        body = figure.links[i].body
+    free, chains = set(figure.tables.free_links.tolist()), figure.limbs
+    for links in (links for links in chains if links[0] not in free):
         joints = [figure.links[j].name for j in reversed(links)]
-        rows.append({"name": _joint_names(figure, links), "joints": joints, "end": int(body)})
+        rows.append({"name": _joint_names(figure, links), "joints": joints, "end": int(figure.links[links[0]].body)})
         assigned |= set(links)
-    bodies = [i for i in range(1, len(figure.links)) if figure.links[i].kind is JointKind.FREE and i not in carries]
-    bodies = [i for i in bodies if i not in assigned and i != _root(figure)]
+    bodies = [links[0] for links in chains if links[0] in free and links[0] != _root(figure)]
     trunk = [i for i in range(1, len(figure.links)) if i not in assigned and i not in bodies]
     if trunk:
         names = [figure.links[i].name for i in trunk]
@@ -114,7 +108,7 @@ def _root(figure: Figure) -> int:
     return figure.root.link if figure.root is not None else 0
 
 
-def _joint_names(figure: Figure, links: list[int]) -> str:
+def _joint_names(figure: Figure, links: Sequence[int]) -> str:
     """Return the name of a limb: its side and kind, or else its first and last joint."""
     first, last = figure.links[links[-1]].name, figure.links[links[0]].name
     words = f"{first} {last}".lower()

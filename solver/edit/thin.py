@@ -191,7 +191,7 @@ def tips(figure: Figure, marked: Set[int]) -> list[tuple[str, int, Array]]:
         marked: Bodies that have a site, which serves as the tip of their limbs.
     """
     model, out = figure.model, []
-    ends = set(np.flatnonzero(figure.tables.children == 0).tolist())
+    ends = {limb[0] for limb in figure.limbs}
     ends -= {figure.point_on_link(body, np.zeros(3))[0] for body in marked}
     far: dict[int, tuple[float, Array]] = {}
     for point in body_points(figure) if ends else ():

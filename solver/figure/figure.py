@@ -210,6 +210,26 @@ class Figure:
         """Return the name of a link's body, or that of its joint if the body has none."""
         return str(self.model.body(self.links[link].body).name) or self.links[link].name
 
+    def chain(self, body: int) -> list[int]:
+        """Return the links from the link of a body up to the root."""
+        links, link = [], int(self.body_link[body])
+        while link:
+            links.append(link)
+            link = self.links[link].parent
+        return links
+
+    def limb(self, body: int) -> list[int]:
+        """Return the links from the link of a body towards the root, up to the first link with several children."""
+        links = self.chain(body)
+        forks = [i for i, link in enumerate(links) if i > 0 and self.tables.children[link] > 1]
+        return links[: forks[0]] if forks else links
+
+    @cached_property
+    def limbs(self) -> tuple[tuple[int, ...], ...]:
+        """The limbs, each from its end, a link without children, towards the root, see `limb`."""
+        ends = np.flatnonzero(self.tables.children[1:] == 0) + 1
+        return tuple(tuple(self.limb(self.links[end].body)) for end in ends)
+
     def point_on_link(self, body: int, position: ArrayLike) -> tuple[int, Array]:
         """Return the link of points in a body's frame (..., 3) [m], and the points in the link's frame."""
         offset = quat.rotated(self.body_turn[body], np.asarray(position, float))

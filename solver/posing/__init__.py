@@ -15,8 +15,6 @@ from .drag import dragged as dragged
 from .goals import BodyGoal as BodyGoal
 from .goals import Goal as Goal
 from .goals import PointGoal as PointGoal
-from .goals import chain as chain
-from .goals import limb as limb
 from .goals import reached as reached
 from .goals import rest_rotation as rest_rotation
 from .goals import same_heading as same_heading

@@ -154,18 +154,9 @@ def same_heading(figure: Figure, qpos: Array, body: int) -> BodyGoal:
     return BodyGoal(str(model.body(body).name), quat.product(heading, at_rest), body)
 
 
-def chain(figure: Figure, body: int) -> list[int]:
-    """Return the links from the link of a body up to the root."""
-    links, link = [], int(figure.body_link[body])
-    while link:
-        links.append(link)
-        link = figure.links[link].parent
-    return links
-
-
 def moved_by(figure: Figure, goal: Goal) -> set[int]:
     """Return the links whose joints a goal depends on."""
-    return {link for body in goal.bodies(figure.model) for link in chain(figure, body)}
+    return {link for body in goal.bodies(figure.model) for link in figure.chain(body)}
 
 
 def reached(figure: Figure, goals: Sequence[Goal]) -> Mask:
@@ -174,13 +165,6 @@ def reached(figure: Figure, goals: Sequence[Goal]) -> Mask:
     for link in {link for goal in goals for link in moved_by(figure, goal)}:
         mask[figure.links[link].columns] = True
     return mask
-
-
-def limb(figure: Figure, body: int) -> list[int]:
-    """Return the links from the link of a body towards the root, up to the first link with several children."""
-    links = chain(figure, body)
-    forks = [i for i, link in enumerate(links) if i > 0 and figure.tables.children[link] > 1]
-    return links[: forks[0]] if forks else links
 
 
 def rest_rotation(model: mujoco.MjModel, body: int) -> Array:

@@ -19,7 +19,7 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import JointRange, joint_ranges
-from dynsplines.solver.posing import MET, BodyGoal, Goal, PointGoal, Posed, chain
+from dynsplines.solver.posing import MET, BodyGoal, Goal, PointGoal, Posed
 
 from ..table import KeyframeTable, RotationTable
 from .places import roots_by_name
@@ -58,7 +58,7 @@ def can_move(figure: Figure, key: Frame, body: int) -> bool:
 
 def immovable(figure: Figure, body: int) -> str:
     """Return the complaint on a body of which a keyframe fixes every joint, and what to do."""
-    names = ", ".join(figure.links[link].name for link in reversed(chain(figure, body)))
+    names = ", ".join(figure.links[link].name for link in reversed(figure.chain(body)))
     return f"cannot move: every joint on the way to it is given ({names}); leave one of them free"
 
 
@@ -122,7 +122,7 @@ def _entry(figure: Figure, key: Frame, row: KeyframeTable, link: int, goal: Goal
 
 def _joints(figure: Figure, key: Frame, body: int, *, is_fixed: bool) -> list[int]:
     """Return the links from the root to a body of which a keyframe fixes an entry, or leaves one free."""
-    links = reversed(chain(figure, body))
+    links = reversed(figure.chain(body))
     masks = [(link, key.fixed[figure.links[link].columns]) for link in links]
     return [link for link, mask in masks if (mask.any() if is_fixed else not mask.all())]
 

@@ -25,9 +25,7 @@ from dynsplines.solver.posing import (
     Goal,
     PointGoal,
     Posed,
-    chain,
     in_winding,
-    limb,
     posed,
     reached,
     rest_rotation,
@@ -53,7 +51,7 @@ def released_links(figure: Figure, row: KeyframeTable, goals: Sequence[Goal], pl
     bodies = [goal.bodies(figure.model)[0] for goal in goals]
     bodies += [figure.links[point.point.link].body for point in placed]
     named = root_links(figure, row) | {i for i, link in enumerate(figure.links) if link.name in row.joints}
-    return sorted({link for body in bodies for link in limb(figure, body)} - named)
+    return sorted({link for body in bodies for link in figure.limb(body)} - named)
 
 
 def targets_of(places: Places, row: KeyframeTable, where: str) -> tuple[list[Goal], list[Contact]]:
@@ -224,7 +222,7 @@ def _planted(figure: Figure, before: Frame, goals: Sequence[Goal]) -> list[Goal]
     model, data, kept = figure.model, kinematics(figure.model, before.state), list[Goal]()
     for flat in (goal for goal in goals if isinstance(goal, BodyGoal) and goal.rotation is None):
         (body,) = flat.bodies(model)
-        is_set = all(before.fixed[figure.links[link].columns].all() for link in chain(figure, body))
+        is_set = all(before.fixed[figure.links[link].columns].all() for link in figure.chain(body))
         missed = [goal.missed(model, data) for goal in goals if isinstance(goal, PointGoal) and goal.index == body]
         if is_set and missed and np.linalg.norm(np.concatenate(missed)) <= Thresholds.of(figure).tiny:
             kept.append(same_heading(figure, before.state, body))
@@ -293,5 +291,5 @@ def _body_goals(figure: Figure, name: str, body: int, table: BodyTable, where: s
 
 
 def _check_moves(figure: Figure, goal: Goal, what: str) -> None:
-    if not chain(figure, goal.bodies(figure.model)[0]):
+    if not figure.chain(goal.bodies(figure.model)[0]):
         raise UserError(f"{what} is not part of the figure: no joint moves it")

@@ -29,7 +29,6 @@ from dynsplines.solver.posing import (
     PointGoal,
     Posed,
     in_winding,
-    limb,
     posed,
     reached,
 )
@@ -90,7 +89,7 @@ def upright(figure: Figure, home: Array, free: Mask, goals: Sequence[Goal], bend
     trunk = np.zeros(figure.width, bool)
     for columns in figure.tables.quaternion_columns.T:
         trunk[columns] = True
-    legs = {link for goal in goals for link in limb(figure, goal.bodies(figure.model)[0])}
+    legs = {link for goal in goals for link in figure.limb(goal.bodies(figure.model)[0])}
     for link in legs:
         trunk[figure.links[link].columns] = False
     pose = posed(figure, home, free & ~trunk, goals, bends, 3)
@@ -161,7 +160,7 @@ class Stander:
         """
         figure, free, timeline = self.figure, ~keys[k].fixed, self.timeline(keys)
         is_reached = reached(figure, goals)
-        busy = {link for goal in goals for link in limb(figure, goal.bodies(figure.model)[0])}
+        busy = {link for goal in goals for link in figure.limb(goal.bodies(figure.model)[0])}
         if not free[is_reached].any():
             return timeline, []
         inferred = self.known_positions(timeline)
@@ -171,7 +170,7 @@ class Stander:
             if foot.points[0].link not in busy and (reached(figure, more) & is_reached & free).any():
                 result += more
         for goal in inferred.holding(k):
-            links = limb(figure, goal.bodies(figure.model)[0])
+            links = figure.limb(goal.bodies(figure.model)[0])
             if not busy.intersection(links) and (reached(figure, [goal]) & is_reached & free).any():
                 result.append(goal)
         return timeline, result
@@ -314,7 +313,7 @@ class _KnownPositions:
         return spot + share * (landed - spot)
 
     def _is_set(self, point: Point, k: int) -> bool:
-        links = limb(self.figure, self.figure.links[point.link].body)
+        links = self.figure.limb(self.figure.links[point.link].body)
         fixed = self.timeline.frames[k].fixed
         return any(fixed[self.figure.links[link].columns].any() for link in links)
 

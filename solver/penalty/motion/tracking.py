@@ -129,9 +129,9 @@ class TrackingPenalty(Guide):
     @cached_property
     def ends(self) -> tuple[Index, Array]:
         """The links that end limbs (n,), and their centres of mass (3, n)."""
-        tables = self.recorded.figure.tables
-        ends = np.flatnonzero(tables.children == 0)
-        return ends, tables.centre[:, ends]
+        figure = self.recorded.figure
+        ends = np.array([limb[0] for limb in figure.limbs], np.intp)
+        return ends, figure.tables.centre[:, ends]
 
     @cached_property
     def _pose(self) -> Array:

@@ -15,7 +15,6 @@ from dynsplines.clip.pose import _key
 from dynsplines.clip.table import ClipTable
 from dynsplines.errors import UserError
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.posing import limb
 from dynsplines.studio.posing import Poser
 
 
@@ -40,7 +39,7 @@ def test_a_hand_within_reach_moves_its_arm_alone(clip, poser):
         found = poser.pulled(grip, goal, found.qpos)
     np.testing.assert_allclose(kinematics(model, found.qpos).site("left_hand").xpos, goal, atol=2e-3)
     arm = np.zeros(model.nq, bool)
-    for link in limb(clip.figure, body):
+    for link in clip.figure.limb(body):
         arm[clip.figure.links[link].columns] = True
     np.testing.assert_array_equal(found.qpos[~arm], home[~arm])
     assert set(poser.keyframe_entries(found.qpos, home)["joints"]) <= {"left_shoulder", "left_elbow"}
