@@ -116,6 +116,7 @@ class Part:
         build: Returns the penalty for a clip's context and the options of its table; None if it does not apply.
         name: The key in a table of weights; the term is KIND.NAME. Empty for the only part of a kind.
         option: The option that switches it on or off; None: always on.
+        tracking: The weight while a clip follows a recording, without renormalisation; None: the part is then off.
     """
 
     weight: float
@@ -123,6 +124,7 @@ class Part:
     build: Callable[[Context, Any], Penalty | None]
     name: str = ""
     option: str | None = None
+    tracking: float | None = None
 
     @property
     def is_default(self) -> bool:
@@ -372,6 +374,8 @@ def _cycle(context: Context, options: Options) -> Penalty | None:
     return None if cycle is None else Cycle(context.figure, cycle)
 
 
+# While tracking, 1 is the cost of a second with 0.1 mm of depth or 2 mm/s of sliding at a weight of 1e8, 0.02° at 1e7,
+# 0.2 °/s at 1e5, and a thirtieth of the figure's weight at 1000.
 KINDS = {
     kind.name: kind
     for kind in (
@@ -382,15 +386,18 @@ KINDS = {
             ),
             Part(1.0, "acceleration of the root and of slides", lambda context, options: RootAcceleration(), "linear"),
         )),
-        Kind("unit", (Part(1.0, "deviation of quaternions from unit length", _unit),)),
+        Kind("unit", (Part(1.0, "deviation of quaternions from unit length", _unit, tracking=1e4),)),
         Kind("collision", (
-            Part(30.0, "depth of heels and toes in static geoms", _soles, "soles"),
-            Part(30.0, "depth of all geoms of the figure in static geoms and held objects", _body, "body"),
-            Part(30.0, "depth of limbs in the trunk and in each other", _self, "self", "self"),
+            Part(30.0, "depth of heels and toes in static geoms", _soles, "soles", tracking=1e8),
+            # higher while tracking, so that a body on the ground hovers rather than sinks
+            Part(
+                30.0, "depth of all geoms of the figure in static geoms and held objects", _body, "body", tracking=2e8
+            ),
+            Part(30.0, "depth of limbs in the trunk and in each other", _self, "self", "self", tracking=1e6),
         ), ("margin", "points", "self")),
         Kind("attach", (
             Part(30.0, "movement of soles between two keyframes with the same sole position", _stance, "stance"),
-            Part(750.0, "movement of [[contact]] points", _contact, "contact"),
+            Part(750.0, "movement of [[contact]] points", _contact, "contact", tracking=1e8),
             Part(750.0, "movement of [[grasp]] sites relative to the held body", _grasp, "grasp"),
             Part(30.0, 'distance of sites with by = "search" from their targets', _placement, "placement"),
         )),
@@ -400,10 +407,10 @@ KINDS = {
         ), ("reach",)),
         Kind("posture", (Part(0.7, "velocity of joints and roots", _posture),)),
         Kind("limits", (
-            Part(1.0, "knees and elbows bent backward, sideways or twisted", _bend, "bend"),
-            Part(1.0, "angle or displacement beyond the model's joint ranges", _range, "range"),
+            Part(1.0, "knees and elbows bent backward, sideways or twisted", _bend, "bend", tracking=1e7),
+            Part(1.0, "angle or displacement beyond the model's joint ranges", _range, "range", tracking=1e7),
             Part(10.0, "movement of joints between two keyframes with the same joint value", _overshoot, "overshoot"),
-            Part(100.0, "speed of hinges and ball joints beyond a limit", _speed, "speed", "speed"),
+            Part(100.0, "speed of hinges and ball joints beyond a limit", _speed, "speed", "speed", tracking=1e5),
         ), ("bend_joints", "least_bend", "sideways", "twist", "speed")),
         Kind("equality", (Part(300.0, "violation of <equality> constraints", _equality),)),
         Kind("upright", (
@@ -415,7 +422,7 @@ KINDS = {
             Part(6.0, "force on the figure during flights, except gravity", _flight),
         ), ("intervals", "angular")),
         Kind("support", (
-            Part(0.01, "force and moment that feet on the ground cannot supply", _support),
+            Part(0.01, "force and moment that feet on the ground cannot supply", _support, tracking=1000.0),
         ), ("friction",), is_default=False),
         Kind("peak", (
             Part(0.01, "peaks of angular acceleration of joints", lambda context, options: PeakAcceleration()),
@@ -429,6 +436,10 @@ KINDS = {
         ), is_default=False),
     )
 }  # fmt: skip
+
+TRACKING_WEIGHTS = {
+    kind.term(part): part.tracking for kind in KINDS.values() for part in kind.parts if part.tracking is not None
+}
 
 
 def posing_limits(figure: Figure, listed: Mapping[str, Options]) -> tuple[BendLimits | None, tuple[Interval, ...]]:

@@ -23,10 +23,10 @@ from dynsplines.solver.search.descent import check_method
 from ..errors import UserError, import_first, unknown
 from ..scene import file_access
 from ..scene.file_access import is_there, lies_in
-from .kinds import KINDS, Kind, Options
+from .kinds import KINDS, TRACKING_WEIGHTS, Kind, Options
 from .table import ClipTable, PenaltyTable, SolveTable, Table
 from .table_errors import describe, describe_toml
-from .tracking.penalties import LONGEST_PANEL, POINTS, WEIGHTS
+from .tracking.penalties import LONGEST_PANEL, POINTS
 
 Tables = TypeVar("Tables", bound=Table)
 
@@ -261,10 +261,10 @@ def _misplaced(table: ClipTable) -> Iterator[str]:
     for entry in table.penalty:
         weight = entry.options.get("weight")
         terms = [f"{entry.kind}.{part}" for part in weight] if isinstance(weight, dict) else []
-        unfit = [term for term in terms if term not in WEIGHTS]
-        usable = [term for term in WEIGHTS if term != "near"]
-        if entry.kind not in {term.split(".")[0] for term in usable} or unfit or entry.options.keys() - {"weight"}:
-            yield f"penalty '{entry.kind}': beside a recording only weights count, of: {', '.join(usable)}"
+        unfit = [term for term in terms if term not in TRACKING_WEIGHTS]
+        kinds = {term.split(".")[0] for term in TRACKING_WEIGHTS}
+        if entry.kind not in kinds or unfit or entry.options.keys() - {"weight"}:
+            yield f"penalty '{entry.kind}': beside a recording only weights count, of: {', '.join(TRACKING_WEIGHTS)}"
 
 
 def keyframe_label(number: int, time: float) -> str:

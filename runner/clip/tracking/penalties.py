@@ -1,8 +1,8 @@
 """Soft constraints of a motion that follows a recording: contacts, ranges, balance.
 
 These terms are not normalised by the raw spline, because the recording defines their scale. Differences from the
-recording form a chi-squared sum, 1 per standard deviation. A weight states how much a squared metre or radian over one
-second costs on this scale.
+recording form a chi-squared sum, 1 per standard deviation. A weight, `Part.tracking`, states how much a squared metre
+or radian over one second costs on this scale.
 """
 
 from __future__ import annotations
@@ -41,21 +41,10 @@ from dynsplines.solver.surface.points import Point, body_points, bottoms_of
 
 from ...errors import UserError
 from ..context import knees_and_elbows
+from ..kinds import TRACKING_WEIGHTS
 from ..posing.places import Places, rounded, sole_points
 from ..table import ContactTable, StanceTable
 
-WEIGHTS = {
-    "near": 1.0,
-    "unit": 1e4,
-    "collision.soles": 1e8,  # a cost of 1 for 0.1 mm of depth
-    "collision.body": 2e8,  # higher, so that a body on the ground hovers rather than sinks
-    "attach.contact": 1e8,  # a cost of 1 for sliding at 2 mm/s
-    "limits.range": 1e7,  # a cost of 1 for 0.02°
-    "limits.bend": 1e7,
-    "collision.self": 1e6,
-    "limits.speed": 1e5,  # a cost of 1 for 0.2 °/s
-    "support": 1000.0,  # a cost of 1 for a thirtieth of the figure's weight
-}
 STANCES = TypeAdapter(list[StanceTable])
 # longest panel [s] of Gauss's rule, and its number of nodes, exact for polynomials of degree 5
 LONGEST_PANEL, POINTS = 0.05, 3
@@ -190,8 +179,8 @@ def problem(
     keys = sorted([*edits, *frames], key=lambda frame: frame.time)
     quadrature = Quadrature("gauss", POINTS, LONGEST_PANEL)
     settings = Settings(variable=0, frames=0, tolerance=TOLERANCE, renormalise=False, quadrature=quadrature)
-    penalties = [(penalty, WEIGHTS[penalty.name]) for penalty in (near, *penalties_of(ground, rests))]
-    return Problem(figure, tuple(keys), tuple(penalties), settings)
+    weighted = [(penalty, TRACKING_WEIGHTS[penalty.name]) for penalty in penalties_of(ground, rests)]
+    return Problem(figure, tuple(keys), ((near, 1.0), *weighted), settings)
 
 
 def loose(figure: Figure, times: Array, states: Array) -> tuple[Frame, ...]:
