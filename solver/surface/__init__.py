@@ -16,7 +16,6 @@ from .hull import Hull as Hull
 from .round import Capsule as Capsule
 from .round import Cylinder as Cylinder
 from .round import Ellipsoid as Ellipsoid
-from .round import Sphere as Sphere
 from .static import hull_of as hull_of
 from .static import moving_surface as moving_surface
 from .static import static_surfaces as static_surfaces

@@ -1,4 +1,4 @@
-"""Round solids: spheres, capsules, cylinders and ellipsoids, such as posts, hand rails, logs and round table tops.
+"""Round solids: capsules, cylinders and ellipsoids, such as posts, hand rails, logs and round table tops.
 
 The nearest point of an ellipsoid is found by Newton's method on one equation. With half axes a_i, the surface point x
 nearest to y satisfies y_i = x_i (1 + t / a_i²). Hence t is the largest root of Σ (a_i y_i / (t + a_i²))² = 1. To the
@@ -21,29 +21,8 @@ SETTLED = 1e-14  # [1] relative size of a Newton step that is the last
 
 
 @dataclass(frozen=True)
-class Sphere(Solid):
-    """A ball: centre (3,) [m], radius [m]."""
-
-    centre: Array
-    radius: float
-
-    def distance(self, points: Array) -> tuple[Array, Array]:
-        away = points - self.centre[:, None]
-        size = lengths(away)
-        return size - self.radius, directions(away, size, np.array([0.0, 0, 1]))
-
-    def least(self, points: Array) -> Array:
-        return lengths(points - self.centre[:, None]) - self.radius
-
-    def span(self, points: Array) -> tuple[Array, Array]:
-        x, y = points[:2] - self.centre[:2, None]
-        low, high = roots(1.0, np.zeros(x.size), x * x + y * y - self.radius**2)
-        return self.centre[2] + low, self.centre[2] + high
-
-
-@dataclass(frozen=True)
 class Capsule(Solid):
-    """A capsule: centre (3,) [m], unit axis (3,), half length of the segment [m], radius [m]."""
+    """A capsule: centre (3,) [m], unit axis (3,), half length of the segment [m], 0 for a sphere, radius [m]."""
 
     centre: Array
     axis: Array
@@ -59,8 +38,10 @@ class Capsule(Solid):
         return lengths(self._from_segment(points)) - self.radius
 
     def span(self, points: Array) -> tuple[Array, Array]:
-        ends = [Sphere(self.name, self.centre + side * self.half * self.axis, self.radius) for side in (-1, 1)]
-        (first_low, first_high), (last_low, last_high) = (end.span(points) for end in ends)
+        if not self.half:
+            return _ball_span(points, self.centre, self.radius)
+        ends = (self.centre + side * self.half * self.axis for side in (-1, 1))
+        (first_low, first_high), (last_low, last_high) = (_ball_span(points, end, self.radius) for end in ends)
         low, high = barrel_span(points, self.centre, self.axis, self.radius)
         low, high = (np.where(self._is_alongside(points, z), z, np.nan) for z in (low, high))
         return np.fmin(np.fmin(first_low, last_low), low), np.fmax(np.fmax(first_high, last_high), high)
@@ -72,12 +53,21 @@ class Capsule(Solid):
     def _from_segment(self, points: Array) -> Array:
         """Return the vector from the nearest point of the segment, (3, p)."""
         away = points - self.centre[:, None]
+        if not self.half:
+            return away
         return away - np.multiply.outer(self.axis, np.clip(self.axis @ away, -self.half, self.half))
 
     def _is_alongside(self, points: Array, z: Array) -> Array:
         """Return whether points at heights z are between the segment's ends."""
         along = self.axis[:2] @ (points[:2] - self.centre[:2, None]) + self.axis[2] * (z - self.centre[2])
         return np.abs(along) <= self.half
+
+
+def _ball_span(points: Array, centre: Array, radius: float) -> tuple[Array, Array]:
+    """Return the intersections of vertical lines through points (3, p) with a sphere, as z [m]."""
+    x, y = points[:2] - centre[:2, None]
+    low, high = roots(1.0, np.zeros(x.size), x * x + y * y - radius**2)
+    return centre[2] + low, centre[2] + high
 
 
 def across(axis: Array) -> Array:

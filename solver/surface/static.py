@@ -12,7 +12,7 @@ from ..figure.model import geom_name, kinematics
 from .box import Box
 from .height_field import HeightField
 from .hull import Hull
-from .round import Capsule, Cylinder, Ellipsoid, Sphere
+from .round import Capsule, Cylinder, Ellipsoid
 from .surface import GROUNDED, UPRIGHT, Plane, Surface
 from .touch import LEVEL, solids
 
@@ -54,7 +54,7 @@ def _solid(model: mujoco.MjModel, geom: int, centre: Array, axes: Array, floor: 
         bottom = centre[2] - np.abs(axes[2]) @ size
         return Box(name, centre, axes, size, bool(bottom <= floor + GROUNDED))
     if kind == kinds.mjGEOM_SPHERE:
-        return Sphere(name, centre, float(size[0]))
+        return Capsule(name, centre, axes[:, 2], 0.0, float(size[0]))
     if kind == kinds.mjGEOM_CAPSULE:
         return Capsule(name, centre, axes[:, 2], float(size[1]), float(size[0]))
     if kind == kinds.mjGEOM_CYLINDER:

@@ -46,7 +46,7 @@ from dynsplines.solver.search.restarts import (
     select_best,
     violation_dominates,
 )
-from dynsplines.solver.surface import Plane, Sphere
+from dynsplines.solver.surface import Capsule, Plane
 from dynsplines.solver.surface.points import Point
 
 VERB = sys.modules["dynsplines.solver.inbetween"]  # the package has the verb under the module's name
@@ -155,7 +155,8 @@ def test_violations_dominate_that_cost_more_than_all_motion_does(angular, bend, 
     ],
 )
 def test_motion_and_an_obstacle_that_cost_twice_the_raw_cost_are_a_reason_to_restart(with_ball, parts, increased):
-    floor, ball = Plane("floor", np.array([0.0, 0, -9]), np.eye(3)[2]), Sphere("ball", np.array([0.0, 0, 5]), 0.1)
+    up = np.eye(3)[2]
+    floor, ball = Plane("floor", np.array([0.0, 0, -9]), up), Capsule("ball", np.array([0.0, 0, 5]), up, 0.0, 0.1)
     contact = Collision((Point("tip", 1, np.zeros(3)),), (floor, ball) if with_ball else (floor,))
     raw = path_of(raw_timeline(LIMB, swinging(6)))
     objective = Objective.of(LIMB, [*TERMS, (contact, 1.0)]).renormalised(raw)

@@ -19,7 +19,6 @@ from dynsplines.solver.surface import (
     HeightField,
     Hull,
     Plane,
-    Sphere,
     Surface,
     hull_of,
     static_surfaces,
@@ -247,7 +246,7 @@ TOUCHES: dict[str, tuple[Surface, np.ndarray, np.ndarray]] = {
     # where a sphere touches, and which way it goes deeper; every number is exact in binary
     "plane": (Plane("p", np.zeros(3), np.array([0.0, 0, 1])), np.array([0, 0, 1.25]), np.array([0, 0, -1.0])),
     "box": (Box("b", np.zeros(3), np.eye(3), np.ones(3), sideways=1.0), np.array([0, 0, 2.25]), np.array([0, 0, -1.0])),
-    "sphere": (Sphere("s", np.zeros(3), 1.0), *ROUND),
+    "sphere": (Capsule("s", np.zeros(3), np.eye(3)[2], 0.0, 1.0), *ROUND),
     "capsule": (Capsule("c", np.zeros(3), np.array([0.0, 0, 1]), 1.0, 1.0), *ROUND),
     "cylinder": (Cylinder("y", np.zeros(3), np.array([0.0, 0, 1]), 1.0, 1.0), *RIM),
     "hull": (Hull("h", *CORNERS), *RIM),
