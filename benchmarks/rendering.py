@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import pinned  # noqa: F401  isort: skip  # before anything that imports NumPy
 
-import io
 import itertools
 import json
 import os
@@ -33,16 +32,13 @@ def opengl(images: int, repeats: int, size: str) -> dict[str, Any]:
     graphics = choose()
     if graphics.kind == "software":
         return {"renderer": graphics.line, "missing": "no OpenGL here"}
-    from rich.console import Console
 
     from dynsplines import solving
     from dynsplines.clip import load as clips
     from dynsplines.picture import film, show
-    from dynsplines.system.progress import Progress
 
     width, height = map(int, size.split("x"))
-    progress = Progress(Console(file=io.StringIO()))
-    saved = solving.unsolved(clips.load(CLIP)).saved(progress, with_report=False)
+    saved = solving.unsolved(clips.load(CLIP)).motion
     look = show.Look(width, height, float(FPS))
     with tempfile.TemporaryDirectory() as folder:
 

@@ -378,8 +378,8 @@ def plot(
     outputs.check_target(target, endings=chart.ENDINGS)
     with terminal.Progress() as progress:
         clip = inputs.load(source, model=model, keys=keys)
-        is_saved = isinstance(clip, motion.Saved)
-        solved = solving.Solved.of(clip) if is_saved else solving.solve(clip, progress)
+        is_motion = isinstance(clip, motion.Saved)
+        solved = solving.Solved.of(clip) if is_motion else solving.solve(clip, progress)
         chart.draw(clip.name, *measurement.Measurement.sides(solved.clip, solved.motion), target)
     print(f"wrote {target}", file=sys.stderr)
 

@@ -65,9 +65,9 @@ def solved(
             violations = solving.Solved.of(source).violations
     elif solve:
         result = solving.solve(source, progress)
-        out, violations = result.saved(progress, with_report=False), result.violations
+        out, violations = result.motion, result.violations
     else:
-        out = solving.unsolved(source).saved(progress, with_report=False)
+        out = solving.unsolved(source).motion
     if repeat is not None:
         from .edit import edits  # imported here because few commands repeat
 
@@ -82,9 +82,9 @@ def measured(source: Clip | Saved, progress: Progress) -> Saved:
     from .measure import violation
 
     if not isinstance(source, Saved):
-        return solving.solve(source, progress).saved(progress)
+        return solving.solve(source, progress).measured(progress)
     if not source.report:
-        return solving.measured(source, progress, "not searched: imported")
+        return solving.Solved.of(source).measured(progress, "not searched: imported")
     if "violations" in source.report:
         return source
     return replace(source, report={"violations": violation.plain(solving.Solved.of(source).violations)} | source.report)

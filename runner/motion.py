@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
@@ -30,6 +31,7 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.dynamics import velocities
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.search.minimum import Stop
 
 from .errors import UserError, import_first, words_of
 from .scene.assets import Scene
@@ -77,8 +79,9 @@ class Saved:
         fps: Samples per second [1/s].
         trace: The evaluations that lowered E.
         report: The measurements; empty before they are made.
-        search: Data of the search, see `solving.Solved.search`: "evaluations", "seconds", "stop" and "stopped because",
-            the reason by name and in words, "stances", "custom penalties"; only "stopped because" without a search.
+        search: Data of the search that cannot be measured later: "evaluations", "seconds", "stop" and "stopped
+            because", the reason by name and in words, "stances", "custom penalties". Without a search, it is empty or
+            has "stopped because" alone.
     """
 
     name: str
@@ -97,6 +100,26 @@ class Saved:
     def mjcf(self) -> str:
         """The complete MJCF text."""
         return self.scene.mjcf
+
+    @property
+    def path(self) -> Curve:
+        """The spline through all frames."""
+        return path_of(self.timeline)
+
+    @property
+    def stop(self) -> Stop:
+        """Why the search ended."""
+        return Stop.__members__.get(str(self.search.get("stop")), Stop.CONVERGED)
+
+    @property
+    def is_raw(self) -> bool:
+        """Whether no search took place and the timeline is the raw spline, as for a recording."""
+        pairs = [(line.times, line.states, line.end_slope) for line in (self.raw, self.timeline)]
+        return not self.search.get("evaluations") and all(map(np.array_equal, *pairs))
+
+    def at(self, times: ArrayLike) -> Array:
+        """Return configurations (S, nq) at times (S,) [s], with unit quaternions."""
+        return self.figure.to_qpos(self.path.at(np.atleast_1d(np.asarray(times, float))))
 
 
 def sampled(figure: Figure, timeline: Timeline, fps: float) -> Sampled:
@@ -163,7 +186,7 @@ def save(saved: Saved, target: Path) -> None:
         "raw_qvel": raw.qvel,
         "raw_qacc": raw.qacc,
         "key_time": key_time,
-        "key_qpos": figure.to_qpos(path_of(saved.timeline).at(key_time)),
+        "key_qpos": saved.at(key_time),
         "key_fixed": np.array([key.fixed for key in saved.keys]),
         "key_posed": np.array([key.known & ~key.fixed for key in saved.keys]),
         "joint_names": np.array([model.joint(i).name for i in range(model.njnt)]),

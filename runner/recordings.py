@@ -17,9 +17,10 @@ from . import motion
 from .clip import load as clips
 from .clip.build import Clip
 from .clip.parse import Parsed, parse, read
-from .clip.tracking.recording import RecordedPath
 from .errors import UserError
+from .motion import Saved
 from .scene import file_access
+from .system.progress import silent
 
 
 def load(
@@ -77,7 +78,7 @@ def _loaded(
     )
 
 
-def recorded(source: Parsed, figure_file: str | None = None, following: tuple[str, ...] = ()) -> RecordedPath | None:
+def recorded(source: Parsed, figure_file: str | None = None, following: tuple[str, ...] = ()) -> Saved | None:
     """Return the motion that a clip follows; None if it follows none.
 
     Args:
@@ -98,8 +99,7 @@ def recorded(source: Parsed, figure_file: str | None = None, following: tuple[st
     if file.suffix == ".toml":
         return _solved(str(file), str(file.resolve()), where, following)
     if file.suffix == ".npz" and not (file.is_file() and not motion.is_motion(str(file))):
-        saved = motion.load(file)
-        return RecordedPath(saved.figure, saved.timeline, saved.fps)
+        return motion.load(file)
     figure = figure_file or source.table.figure
     if figure_file is None and figure not in models.figures() and source.folder is not None:
         figure = str(source.folder / figure)
@@ -111,7 +111,7 @@ def recorded(source: Parsed, figure_file: str | None = None, following: tuple[st
         raise UserError(f"{where}: {error}") from None
 
 
-def _solved(source: str, identity: str, where: str, following: tuple[str, ...]) -> RecordedPath:
+def _solved(source: str, identity: str, where: str, following: tuple[str, ...]) -> Saved:
     """Return the motion of a shipped clip or of a clip's file."""
     if identity in following:
         raise UserError(f"{where}: '{source}' follows itself")
@@ -122,13 +122,13 @@ def _solved(source: str, identity: str, where: str, following: tuple[str, ...]) 
 
 
 @lru_cache(maxsize=4)
-def _shipped(name: str) -> RecordedPath:
+def _shipped(name: str) -> Saved:
     return _solution(name, (name,))
 
 
-def _solution(source: str, following: tuple[str, ...]) -> RecordedPath:
-    from dynsplines.solver.inbetween import inbetween  # imported here because most clips follow no other clip
+def _solution(source: str, following: tuple[str, ...]) -> Saved:
+    from . import solving  # imported here because most clips follow no other clip
 
     file = read(source)
     clip = _loaded(file, following) if isinstance(file, Parsed) else clips.load(source)
-    return RecordedPath(clip.figure, inbetween(clip.problem).timeline, clip.fps)
+    return solving.solve(clip, silent()).motion

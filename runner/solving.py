@@ -1,4 +1,4 @@
-"""The main work between clip and output: solve a clip, and report on it."""
+"""Solve a clip, measure a motion."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from functools import cached_property
 from typing import Any
 
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.problem import renormalised
 from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.solution import Improvement, Solution
 
@@ -38,73 +37,36 @@ def _unhurried() -> Iterator[None]:
 
 @dataclass(frozen=True)
 class Solved:
-    """A solved clip, and the duration of the search [s], if known."""
+    """A motion, and the clip that it solves."""
 
     clip: Clip
-    motion: Solution
-    seconds: float | None
+    motion: Saved
 
     @classmethod
-    def of(cls, saved: Saved) -> Solved:
-        """Return the content of a motion file, without the trace of its search and custom penalties."""
-        clip = clip_from_motion(saved)
-        objective = clip.problem.plain_objective
-        if clip.settings.renormalise:
-            objective = renormalised(objective, saved.raw)
-        search = saved.search
-        evaluations = search.get("evaluations", 0)
-        stop = Stop.__members__.get(str(search.get("stop")), Stop.CONVERGED)
-        motion = Solution(saved.figure, objective, saved.timeline, saved.raw, (), evaluations, stop)
-        return cls(clip, motion, search.get("seconds"))
+    def of(cls, motion: Saved) -> Solved:
+        """Return a motion with the clip in its file, which has no custom penalties."""
+        return cls(clip_from_motion(motion), motion)
 
     @cached_property
     def violations(self) -> tuple[Violation, ...]:
         return violations(self.clip, self.motion.timeline, self.motion.raw, self.motion.stop)
 
-    @property
-    def search(self) -> dict[str, Any]:
-        """The data of a search that cannot be measured later; empty without a search."""
-        motion = self.motion
-        if motion.timeline is motion.raw and motion.stop is Stop.CONVERGED:
-            return {}
-        search: dict[str, Any] = {"evaluations": motion.evaluations}
-        if self.seconds is not None:
-            search["seconds"] = self.seconds
-        search |= {"stop": motion.stop.name, "stopped because": motion.stop.value}
-        if stances := self.clip.stances:
-            search["stances"] = stances
-        if self.clip.custom_penalties:
-            search["custom penalties"] = [penalty.name for penalty, _ in self.clip.custom_penalties]
-        return search
+    def measured(self, progress: Progress, reason: str = "not searched") -> Saved:
+        """Return the motion with its report. Ctrl-C during it has no effect.
 
-    def saved(self, progress: Progress, with_report: bool = True) -> Saved:
-        """Return the content of a motion file. Ctrl-C during it has no effect."""
-        clip, motion = self.clip, self.motion
-        data = {}
+        Args:
+            reason: The stop reason of motions that were neither searched nor cleaned.
+        """
+        from .measure.report import report  # imported here because most commands measure nothing
+
+        if is_recording(self.motion) and not self.motion.is_raw:
+            reason = "cleaned recording"
         with _unhurried():
-            if motion.stop is Stop.INTERRUPTED:
-                progress.report("stopped; the best path so far is kept")
-            if with_report:
-                progress.step("measuring", 0.0, force=True)
-                from .measure.report import report  # imported here because most commands measure nothing
-
-                data = report(clip, motion, self.seconds)
-                progress.step("measuring", 1.0, force=True)
-        trace = [list(entry) for entry in motion.trace]
-        timelines = motion.timeline, motion.raw
-        return Saved(
-            clip.name, clip.text, clip.scene, clip.figure, clip.fps, clip.keys, *timelines, trace, data, self.search
-        )
-
-
-def measured(saved: Saved, progress: Progress, reason: str) -> Saved:
-    """Return a motion with its report; `reason` is the stop reason of motions that were neither searched nor
-    cleaned."""
-    solved = Solved.of(saved)
-    if is_recording(saved) and not solved.motion.is_raw:
-        reason = "cleaned recording"
-    report = solved.saved(progress).report
-    return replace(saved, report=report | {"stopped because": saved.search.get("stopped because", reason)})
+            progress.step("measuring", 0.0, force=True)
+            data = report(self.clip, self.motion)
+            progress.step("measuring", 1.0, force=True)
+        because = self.motion.search.get("stopped because", reason)
+        return replace(self.motion, report=data | {"stopped because": because})
 
 
 def solve(clip: Clip, progress: Progress) -> Solved:
@@ -119,19 +81,44 @@ def solve(clip: Clip, progress: Progress) -> Solved:
     begin = time.perf_counter()
     solution = inbetween(clip.problem, improved=improved)
     seconds = time.perf_counter() - begin
-    if solution.trace:
-        first, last = solution.trace[0][2], solution.trace[-1][2]
-        note = f"evaluation {solution.evaluations}, objective {first:.4g} -> {last:.4g}"
-        progress.step("solving", 1.0, note, force=True)
-    return Solved(clip, solution, seconds)
+    with _unhurried():
+        if solution.trace:
+            first, last = solution.trace[0][2], solution.trace[-1][2]
+            note = f"evaluation {solution.evaluations}, objective {first:.4g} -> {last:.4g}"
+            progress.step("solving", 1.0, note, force=True)
+        if solution.stop is Stop.INTERRUPTED:
+            progress.report("stopped; the best path so far is kept")
+        return Solved(clip, motion_of(clip, solution, seconds))
+
+
+def motion_of(clip: Clip, solution: Solution, seconds: float | None = None) -> Saved:
+    """Return the motion of a solved clip, without a report.
+
+    Args:
+        seconds: The duration of the search [s], if known.
+    """
+    raw = unsolved(clip).motion
+    if solution.timeline is solution.raw and solution.stop is Stop.CONVERGED:
+        return raw
+    search: dict[str, Any] = {"evaluations": solution.evaluations}
+    if seconds is not None:
+        search["seconds"] = seconds
+    search |= {"stop": solution.stop.name, "stopped because": solution.stop.value}
+    if stances := clip.stances:
+        search["stances"] = stances
+    if clip.custom_penalties:
+        search["custom penalties"] = [penalty.name for penalty, _ in clip.custom_penalties]
+    trace = [list(entry) for entry in solution.trace]
+    return replace(raw, timeline=solution.timeline, raw=solution.raw, trace=trace, search=search)
+
+
+def unsolved(clip: Clip) -> Solved:
+    """Return the raw spline of a clip, to inspect keyframes."""
+    raw = clip.problem.raw
+    motion = Saved(clip.name, clip.text, clip.scene, clip.figure, clip.fps, clip.keys, raw, raw, [], {})
+    return Solved(clip, motion)
 
 
 def saved(source: Clip | Saved, progress: Progress) -> Saved:
     """Return a saved motion unchanged, or that of a clip without a report."""
-    return source if isinstance(source, Saved) else solve(source, progress).saved(progress, with_report=False)
-
-
-def unsolved(clip: Clip) -> Solved:
-    """Return a clip as its raw spline, to inspect keyframes."""
-    problem = clip.problem
-    return Solved(clip, Solution(problem.figure, problem.plain_objective, problem.raw, problem.raw), 0.0)
+    return source if isinstance(source, Saved) else solve(source, progress).motion

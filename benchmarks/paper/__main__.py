@@ -37,7 +37,7 @@ def paper(seeds: Seeds = None, figures: Folder = None, as_json: AsJson = False) 
     with Progress() as progress:
         claims = study.run(seeds or study.SETS, progress)
         solved = solving.solve(clip.load("run_and_step"), progress)
-        claims += study.clip_claims(report(solved.clip, solved.motion, solved.seconds))
+        claims += study.clip_claims(report(solved.clip, solved.motion))
     if as_json:
         print(json.dumps(claim.as_json(claims), indent=2))
     else:

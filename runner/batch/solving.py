@@ -101,7 +101,7 @@ def _solved(task: Task, folder: Path) -> Outcome:
     where = str(folder / source) if Path(source).suffix else source
     problem = recordings.load(where, figure_file=figure and str(folder / figure), fps=task.options.fps)
     result = solving.solve(problem, silent())
-    saved = result.saved(silent(), with_report=task.options.report)
+    saved = result.measured(silent()) if task.options.report else result.motion
     return replace(_written(saved, task, folder, task.options.fps), violations=tuple(plain(result.violations)))
 
 

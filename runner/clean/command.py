@@ -18,7 +18,6 @@ from ..clip.load import figure_of, obstacles
 from ..clip.parse import file_of
 from ..clip.table import MapTable, SceneTable, SurroundingsTable
 from ..clip.tracking.penalties import ground_of, rests_of
-from ..clip.tracking.recording import RecordedPath
 from ..errors import UserError, listed
 from ..exchange import formats, gaps
 from ..exchange.motion_import import ImportedMotion, read_recording
@@ -96,7 +95,7 @@ def run(
     return target
 
 
-def moving(file: Path, figure: str, scene: SceneTable) -> RecordedPath:
+def moving(file: Path, figure: str, scene: SceneTable) -> Saved:
     """Return the cleaned motion of a recording that a clip in a scene follows; raises UserError."""
     if not file.is_file():
         raise UserError(f"no file '{file}'")
@@ -112,12 +111,11 @@ def moving(file: Path, figure: str, scene: SceneTable) -> RecordedPath:
 
 
 @lru_cache(maxsize=2)
-def _moving(file: Path, figure: str, scene: str, _state: tuple[int, int], _allowed: bool) -> RecordedPath:
+def _moving(file: Path, figure: str, scene: str, _state: tuple[int, int], _allowed: bool) -> Saved:
     """Cached while the file is unchanged: editing a clip reads it repeatedly."""
     around, progress = SurroundingsTable(scene=SceneTable.model_validate_json(scene)), silent()
     recording = _read(Source(file, figure), around, progress)
-    saved = _cleaned(recording, around, None, progress)[1]
-    return RecordedPath(saved.figure, saved.timeline, saved.fps)
+    return _cleaned(recording, around, None, progress)[1]
 
 
 def clean_recording(source: Source, max_displacement: float | None, progress: Progress) -> tuple[Cleaned, Saved]:

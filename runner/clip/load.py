@@ -31,7 +31,7 @@ from .posing import notes
 from .posing.placement import targets_of
 from .posing.places import Places
 from .table import BarTable, BoxTable, ClipTable, SceneTable, SolveTable, SphereTable, StepTable
-from .tracking.recording import RecordedPath, TrackedRecording, followed
+from .tracking.recording import TrackedRecording, followed
 
 
 def load(
@@ -76,7 +76,7 @@ def from_parsed(
     spec: mujoco.MjSpec | None = None,
     unmet: list[str] | None = None,
     like: Clip | None = None,
-    recording: RecordedPath | None = None,
+    recording: Saved | None = None,
 ) -> Clip:
     """Return the clip of a parsed text.
 

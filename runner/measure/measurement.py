@@ -29,12 +29,11 @@ from dynsplines.solver.penalty import (
     slipped,
 )
 from dynsplines.solver.penalty.motion.acceleration import relative_accelerations
-from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface.points import Point, places_of
 
 from ..clip.build import Clip
 from ..clip.kinds import BODY, body_contacts
-from ..motion import even_times, sample_runs, samples_at
+from ..motion import Saved, even_times, sample_runs, samples_at
 from . import checks
 from .checks import Check, ContactTarget, Fixed, Hits, Row
 
@@ -92,7 +91,7 @@ class Measurement:
         return out
 
     @classmethod
-    def sides(cls, clip: Clip, motion: Solution) -> tuple[Measurement, Measurement]:
+    def sides(cls, clip: Clip, motion: Saved) -> tuple[Measurement, Measurement]:
         """Return the measurements of the raw spline and of a motion."""
         before = cls.of(clip, motion.raw, motion.raw)
         return before, before if motion.is_raw else cls.of(clip, motion.timeline, motion.raw)

@@ -15,15 +15,17 @@ from rich.table import Table
 from rich.text import Text
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import turned
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Cycle
+from dynsplines.solver.problem import renormalised
 from dynsplines.solver.refine.subdivision import by_weak_form
-from dynsplines.solver.solution import Solution
 
 from ..clip.build import Clip
-from ..motion import samples_at
+from ..motion import Saved, samples_at
 from .bounds import BOUNDS
 from .measurement import Measurement
 from .quantities import quantities
@@ -35,32 +37,34 @@ HIDDEN = ("geoms", "unit")  # entries without lines: too many, or shown with the
 SPAN = ("from, s", "to, s")
 
 
-def report(clip: Clip, motion: Solution, seconds: float | None) -> dict[str, Any]:
-    """Return the full report of a solved clip.
-
-    seconds  duration of the solve, if known
+def report(clip: Clip, motion: Saved) -> dict[str, Any]:
+    """Return the full report on a motion of a clip.
 
     An imported recording is measured once for both columns. It has no remaining decrease, because nothing is optimised.
     A cleaned recording has none either, because this is not the objective that was minimised.
     """
-    searched = not motion.is_raw and (motion.evaluations > 0 or motion.timeline.variable_count > 0)
+    evaluations = motion.search.get("evaluations", 0)
+    searched = not motion.is_raw and (evaluations > 0 or motion.timeline.variable_count > 0)
+    objective = clip.problem.plain_objective
+    if clip.settings.renormalise:
+        objective = renormalised(objective, motion.raw)
     measurements = Measurement.sides(clip, motion)
     samples = [samples_at(clip.figure, path_of(side.timeline), side.time) for side in measurements]
-    before = quantities(clip, motion.objective, measurements[0], samples[0])
-    after = dict(before) if motion.is_raw else quantities(clip, motion.objective, measurements[1], samples[1])
+    before = quantities(clip, objective, measurements[0], samples[0])
+    after = dict(before) if motion.is_raw else quantities(clip, objective, measurements[1], samples[1])
     first, last = (_centre_of_mass(side) for side in samples)
     after |= {DRIFT: {"largest": float(np.linalg.norm(last - first, axis=0).max())}}
     return {
         "violations": plain(violations_of(measurements[1], motion.stop)),
         "clip": clip.name,
         "duration, s": float(np.ptp(measurements[0].time)),
-        "left to gain": _remaining_decrease(motion) if searched else {},
+        "left to gain": _remaining_decrease(objective, motion.timeline) if searched else {},
         "keyframes": len(clip.authored_keys),
         "partial keyframes": sum(not key.is_key for key in clip.authored_keys),
         "variable frames": motion.timeline.variable_count,
-        "evaluations": motion.evaluations,
-        **({} if seconds is None else {"seconds": seconds}),
-        "stopped because": motion.stop.value,
+        "evaluations": evaluations,
+        **{name: motion.search[name] for name in ("seconds",) if name in motion.search},
+        "stopped because": motion.search.get("stopped because", motion.stop.value),
         "cycle": _cycle_report(clip),
         "before": before,
         "after": after,
@@ -103,10 +107,10 @@ def _centre_of_mass(samples: Samples) -> Array:
     return np.einsum("l,cls->cs", tables.mass, centres) / max(float(tables.mass.sum()), 1e-12)
 
 
-def _remaining_decrease(motion: Solution) -> dict[str, float]:
+def _remaining_decrease(objective: Objective, timeline: Timeline) -> dict[str, float]:
     """Return the estimated decrease of E by one more frame in every interval between frames (weak form), at most E."""
-    value = motion.objective.value(motion.path)
-    promised = min(float(by_weak_form(motion.objective, motion.timeline).sum()), value)
+    value = objective.value(path_of(timeline))
+    promised = min(float(by_weak_form(objective, timeline).sum()), value)
     return {"objective": promised, "share": promised / value if value > 0 else 0.0}
 
 

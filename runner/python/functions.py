@@ -191,8 +191,8 @@ def inbetween(clip: Clip | str | os.PathLike[str], *, progress: bool = False) ->
         UserError: For an invalid clip.
     """
     heard = Progress() if progress else silent()
-    solved = solving.solve(clip if isinstance(clip, Clip) else load(clip), heard)
-    return Motion(solved.saved(heard, with_report=False), solved)
+    problem = clip if isinstance(clip, Clip) else load(clip)
+    return Motion(solving.solve(problem, heard).motion, problem)
 
 
 @as_python_warnings()

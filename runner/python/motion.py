@@ -18,10 +18,8 @@ from numpy.typing import ArrayLike
 from rich.console import Console
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.curve.spline import path_of
 
 from .. import motion as files
-from .. import solving
 from ..clip import text as clip_text
 from ..clip.build import Clip
 from ..edit import edits, thinning
@@ -60,7 +58,7 @@ class Motion:
     """
 
     saved: Saved
-    _solved: Solved | None = field(default=None)
+    _clip: Clip | None = field(default=None)
 
     def __repr__(self) -> str:
         """ "<Motion run_and_step: 2.20 s, 12 keyframes, 33 variable frames, 39 DOF>" """
@@ -116,13 +114,13 @@ class Motion:
 
     @cached_property
     def _result(self) -> Solved:
-        return Solved.of(self.saved) if self._solved is None else self._solved
+        return Solved.of(self.saved) if self._clip is None else Solved(self._clip, self.saved)
 
     @cached_property
     def clip(self) -> Clip:
         """The clip that was solved. A file does not store custom penalties: a warning lists them."""
         names = self.saved.search.get("custom penalties")
-        if names and self._solved is None:
+        if names and self._clip is None:
             called = " and ".join(f"'{name}'" for name in names)
             line = f"its search also had the custom penalty {called}, which files do not contain; pass it again"
             warnings.warn(f"{self.name}: {line}", stacklevel=2)
@@ -150,8 +148,7 @@ class Motion:
             raise UserError(f"{self.name}: times are one number or a list of them, not {times.shape}")
         if times.size and not (self.start - 1e-9 <= times.min() and times.max() <= self.end + 1e-9):
             raise UserError(f"{self.name}: the motion runs from {self.start:g} to {self.end:g} s; give a time within")
-        qpos = self.saved.figure.to_qpos(path_of(self.saved.timeline).at(times.ravel()))
-        return qpos.reshape(*times.shape, self.model.nq)
+        return self.saved.at(times.ravel()).reshape(*times.shape, self.model.nq)
 
     def sampled(self, fps: float | None = None) -> Sampled:
         """Return samples at equal time steps.
@@ -180,11 +177,7 @@ class Motion:
     @cached_property
     @as_python_warnings()
     def _report(self) -> Report:
-        if self.saved.report:
-            return Report(self.saved.report)
-        if self._solved is not None:
-            return Report(self._solved.saved(silent()).report)
-        return Report(solving.measured(self.saved, silent(), "not searched").report)
+        return Report(self.saved.report or self._result.measured(silent()).report)
 
     @property
     def _saved_with_report(self) -> Saved:

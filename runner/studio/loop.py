@@ -199,11 +199,9 @@ class SolverLoop:
         if self.clip is None or self.solution is None:
             raise UserError("nothing has been solved yet")
         from .. import motion
-        from ..solving import Solved
-        from ..system.progress import Progress
+        from ..solving import motion_of
 
-        saved = Solved(self.clip, self.solution, None).saved(Progress(), with_report=False)
-        motion.save(saved, Path(file))
+        motion.save(motion_of(self.clip, self.solution), Path(file))
         self._report("saved", id=id)
 
     def interrupt(self) -> None:

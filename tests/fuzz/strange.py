@@ -75,10 +75,10 @@ FIGURES = (
 def _saved(figure: str) -> Saved:
     """A motion of a few frames, good to be written in any format."""
     if figure == "tiny":
-        return solving.unsolved(recordings.from_text(problems.CLIP, name="tiny", spec=grammar.spec())).saved(quiet())
+        return solving.unsolved(recordings.from_text(problems.CLIP, name="tiny", spec=grammar.spec())).measured(quiet())
     saved = motions.motion_of("human") if figure == "human" else motions.through(figure, *_robot_keys())
     clip = clips.of_motion(saved)
-    return solving.unsolved(with_keys(clip, list(clip.keys)[:3])).saved(quiet(), with_report=False)
+    return solving.unsolved(with_keys(clip, list(clip.keys)[:3])).motion
 
 
 def _robot_keys() -> tuple[Any, Any]:

@@ -114,5 +114,6 @@ def assert_no_worse(clip: Clip) -> None:
     edges = common_grid([motion.timeline, motion.raw])
     share = np.arange(FINER) / FINER
     times = np.append((edges[:-1, None] + share * np.diff(edges)[:, None]).ravel(), edges[-1])
-    found, raw = (motion.objective.value(path_of(line), times) for line in (motion.timeline, motion.raw))
+    objective = clip.problem.objective
+    found, raw = (objective.value(path_of(line), times) for line in (motion.timeline, motion.raw))
     assert found <= raw * (1 + 1e-6) + ROUNDING, (clip.name, clip.settings.optimiser, clip.settings.max_evaluations)

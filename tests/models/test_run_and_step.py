@@ -37,7 +37,7 @@ FEET = ("foot", "sole", "shoe", "toe", "heel", "vamp", "ankle", "collar")
 
 @pytest.fixture(scope="module")
 def measured() -> dict[str, Any]:
-    return report(of("run_and_step").clip, of("run_and_step").motion, 0.0)
+    return report(of("run_and_step").clip, of("run_and_step").motion)
 
 
 def test_the_clip_has_eight_to_twelve_keyframes_out_of_the_scene_between_which_a_foot_goes_into_the_step():

@@ -25,7 +25,7 @@ SQUAT = read_data("squat.toml")
 
 
 def motion_of(text: str) -> Saved:
-    return solving.solve(recordings.from_text(text, name="squat"), quiet()).saved(quiet(), with_report=False)
+    return solving.solve(recordings.from_text(text, name="squat"), quiet()).motion
 
 
 @pytest.mark.filterwarnings("ignore:.*torch.jit:DeprecationWarning")

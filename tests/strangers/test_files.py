@@ -12,7 +12,7 @@ import mujoco
 import numpy as np
 import pytest
 from figures import stl
-from processes import commanded, quiet
+from processes import commanded
 
 import dynsplines
 from dynsplines import cli, motion, solving
@@ -68,7 +68,7 @@ def tree(folder: Path) -> dict[str, bytes]:
 @pytest.fixture
 def meshed(tmp_path: Path) -> Saved:
     """A motion that brings a mesh along."""
-    return solving.unsolved(clip.load(str(model(tmp_path / "model")))).saved(quiet(), with_report=False)
+    return solving.unsolved(clip.load(str(model(tmp_path / "model")))).motion
 
 
 def tampered(saved: Saved, target: Path, **changes: Any) -> Path:

@@ -84,7 +84,7 @@ def test_a_model_by_others_becomes_a_clip_that_is_solved_and_drawn_without_an_ed
     found = solving.solve(problem.with_problem(settings=settings), quiet())
     assert found.motion.trace[-1][2] <= found.motion.trace[0][2]
     small = problem.figure.width <= SMALL
-    saved = found.saved(quiet(), with_report=small)
+    saved = found.measured(quiet()) if small else found.motion
     error = saved.report["after"]["keyframe error"] if small else keyframe_error(problem, found.motion.timeline)
     assert error <= 1e-12
     motion.save(saved, tmp_path / "its.npz")

@@ -29,7 +29,6 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point, places_of
 from dynsplines.solving import Solved
-from dynsplines.system.progress import Progress
 
 # Motions without any symmetry, for tests of formats: a root that travels and turns about all axes, joints anywhere.
 
@@ -57,7 +56,7 @@ def motion_of(figure: str, *, seed: int = 3, spread: float = 0.9, start: float =
 def through(figure: str, time: np.ndarray, qpos: np.ndarray) -> Saved:
     """The spline through keyframes."""
     found = clip.from_qpos("wild", compose(figure_spec(figure)), time, qpos, FPS, "wild")
-    return solving.unsolved(found).saved(Progress(), with_report=False)
+    return solving.unsolved(found).motion
 
 
 def samples(saved: Saved, fps: float | None = None) -> Sampled:
@@ -126,7 +125,7 @@ def moved(fps: float = 24.0, text: str = PUPPET, name: str = "puppet", count: in
     assert np.all(np.ptp(qpos, axis=0) > 0.01)
     spec = mujoco.MjSpec.from_string(text)
     found = clip.from_qpos(name, compose(spec), np.arange(count) / 12.0, qpos, fps, name)
-    return solving.unsolved(found).saved(Progress(), with_report=False)
+    return solving.unsolved(found).motion
 
 
 # A motion as a bad recording has it: it slides, sinks and hovers, shakes, and misses samples.

@@ -31,7 +31,6 @@ from dynsplines.solver.contacts import Contact, grasped_links
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Attachment, BendLimits, Sum
-from dynsplines.solver.solution import Solution
 from dynsplines.solver.surface.points import places_of
 from dynsplines.solver.surface.touch import movers
 from dynsplines.solving import Solved
@@ -62,22 +61,21 @@ def solved(name: str) -> Solved:
 @cache
 def unsolved(name: str) -> Saved:
     """The raw motion of a shipped clip, without a report."""
-    return solving.unsolved(recordings.load(name)).saved(quiet(), with_report=False)
+    return solving.unsolved(recordings.load(name)).motion
 
 
 def _cached(problem: Clip, progress: Progress, solve: Callable[[Clip, Progress], Solved]) -> Solved:
     file = Path(os.environ[PLACE]) / _key(problem)
     with _locked(file.with_suffix(".lock")):
         if not file.exists():
-            solved, motion = (result := solve(problem, progress)), result.motion
-            about = motion.trace, motion.evaluations, motion.stop
+            motion = (solved := solve(problem, progress)).motion
             timeline = None if motion.timeline is motion.raw else replace(motion.timeline)  # without its cached spline
-            file.write_bytes(pickle.dumps((timeline, about, solved.seconds)))
+            file.write_bytes(pickle.dumps((timeline, motion.trace, motion.search)))
             return solved
-        timeline, about, seconds = pickle.loads(file.read_bytes())
-    raw = problem.problem.raw
-    motion = Solution(problem.figure, problem.problem.objective, raw if timeline is None else timeline, raw, *about)
-    return Solved(problem, motion, seconds)
+        timeline, trace, search = pickle.loads(file.read_bytes())
+    raw = solving.unsolved(problem).motion
+    motion = replace(raw, timeline=timeline or raw.timeline, trace=trace, search=search)
+    return Solved(problem, motion)
 
 
 def _key(problem: Clip) -> str:
@@ -124,7 +122,7 @@ RATE = 500.0
 @dataclass(frozen=True, eq=False)
 class Move:
     clip: Clip
-    motion: Solution
+    motion: Saved
 
     @cached_property
     def time(self) -> Array:

@@ -103,7 +103,7 @@ class Results:
         solution = solving.solve(clip.load(name), self.progress)
         if signals.was_received():  # a search that is cut short is no result
             raise KeyboardInterrupt
-        return solution.saved(self.progress, with_report=False)
+        return solution.motion
 
 
 Figure = tuple[Picture, str]

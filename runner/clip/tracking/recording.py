@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -26,8 +26,8 @@ from dynsplines.solver.penalty import TrackingPenalty
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.surface.points import Point, placed, places_of
 
-from ... import motion
 from ...errors import UserError
+from ...motion import Saved, continuous, sample_count
 from ..table import RecordingTable
 from .penalties import Ground, problem
 
@@ -48,14 +48,6 @@ SHORTEST = 0.01  # [s] minimum of `blend`, so that most fixed frames near its en
 TOLERANCE = 1e-3  # [1] progress relative to E at which a search ends; small, because an edit starts far from its goal
 
 
-class RecordedPath(NamedTuple):
-    """A motion and its samples per second."""
-
-    figure: Figure
-    timeline: Timeline
-    fps: float
-
-
 @dataclass(frozen=True, eq=False)
 class TrackedRecording:
     """A recording on the time axis of the clip.
@@ -73,12 +65,8 @@ class TrackedRecording:
     @classmethod
     def of_motion(cls, figure: Figure, raw: Timeline, table: RecordingTable, where: str) -> TrackedRecording:
         """Return the recording that a saved motion follows, which is its raw path."""
-        return cls(
-            RecordedMotion.of(figure, *_taken_down(RecordedPath(figure, raw, RATE)), exact=True),
-            raw.times,
-            table,
-            where,
-        )
+        recorded = RecordedMotion.of(figure, *_taken_down(figure, raw, RATE), exact=True)
+        return cls(recorded, raw.times, table, where)
 
     @property
     def width(self) -> float:
@@ -224,7 +212,7 @@ def _distances(times: Array, others: Array) -> Array:
     return np.minimum(times - padded[after], padded[after + 1] - times)
 
 
-def followed(table: RecordingTable, figure: Figure, motion: RecordedPath | None, where: str) -> TrackedRecording:
+def followed(table: RecordingTable, figure: Figure, motion: Saved | None, where: str) -> TrackedRecording:
     """Return the recording that a clip follows, on the time axis of the clip.
 
     Raises:
@@ -242,20 +230,20 @@ def followed(table: RecordingTable, figure: Figure, motion: RecordedPath | None,
         timeline = motion.timeline if table.repeat is None else repeated(motion.figure, motion.timeline, table.repeat)
     except TimelineError as error:
         raise UserError(f"{here}: repeat: {error}") from None
-    time, qpos = _cut(*_taken_down(RecordedPath(motion.figure, timeline, motion.fps)), table, here)
+    time, qpos = _cut(*_taken_down(motion.figure, timeline, motion.fps), table, here)
     recorded = RecordedMotion.of(figure, _clip_time(time, table), qpos, exact=True)
     return TrackedRecording(recorded, _clip_time(timeline.times, table, time[0]), table, where)
 
 
-def _taken_down(saved: RecordedPath) -> tuple[Array, Array]:
+def _taken_down(figure: Figure, timeline: Timeline, fps: float) -> tuple[Array, Array]:
     """Return times (T,) [s] and qpos (T, nq) of a motion at RATE or more samples per second, including its end."""
-    path, fps = path_of(saved.timeline), max(saved.fps, RATE)
+    path, rate = path_of(timeline), max(fps, RATE)
     first, last = path.span
-    time = first + np.arange(motion.sample_count(last - first, fps)) / fps
+    time = first + np.arange(sample_count(last - first, rate)) / rate
     if last - time[-1] > CLOSE:
         time = np.append(time, last)
     time[-1] = last
-    return time, motion.continuous(saved.figure, saved.figure.to_qpos(path.at(time)))
+    return time, continuous(figure, figure.to_qpos(path.at(time)))
 
 
 def _cut(time: Array, qpos: Array, table: RecordingTable, where: str) -> tuple[Array, Array]:

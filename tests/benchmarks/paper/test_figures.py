@@ -24,12 +24,12 @@ STEP_UP = read_data("step_up.toml")
 
 @pytest.fixture(scope="module")
 def climber() -> Saved:
-    return solving.solve(recordings.from_text(STEP_UP, name="climber"), quiet()).saved(quiet(), with_report=False)
+    return solving.solve(recordings.from_text(STEP_UP, name="climber"), quiet()).motion
 
 
 @pytest.fixture(scope="module")
 def tumbler() -> Saved:
-    return shipped.solved("tumble").saved(quiet(), with_report=False)
+    return shipped.solved("tumble").motion
 
 
 @pytest.fixture

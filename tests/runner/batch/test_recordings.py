@@ -19,7 +19,6 @@ from dynsplines.batch.manifest import Manifest
 from dynsplines.batch.task import Options
 from dynsplines.clean.command import Source
 from dynsplines.exchange import formats
-from dynsplines.system.progress import Progress
 
 
 @pytest.fixture(scope="module")
@@ -27,7 +26,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Two recordings, one below the other's folder, one that is none, and files of other kinds."""
     folder = tmp_path_factory.mktemp("recordings")
     (folder / "more").mkdir()
-    walk = shipped.solved("walk_loop").saved(Progress(), with_report=False)
+    walk = shipped.solved("walk_loop").motion
     formats.export(walk, "bvh", folder / "walk.bvh", fps=30)
     formats.export(walk, "csv", folder / "more" / "turn.csv", fps=40)
     (folder / "torn.bvh").write_text("HIERARCHY\nROOT", encoding="utf-8")

@@ -16,7 +16,6 @@ from dynsplines.exchange import formats
 from dynsplines.exchange.motion_import import read_recording
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solving import unsolved
-from dynsplines.system.progress import Progress
 
 TIMES = np.arange(45) / 30
 
@@ -38,7 +37,7 @@ def squats(tmp_path_factory: pytest.TempPathFactory) -> Path:
     qpos[:, 2] += 0.015 * np.sin(3 * TIMES) - lowest
     qpos[:, 0] += 0.04 * TIMES
     found = clips.from_qpos("bobs", scene, TIMES, qpos, 30.0, "bobs")
-    saved = unsolved(found).saved(Progress(), with_report=False)
+    saved = unsolved(found).motion
     motion.save(saved, folder / "bobs.npz")
     formats.export(saved, "bvh", folder / "bobs.bvh")
     formats.export(saved, "csv", folder / "bobs.csv")
@@ -86,7 +85,7 @@ def test_violations_that_remain_are_printed_last(command, squats, tmp_path, monk
     at = saved.figure.model.joint("left_shoulder").qposadr[0]
     qpos[:, at : at + 4] = np.cos(0.35), -np.sin(0.35), 0, 0
     qpos[:, 2] += 3.0 * TIMES / TIMES[-1]
-    arm = unsolved(clips.from_qpos("arm", saved.scene, TIMES, qpos, 30.0, "arm")).saved(Progress(), with_report=False)
+    arm = unsolved(clips.from_qpos("arm", saved.scene, TIMES, qpos, 30.0, "arm")).motion
     formats.export(arm, "bvh", tmp_path / "arm.bvh")
     name, figure = command_of
     done = command(name, "arm.bvh", figure, "human", "-o", "out.npz")
@@ -151,7 +150,7 @@ def test_a_heel_at_rest_in_the_air_is_named_and_does_not_stand(command, tmp_path
     monkeypatch.chdir(tmp_path)
     take = kneeling(60, np.radians(36))
     found = clips.from_qpos("kneels", compose(figure_spec("human")), take.time, take.qpos, 60.0, "kneels")
-    motion.save(unsolved(found).saved(Progress(), with_report=False), tmp_path / "kneels.npz")
+    motion.save(unsolved(found).motion, tmp_path / "kneels.npz")
     done = command("clean", "kneels.npz", "-o", "a.npz")
     assert done.code == 0, done.err
     (note,) = [line for line in done.err.splitlines() if "right_heel rests above the ground" in line]

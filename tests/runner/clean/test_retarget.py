@@ -32,7 +32,7 @@ from dynsplines.system.progress import Progress
 def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with a walk of two periods as BVH, and the robot."""
     folder = tmp_path_factory.mktemp("robot")
-    saved = shipped.solved("walk_loop").saved(Progress(), with_report=False)
+    saved = shipped.solved("walk_loop").motion
     formats.export(repeated(saved, 2), "bvh", folder / "walk.bvh", fps=30)
     formats.export(saved, "bvh", folder / "short.bvh", fps=30)
     (folder / "android.xml").write_text(ANDROID, encoding="utf-8")

@@ -27,6 +27,7 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Attachment, Collision, Sum
 from dynsplines.solver.surface.points import places_of
+from dynsplines.solving import motion_of
 
 STEP = """
 figure = "human"
@@ -111,7 +112,7 @@ def test_a_foot_rests_where_a_contact_says_without_it_does_not_and_the_report_te
         moved.append(float(np.ptp(centres[0, 0])))
     assert moved[0] > 0.05
     assert moved[1] < 0.005
-    told = report(clips[1], motions[1], 0.0)
+    told = report(clips[1], motion_of(clips[1], motions[1]))
     (before,), (after,) = told["before"]["contacts"], told["after"]["contacts"]
     assert (after["point"], after["from, s"], after["to, s"]) == ("left_toe", 0.55, 0.75)
     assert before["moved, m"] > 0.03

@@ -42,7 +42,7 @@ BARE = 'figure = "human"\n[recording]\nfile = "run.npz"\n'
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """With run_and_step solved."""
     out = tmp_path_factory.mktemp("edits")
-    motion.save(shipped.solved("run_and_step").saved(Progress(), with_report=False), out / "run.npz")
+    motion.save(shipped.solved("run_and_step").motion, out / "run.npz")
     (out / "itself.toml").write_text(BARE.replace("run.npz", "itself.toml"), encoding="utf-8")
     return out
 
@@ -274,7 +274,7 @@ def test_a_loop_that_ships_is_followed_as_often_as_the_clip_specifies_and_false_
     qpos = clip.figure.to_qpos(near.recorded.path.at(np.array([0.3, 0.3 + period, 0.3 + 2 * period])))
     np.testing.assert_allclose(np.diff(qpos[:, 0]), 1.38, atol=0.01)
     np.testing.assert_allclose(np.abs(qpos[:, 1:]), np.abs(qpos[[0, 0, 0], 1:]), atol=2e-3)
-    found = solving.unsolved(clip).saved(Progress(), with_report=False)
+    found = solving.unsolved(clip).motion
     changes: list[Any] = [[{}], {"a": 1}, [{"point": "left_toe", "from, s": 1, "to, s": 0}], 3]
     for change in changes:
         with pytest.raises(UserError, match="stances"):
@@ -300,14 +300,14 @@ def test_a_walk_steps_on_to_a_kerb_and_only_the_given_keyframes_are_reported():
     assert [violation.text for violation in solved.violations] == []
     found = penetration(model, times, clip.figure.to_qpos(path.at(times)))
     assert found.deepest < 0.004, found.worst()
-    saved = solved.saved(Progress(), with_report=False)
-    report = solving.measured(saved, Progress(), "").report
+    saved = solved.motion
+    report = solving.Solved.of(saved).measured(Progress(), "").report
     assert report["violations"] == []
     assert (report["keyframes"], report["partial keyframes"]) == (3, 3)
     assert all(joint["backward"] < 1 for joint in report["after"]["bends, degrees"].values())
     assert all(contact["moved, m"] < 0.005 for contact in report["after"]["contacts"])
     whole = report["after"]["objective"]
-    assert whole == pytest.approx(solution.objective.value(path), abs=22.0)  # the recording is known by its frames
+    assert whole == pytest.approx(clip.problem.objective.value(path), abs=22.0)  # the recording is known by its frames
 
 
 @pytest.mark.slow

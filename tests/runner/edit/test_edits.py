@@ -47,7 +47,7 @@ Edit = Callable[[Saved], Saved]
 
 def solved(text: str, folder: Path) -> Saved:
     found = recordings.load(str(problems.written(folder, text)))
-    return solving.solve(found, quiet()).saved(quiet(), with_report=False)
+    return solving.solve(found, quiet()).motion
 
 
 @pytest.fixture(scope="module")
@@ -140,7 +140,7 @@ def assert_plain(edited: Saved, folder: Path) -> None:
     again = motion.load(folder / "edited.npz")
     assert_equal(again, edited)
     assert isinstance(solving.Solved.of(again).violations, tuple)
-    assert solving.measured(again, quiet(), "edited").report["stopped because"]
+    assert solving.Solved.of(again).measured(quiet(), "edited").report["stopped because"]
 
 
 @pytest.mark.slow
@@ -181,7 +181,7 @@ def test_a_repeated_loop_has_the_samples_and_keyframes_of_every_period(motions, 
         np.testing.assert_array_equal(key.fixed, inner if i % 2 else seam_fixed)
     found = solving.Solved.of(many).clip
     assert found.ends == "periodic"
-    seam = solving.measured(many, quiet(), "edited").report["after"]["seam"]
+    seam = solving.Solved.of(many).measured(quiet(), "edited").report["after"]["seam"]
     np.testing.assert_allclose(seam["travel, m"], [0.3 * count, 0, 0.1 * count], atol=1e-12)
     assert max(seam[name] for name in ("state", "first derivative", "second derivative")) < 1e-9
 
@@ -347,7 +347,7 @@ def test_a_motion_as_a_clip_has_its_tables_or_else_its_keyframes(motions, tmp_pa
     assert not again.context.schedule.contacts
     with pytest.raises(UserError, match=r"follows the recording 'own\.npz'; save it as a motion"):
         clip_text.write(motions["following"], tmp_path / "other.toml", overwrite=False)
-    kerb = solving.unsolved(recordings.load("step_on_kerb")).saved(quiet(), with_report=False)
+    kerb = solving.unsolved(recordings.load("step_on_kerb")).motion
     clip_text.write(kerb, tmp_path / "kerb.toml", overwrite=False)  # follows what ships
     again = recordings.load(str(tmp_path / "kerb.toml"))
     assert [key.time for key in again.authored_keys] == [2.24, 2.86, 3.24]

@@ -74,7 +74,7 @@ def test_the_spline_through_a_thinned_clips_keyframes_is_the_motion_that_was_mea
     source, target = tmp_path / "step.npz", tmp_path / "step.toml"
     motion.save(straight, source)
     run(source, target)
-    again = solving.unsolved(clip.load(str(target))).saved(Progress(), with_report=False)
+    again = solving.unsolved(clip.load(str(target))).motion
     said = re.search(r"(\d+) keyframes of (\d+); at most ([\d.]+) cm at ([\d.]+) s \((\w+)\)", capsys.readouterr().err)
     assert said
     assert int(said[1]) == len(again.keys) < 15
@@ -115,7 +115,7 @@ def test_a_searched_clip_is_reported_beside_its_spline_and_keeps_the_bound_where
     for file in (tmp_path / "spline.toml", target):
         found = clip.load(str(file))
         assert found.settings.max_evaluations > 1 and found.settings.variable != 0
-        again = solving.solve(found, Progress()).saved(Progress(), with_report=False)
+        again = solving.solve(found, Progress()).motion
         assert again.timeline.variable_count > 0
         off.append(apart(step, again))
     # this is a raw spline, whose feet sink and slide: few keyframes are too few for what the search mends

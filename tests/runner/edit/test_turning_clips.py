@@ -35,7 +35,7 @@ GIVEN = problems.changed("frames = 2\n", ENDS + "travel = [0.3, 0.1, 0]\nturn = 
 
 
 def solved(folder: Path, text: str) -> Saved:
-    return solving.solve(clips.load(str(problems.written(folder, text))), quiet()).saved(quiet(), with_report=False)
+    return solving.solve(clips.load(str(problems.written(folder, text))), quiet()).motion
 
 
 @pytest.fixture(scope="module")
@@ -116,7 +116,7 @@ def test_a_loop_comes_back_turned_and_smooth_and_its_report_contains_it(circle):
     assert np.degrees(seam.headings) == pytest.approx([45])
     np.testing.assert_allclose(seam.travel[:3], [0.3, 0.1, 0], atol=1e-12)
     assert seam.discontinuity(path_of(circle.timeline)).max() < 1e-9
-    report = solving.measured(circle, quiet(), "edited").report
+    report = solving.Solved.of(circle).measured(quiet(), "edited").report
     for side in ("before", "after"):
         found = report[side]["seam"]
         assert found["turn, degrees"] == pytest.approx(45)

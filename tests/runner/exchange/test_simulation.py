@@ -9,7 +9,6 @@ import pytest
 import shipped
 from motions import between, clip_file, played
 from motions import exported_scene as exported
-from processes import quiet
 from texts import read_data
 
 from dynsplines import inbetween, load, solving
@@ -100,7 +99,7 @@ def test_a_light_ball_joint_with_a_strong_spring_has_targets_within_half_a_turn(
 
 @pytest.mark.slow
 def test_the_human_follows_its_motion_and_falls_through_nothing(tmp_path):
-    saved = shipped.solved("walk_loop").saved(quiet(), with_report=False)
+    saved = shipped.solved("walk_loop").motion
     model, _ = exported(saved, tmp_path)
     end = played(model, LASTS)
     assert np.linalg.norm(end.last[:3]) < 0.2
@@ -115,7 +114,7 @@ def rig(tmp_path_factory):
     folder = tmp_path_factory.mktemp("rig")
     (folder / "rig.xml").write_text(RIG)
     problem = clip.load(str(clip_file(folder, folder / "rig.xml", *KEYS)))
-    saved = solving.unsolved(problem).saved(quiet(), with_report=False)
+    saved = solving.unsolved(problem).motion
     return saved, exported(saved, folder)[0]
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import json
 import math
+from dataclasses import replace
 
 import mujoco
 import numpy as np
@@ -40,7 +41,7 @@ def unsolved(folder, keys: list[tuple[float, float, float, float]], head: str = 
 
 
 def side(solved: Solved) -> dict:
-    return report(solved.clip, solved.motion, 0.0)["after"]
+    return report(solved.clip, solved.motion)["after"]
 
 
 def test_penetration_of_a_known_pose_is_what_it_is(tmp_path):
@@ -110,14 +111,14 @@ def test_skate_of_round_feet_is_measured_at_their_lowest_points(tmp_path):
 
 @pytest.mark.slow
 def test_keyframe_error_is_seen_where_a_keyframe_is_missed(solved: Solved):
-    data = report(solved.clip, solved.motion, 0.0)
+    data = report(solved.clip, solved.motion)
     assert data["after"]["keyframe error"] < 1e-12
     key = solved.clip.keys[1]
     state = key.state.copy()
     state[0] += 0.0125
     state[2] += 5  # which the keyframe does not fix
     keys = (solved.clip.keys[0], type(key)(key.time, state, key.fixed), solved.clip.keys[2])
-    missed = report(with_keys(solved.clip, keys), solved.motion, 0.0)
+    missed = report(with_keys(solved.clip, keys), solved.motion)
     assert missed["after"]["keyframe error"] == pytest.approx(0.0125, abs=1e-9)
 
 
@@ -132,7 +133,7 @@ def test_torques_are_those_of_mujocos_inverse_dynamics(solved: Solved):
         data.qpos[:], data.qvel[:], data.qacc[:] = row
         mujoco.mj_inverse(model, data)
         forces[i] = data.qfrc_inverse
-    found = report(solved.clip, solved.motion, 0.0)["after"]["torque, N m"]
+    found = report(solved.clip, solved.motion)["after"]["torque, N m"]
     joints = np.linalg.norm(forces[:, 6:], axis=1)
     assert found["root mean square"] == pytest.approx(np.sqrt(np.mean(joints**2)), rel=1e-6)
     assert found["peak of one joint"] == pytest.approx(joints.max(), rel=1e-6)
@@ -143,18 +144,19 @@ def test_torques_are_those_of_mujocos_inverse_dynamics(solved: Solved):
 @pytest.mark.slow
 def test_what_is_left_to_gain_is_about_what_four_times_the_frames_gain(solved: Solved):
     motion = solved.motion
-    told = report(solved.clip, motion, 1.0)["left to gain"]
-    fine = optimised(motion.objective, evenly(motion.timeline, 3), tolerance=1e-6)
-    gained = motion.objective.value(motion.path) - motion.objective.value(path_of(fine))
+    told = report(solved.clip, motion)["left to gain"]
+    objective = solved.clip.problem.objective
+    fine = optimised(objective, evenly(motion.timeline, 3), tolerance=1e-6)
+    gained = objective.value(motion.path) - objective.value(path_of(fine))
     assert gained / 3 < told["objective"] < 3 * gained
-    assert told["share"] == pytest.approx(told["objective"] / motion.objective.value(motion.path))
+    assert told["share"] == pytest.approx(told["objective"] / objective.value(motion.path))
 
 
 @pytest.mark.slow
 def test_a_recording_is_reported_once_and_nothing_is_said_of_a_search(tmp_path):
     keys = [(0.02 * i, 0.01 * i, 0.0, 0.07 + 0.001 * (i % 3)) for i in range(40)]
     solved = unsolved(tmp_path, keys)
-    data = report(solved.clip, solved.motion, 0.0)
+    data = report(solved.clip, solved.motion)
     assert (data["left to gain"], data["after"]["stances"]) == ({}, [])
     assert {name: data["before"][name] for name in data["before"]} == {
         name: data["after"][name] for name in data["before"]
@@ -170,7 +172,7 @@ def test_a_recording_is_reported_once_and_nothing_is_said_of_a_search(tmp_path):
 
 
 def test_totals_are_of_the_search_in_strict_json_and_on_the_screen(solved: Solved):
-    data = report(solved.clip, solved.motion, 1.25)
+    data = report(solved.clip, replace(solved.motion, search=solved.motion.search | {"seconds": 1.25}))
     assert data["after"]["objective"] == pytest.approx(solved.motion.trace[-1][2], rel=1e-9)
     assert data["after"]["objective"] == pytest.approx(sum(data["after"]["terms"].values()))
     assert data["after"]["objective"] < data["before"]["objective"]
@@ -198,7 +200,7 @@ def test_figures_without_feet_or_quaternions_have_a_report_too(tmp_path, figure)
         path = written(tmp_path)
         (tmp_path / "tiny.xml").write_text(FIGURE.replace("left_toe", "tip"), encoding="utf-8")
     solved = solving.solve(clip.load(str(path)), quiet())
-    data = solved.saved(quiet()).report
+    data = solved.measured(quiet()).report
     json.dumps(data, allow_nan=False)
     assert data["after"]["skate"] == {}
     assert data["after"]["stances"] == []

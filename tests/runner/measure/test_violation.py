@@ -544,7 +544,7 @@ def test_edited_motions_have_the_violations_of_their_samples_and_not_of_the_clip
     """A contact that moves and a place that is missed are faults of the clip; feet that slide are in the samples."""
     site = 'sites.left_hand = {position = [0.5, 0.4, 1.2], by = "search"}\n'
     problem = unposed(read(standing(0, 0, 0.4) + site + CONTACT.format("toe", 1.2, 1.8)))
-    walked = solving.unsolved(problem).saved(quiet(), with_report=False)
+    walked = solving.unsolved(problem).motion
 
     def found(saved: motion.Saved) -> set[tuple[str, str]]:
         return {(each.kind, each.name) for each in solving.Solved.of(saved).violations}

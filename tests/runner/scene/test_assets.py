@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 from figures import stl
 from PIL import Image
-from processes import quiet
 from texts import read_data
 
 from dynsplines import motion, solving
@@ -60,7 +59,7 @@ def test_all_files_come_along_once_and_files_of_one_name_stay_apart(model):
 
 @pytest.mark.slow
 def test_a_motion_file_needs_no_other_files(model):
-    found = solving.unsolved(clip.load(str(model))).saved(quiet(), with_report=False)
+    found = solving.unsolved(clip.load(str(model))).motion
     target = model.parent.parent / "it.npz"
     motion.save(found, target)
     for path in sorted(model.parent.rglob("*"), reverse=True):
@@ -82,7 +81,7 @@ def test_a_motion_file_of_the_first_format_still_loads(motion_file, tmp_path):
 
 def test_a_motion_file_with_damaged_assets_is_refused(model, tmp_path):
     target, bad = tmp_path / "it.npz", tmp_path / "bad.npz"
-    motion.save(solving.unsolved(clip.load(str(model))).saved(quiet(), with_report=False), target)
+    motion.save(solving.unsolved(clip.load(str(model))).motion, target)
     for damage in ("asset_0", "asset_names"):
         with np.load(target) as data:
             assert damage in data

@@ -71,7 +71,7 @@ def solved(text: str, keys: str, folder: Path) -> solving.Solved:
 
 
 def measured(found: solving.Solved) -> dict:
-    return found.saved(quiet()).report["after"]["equality constraints"]
+    return found.measured(quiet()).report["after"]["equality constraints"]
 
 
 @pytest.mark.parametrize(("text", "units"), [(GRIPPER, ["degrees", "m", "degrees"]), (GEARS, ["m", "degrees", "m"])])
