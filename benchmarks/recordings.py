@@ -34,7 +34,7 @@ from dynsplines.motion import sampled, samples_at
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
-from dynsplines.solver.curve.recording import RecordedMotion
+from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.curve.spline import Path as Curve
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
@@ -197,9 +197,7 @@ def scored(truth: Truth, rng: np.random.Generator, *, straight: bool) -> Score:
         on = ground.surfaces if rest.surface is None else (rest.surface,)
         over, _ = height_over(on, places[:, row : row + 1, during], np.array([rest.point.radius]))
         hover = max(hover, float(over.max(initial=0.0)))
-    peaks = [
-        peak(figure, path, fine) for path in (result.after, RecordedMotion.of(figure, truth.time, truth.qpos).path)
-    ]
+    peaks = [peak(figure, path, fine) for path in (result.after, Track.of(figure, truth.time, truth.qpos).path)]
     return Score(
         before=off[0],
         after=off[1],

@@ -17,7 +17,7 @@ from dynsplines.solver.contacts.recorded_stances import (
 )
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.curve.recording import RecordedMotion
+from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.curve.spline import Path, natural_spline, path_of
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
@@ -59,7 +59,7 @@ class Cleaned:
 
     ground: Ground
     before: Path
-    recorded: RecordedMotion
+    recorded: Track
     rests: tuple[Contact, ...]
     raised: tuple[Contact, ...]
     problem: Problem
@@ -88,7 +88,7 @@ def cleaned(
 ) -> Cleaned:
     """Return the motion near a recording that satisfies its stances, by default those inferred from it."""
     figure = ground.figure
-    recorded = RecordedMotion.of(figure, repaired.time, repaired.qpos, _by_state(figure, repaired.known))
+    recorded = Track.of(figure, repaired.time, repaired.qpos, _by_state(figure, repaired.known))
     before = natural_spline(recorded.times, np.where(recorded.known > 0, recorded.states, recorded.bridged))
     recorded = move_to_ground(recorded, ground.points, ground.surfaces)
     rests, raised = tuple(specified or ()), tuple[Contact, ...]()
@@ -143,7 +143,7 @@ def _stretches(times: Array) -> Iterator[tuple[float, float]]:
     yield first - ABOUT, last + ABOUT
 
 
-def _is_deep(ground: Ground, recorded: RecordedMotion) -> bool:
+def _is_deep(ground: Ground, recorded: Track) -> bool:
     times = even_times(recorded.path.span, RATE)
     return bool(depth(ground, recorded.path, times).max() > Thresholds.of(ground.figure).hovers)
 
@@ -193,7 +193,7 @@ def _curve(problem: Problem) -> Path:
     return natural_spline(_times(problem), problem.figure.to_state(np.array([key.state for key in problem.keys])))
 
 
-def _without_ends(ground: Ground, recorded: RecordedMotion, rest: Contact) -> Contact:
+def _without_ends(ground: Ground, recorded: Track, rest: Contact) -> Contact:
     """Return a stance without the times in which the point may already move, hidden by noise."""
     first, last = recorded.path.span
     unsure = min(Thresholds.of(ground.figure).moment, SHARE * (rest.last - rest.first))
@@ -204,12 +204,12 @@ def _without_ends(ground: Ground, recorded: RecordedMotion, rest: Contact) -> Co
     )
 
 
-def _refined_stances(ground: Ground, recorded: RecordedMotion, soft_problem: Problem) -> tuple[Contact, ...]:
+def _refined_stances(ground: Ground, recorded: Track, soft_problem: Problem) -> tuple[Contact, ...]:
     """Return the stances of a noisy recording after a search with the sure parts of its first ones.
 
     Brief stances are left out, at both ends of a recording also somewhat longer ones: noise hides that a foot moves."""
     calm = ground.figure.to_qpos(_curve(soft_problem).at(recorded.times))
-    smoothed = RecordedMotion.of(ground.figure, recorded.times, calm)
+    smoothed = Track.of(ground.figure, recorded.times, calm)
     averaged = max(1.0, recorded.rate * Thresholds.of(ground.figure).blurred)  # samples
     noise = largest_noise(recorded, ground.points) / np.sqrt(averaged)
     stances = infer_stances(smoothed, ground.points, ground.surfaces, noise)

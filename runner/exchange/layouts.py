@@ -106,7 +106,10 @@ def check_upright(model: mujoco.MjModel | None, recorded: Recording, form: str, 
     quaternions, and the root is far from upright in most samples."""
     if recorded.assumed_layout is None:
         return
-    root = root_of(model := model or mujoco.MjModel.from_xml_string(recorded.mjcf))
+    if model is None:
+        assert recorded.scene is not None, "a reader returns a figure or requires one"
+        model = recorded.scene.model()
+    root = root_of(model)
     if root is None:
         return
     start = int(model.jnt_qposadr[root.joint]) + 3

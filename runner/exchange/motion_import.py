@@ -69,9 +69,8 @@ def read_recording(
         spec.assets = dict(taken_along(spec))  # under the names that compose assigns, so that MuJoCo finds the meshes
     model = None if spec is None else compiled(spec, figure)
     record = gaps.without_missing(recording(source, kind, model=model, fps=fps, scale=scale), source)
-    if record.mjcf is not None:
-        spec = mujoco.MjSpec.from_string(record.mjcf)
-        spec.assets = dict(record.assets)
+    if record.scene is not None:
+        spec = record.scene.spec()
         model = compiled(spec, source)
     assert spec is not None and model is not None, "a reader returns a figure or requires one"
     qpos, notes = _unwrapped(model, record.time, record.qpos)

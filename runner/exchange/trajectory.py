@@ -14,7 +14,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure
 
 from ..motion import Saved, sampled
-from ..scene.assets import Assets
+from ..scene.assets import Scene
 from ..system.quantity import positive
 
 
@@ -111,17 +111,15 @@ class Recording:
     Attributes:
         time: Times (T,) [s], rising.
         qpos: Configurations (T, nq) of the figure.
-        mjcf: The figure that the file contains, such as the hierarchy of a BVH file; None for the caller's figure.
+        scene: The figure that the file contains, such as the hierarchy of a BVH file; None for the caller's figure.
         fps: The sampling rate [1/s], if the file states it more exactly than its times.
         notes: Lines for the user on how the file was read.
-        assets: The files that `mjcf` refers to, by name.
         assumed_layout: The root's quaternions and vertical axis, if only the format's documentation states them.
     """
 
     time: Array
     qpos: Array
-    mjcf: str | None = None
+    scene: Scene | None = None
     fps: float | None = None
     notes: tuple[str, ...] = ()
-    assets: Assets = field(default_factory=dict)
     assumed_layout: str | None = None

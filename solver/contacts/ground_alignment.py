@@ -12,7 +12,7 @@ import numpy as np
 
 from .. import quaternion as quat
 from ..array import Array, Mask
-from ..curve.recording import RecordedMotion
+from ..curve.recording import Track
 from ..figure.figure import Figure, JointKind, quaternion_columns
 from ..figure.kinematics import Samples
 from ..surface import Surface
@@ -27,9 +27,7 @@ ENOUGH = 5  # least number of samples in which a whole sole stands
 RUN = 1000  # most samples evaluated at once, which bounds the memory
 
 
-def align_to_ground(
-    recorded: RecordedMotion, stances: Sequence[Contact], surfaces: Sequence[Surface]
-) -> RecordedMotion:
+def align_to_ground(recorded: Track, stances: Sequence[Contact], surfaces: Sequence[Surface]) -> Track:
     """Return the recording with level soles, and shifted vertically so that stances are on the ground."""
     if not stances or not surfaces:
         return recorded
@@ -43,7 +41,7 @@ def align_to_ground(
     return recorded if abs(lift) < Thresholds.of(recorded.figure).tiny else recorded.moved([0, 0, lift])
 
 
-def move_to_ground(recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface]) -> RecordedMotion:
+def move_to_ground(recorded: Track, points: Sequence[Point], surfaces: Sequence[Surface]) -> Track:
     """Return the recording shifted vertically if all of it is far in or above the ground, as of another floor."""
     if not points or not surfaces:
         return recorded
@@ -54,7 +52,7 @@ def move_to_ground(recorded: RecordedMotion, points: Sequence[Point], surfaces: 
     return recorded.moved([0, 0, lift]) if abs(lift) > Thresholds.of(recorded.figure).same_spot else recorded
 
 
-def _levelled(recorded: RecordedMotion, stances: Sequence[Contact], link: int) -> RecordedMotion:
+def _levelled(recorded: Track, stances: Sequence[Contact], link: int) -> Track:
     """Return the recording rotated at the link of a sole, so that the mean of it is level when all of it stands."""
     figure = recorded.figure
     columns = quaternion_columns(figure.links[link])
@@ -86,7 +84,7 @@ def _runs(figure: Figure, states: Array) -> Iterator[Samples]:
         yield Samples.still(figure, states[first : first + RUN])
 
 
-def _places(recorded: RecordedMotion, points: Sequence[Point]) -> Array:
+def _places(recorded: Track, points: Sequence[Point]) -> Array:
     """Return positions (3, n, T) [m] of points on the most likely curve at the samples."""
     return np.concatenate(
         [places_of(points, samples)[0] for samples in _runs(recorded.figure, recorded.bridged)], axis=2

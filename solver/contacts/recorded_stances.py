@@ -18,7 +18,7 @@ import numpy as np
 
 from .. import array
 from ..array import Array, Mask
-from ..curve.recording import GAIN, NORMAL, ORDER, RecordedMotion
+from ..curve.recording import GAIN, NORMAL, ORDER, Track
 from ..figure.algebra import cross
 from ..figure.kinematics import Samples
 from ..surface import Surface
@@ -36,7 +36,7 @@ UP = np.array([0.0, 0, 1])  # normal of the ground on which points roll
 
 
 def infer_stances(
-    recorded: RecordedMotion,
+    recorded: Track,
     points: Sequence[Point],
     surfaces: Sequence[Surface],
     smoothed: float = 0.0,
@@ -57,7 +57,7 @@ def infer_stances(
 
 
 def infer_stances_and_raised(
-    recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface]
+    recorded: Track, points: Sequence[Point], surfaces: Sequence[Surface]
 ) -> tuple[tuple[Contact, ...], tuple[Contact, ...]]:
     """Return the stances of an aligned recording, and the intervals in which points rest too high for a stance."""
     if not points or not surfaces or recorded.times.size < ORDER:
@@ -77,9 +77,7 @@ class _Segments(NamedTuple):
     limits: Thresholds
 
 
-def _segments(
-    recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface], aligned: bool
-) -> _Segments:
+def _segments(recorded: Track, points: Sequence[Point], surfaces: Sequence[Surface], aligned: bool) -> _Segments:
     limits = Thresholds.of(recorded.figure)
     tracks = _tracks(recorded, points)
     times, centres, is_known, noise = tracks
@@ -127,7 +125,7 @@ def _stances(
                 yield Contact(point, float(times[a]), float(times[b - 1]), surface=ground, rolls=True)
 
 
-def largest_noise(recorded: RecordedMotion, points: Sequence[Point]) -> float:
+def largest_noise(recorded: Track, points: Sequence[Point]) -> float:
     """Return the largest noise [m] of the positions of any point."""
     if not points or recorded.times.size < ORDER:
         return 0.0
@@ -143,7 +141,7 @@ class _Tracks(NamedTuple):
     noise: Array
 
 
-def _tracks(recorded: RecordedMotion, points: Sequence[Point]) -> _Tracks:
+def _tracks(recorded: Track, points: Sequence[Point]) -> _Tracks:
     step = max(1, round(recorded.rate / Thresholds.of(recorded.figure).finest))
     states = np.where(recorded.known > 0, recorded.states, recorded.bridged)[::step]
     centres, _ = places_of(points, Samples.still(recorded.figure, states))
@@ -151,9 +149,7 @@ def _tracks(recorded: RecordedMotion, points: Sequence[Point]) -> _Tracks:
     return _Tracks(recorded.times[::step], centres, is_known > 0, position_noise(centres, is_known))
 
 
-def _smooth(
-    recorded: RecordedMotion, points: Sequence[Point], surfaces: Sequence[Surface], times: Array
-) -> tuple[Array, Array]:
+def _smooth(recorded: Track, points: Sequence[Point], surfaces: Sequence[Surface], times: Array) -> tuple[Array, Array]:
     """Return speeds [m/s] of the lowest material of round points, and heights [m], of the smoothed motion at times
     (T,), (p, T) each."""
     links, positions, radii = arrays_of(points)

@@ -61,8 +61,8 @@ def between(figure: Figure, first: Array, last: Array, known: Mask) -> Array:
 
 
 @dataclass(frozen=True, eq=False)
-class RecordedMotion:
-    """A figure's recorded motion.
+class Track:
+    """Samples of a figure's motion, some of them unknown.
 
     times  (T,) [s], rising
     states (T, N) as recorded, quaternions unit and sign-continuous; arbitrary in gaps
@@ -77,10 +77,8 @@ class RecordedMotion:
     exact: bool = False
 
     @classmethod
-    def of(
-        cls, figure: Figure, times: Array, qpos: Array, known: Array | None = None, *, exact: bool = False
-    ) -> RecordedMotion:
-        """Return a recording from qpos (T, nq) at times (T,) [s]; known (T, N) or (T, 1), everything by default."""
+    def of(cls, figure: Figure, times: Array, qpos: Array, known: Array | None = None, *, exact: bool = False) -> Track:
+        """Return the track of qpos (T, nq) at times (T,) [s]; known (T, N) or (T, 1), everything by default."""
         states = np.array(figure.to_state(qpos))
         every = np.ones(states.shape) if known is None else np.ones(states.shape) * known
         for columns in figure.tables.quaternion_columns.T:
@@ -88,20 +86,20 @@ class RecordedMotion:
             states[samples[:, None], columns] = quat.aligned(states[samples[:, None], columns])
         return cls(figure, np.asarray(times, float), states, every, exact)
 
-    def moved(self, shift: ArrayLike) -> RecordedMotion:
+    def moved(self, shift: ArrayLike) -> Track:
         """Return the recording with all free roots translated by (3,) [m]."""
         states = np.array(self.states)
         for columns in self.figure.tables.position_columns.T:
             states[:, columns] += np.asarray(shift, float)
         return replace(self, states=states)
 
-    def turned(self, columns: slice, turn: Array) -> RecordedMotion:
+    def turned(self, columns: slice, turn: Array) -> Track:
         """Return the recording with the link of a quaternion rotated by (4,) in its axes, at all times."""
         states = np.array(self.states)
         states[:, columns] = quat.product(states[:, columns], turn)
         return replace(self, states=states)
 
-    def displaced(self, displacements: Array) -> RecordedMotion:
+    def displaced(self, displacements: Array) -> Track:
         """Return the recording with every sample displaced by (T, N) as in `between`."""
         states = self.states + displacements
         for columns in self.figure.tables.quaternion_columns.T:

@@ -17,7 +17,7 @@ from dynsplines.solver.contacts import ROUNDING, Contact
 from dynsplines.solver.contacts.recorded_stances import infer_stances
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
-from dynsplines.solver.curve.recording import RecordedMotion, between
+from dynsplines.solver.curve.recording import Track, between
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.edit.timelines import repeated
 from dynsplines.solver.figure.figure import Figure
@@ -57,7 +57,7 @@ class TrackedRecording:
         table: The [recording] table.
     """
 
-    recorded: RecordedMotion
+    recorded: Track
     knots: Array
     table: RecordingTable
     where: str
@@ -65,7 +65,7 @@ class TrackedRecording:
     @classmethod
     def of_motion(cls, figure: Figure, raw: Timeline, table: RecordingTable, where: str) -> TrackedRecording:
         """Return the recording that a saved motion follows, which is its raw path."""
-        recorded = RecordedMotion.of(figure, *_taken_down(figure, raw, RATE), exact=True)
+        recorded = Track.of(figure, *_taken_down(figure, raw, RATE), exact=True)
         return cls(recorded, raw.times, table, where)
 
     @property
@@ -105,7 +105,7 @@ class TrackedRecording:
             end_slope=self.recorded.path.at(np.array([first, last]), 1),
         )
 
-    def _warped(self, edits: Sequence[Frame]) -> RecordedMotion:
+    def _warped(self, edits: Sequence[Frame]) -> Track:
         """Return the recording warped to the poses of keyframes (A. Witkin and Z. Popović 1995). The warp is per joint,
         and moves the root with the whole figure. It fades out before and after the keyframes."""
         recorded = self.recorded
@@ -231,7 +231,7 @@ def followed(table: RecordingTable, figure: Figure, motion: Saved | None, where:
     except TimelineError as error:
         raise UserError(f"{here}: repeat: {error}") from None
     time, qpos = _cut(*_taken_down(motion.figure, timeline, motion.fps), table, here)
-    recorded = RecordedMotion.of(figure, _clip_time(time, table), qpos, exact=True)
+    recorded = Track.of(figure, _clip_time(time, table), qpos, exact=True)
     return TrackedRecording(recorded, _clip_time(timeline.times, table, time[0]), table, where)
 
 

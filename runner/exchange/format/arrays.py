@@ -52,14 +52,11 @@ def recognises(path: Path) -> bool:
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
     """Read the arrays; raises UserError for missing ones, other shapes, or another figure."""
     arrays = read_npz(path)
-    mjcf = None
-    if model is None:
-        if "mjcf" not in arrays:
-            raise UserError(f"{path}: it has no 'mjcf', the figure; {GIVE_FIGURE}")
-        mjcf = str(arrays.of("mjcf"))
+    if model is None and "mjcf" not in arrays:
+        raise UserError(f"{path}: it has no 'mjcf', the figure; {GIVE_FIGURE}")
     try:
         assets = assets_in(arrays.entries)
-        scene = None if mjcf is None else Scene.received(mjcf, assets)
+        scene = Scene.received(str(arrays.of("mjcf")), assets) if model is None else None
     except (ValueError, KeyError) as error:
         raise UserError(f"{path}: the files of its figure: {error}") from None
     figure = compiled(scene, path) if scene is not None else needs_figure(model, path)
@@ -71,5 +68,5 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         raise UserError(f"{path}: it has neither 'time' nor 'fps'; {GIVE_RATE}")
     time = arrays.numbers("time", "samples") if rate is None or "time" in arrays else times(len(qpos), rate)
     if "mjcf" in arrays:  # written by this program
-        return Recording(time, qpos, mjcf, rate, assets={} if mjcf is None else assets)
+        return Recording(time, qpos, scene, rate)
     return layouts.recording(figure, path, time, qpos, layouts.body_poses(arrays), scalar_last=False, fps=rate)

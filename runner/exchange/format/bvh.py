@@ -17,6 +17,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
+from ...scene.assets import Scene
 from ..array_reader import times
 from ..skeleton import bvh_file, captured_figure, hierarchy, maps, retarget
 from ..skeleton.bvh_file import Joint, Skeleton, written
@@ -59,7 +60,7 @@ def of_captured(
         else ()
     )
     mjcf, qpos = captured_figure.figure(replace(captured, position=np.add(captured.position, [0, 0, lift])))
-    return Recording(time, qpos, mjcf, rate, (*notes, *captured.notes, *raised))
+    return Recording(time, qpos, Scene(mjcf), rate, (*notes, *captured.notes, *raised))
 
 
 def skeleton(trajectory: SampledTrajectory) -> Skeleton:

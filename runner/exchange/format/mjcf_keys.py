@@ -18,7 +18,7 @@ import numpy as np
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
-from ...scene.assets import taken_along
+from ...scene.assets import Scene, taken_along
 from ...scene.compose import compiled, figure_spec
 from ...scene.mujoco_versions import portable_text, remove
 from ..array_reader import ArrayReader
@@ -84,4 +84,4 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     assets = taken_along(spec)
     spec.assets = dict(assets)
     spec.compile()
-    return Recording(time, values, portable_text(spec), assets=assets)
+    return Recording(time, values, Scene(portable_text(spec), assets))

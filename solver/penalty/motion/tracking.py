@@ -12,7 +12,7 @@ import numpy as np
 from ...array import Array, Index
 from ...curve.frame import Frame, Timeline
 from ...curve.quadrature import gauss_nodes
-from ...curve.recording import RecordedMotion
+from ...curve.recording import Track
 from ...curve.spline import Path, natural_spline
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
@@ -60,7 +60,7 @@ class TrackingPenalty(Guide):
         edits: (time, width) [s] of edits. Near these times poses have less weight, velocities and accelerations do not.
     """
 
-    recorded: RecordedMotion
+    recorded: Track
     edits: tuple[tuple[float, float], ...] = ()
     _targets: dict[tuple[float, float, int], _Target] = field(default_factory=dict)
 

@@ -16,7 +16,7 @@ from dynsplines.clean.repairs import repaired
 from dynsplines.clip.tracking.penalties import Ground, ground_of
 from dynsplines.motion import even_times, samples_at
 from dynsplines.solver.array import Array
-from dynsplines.solver.curve.recording import RecordedMotion
+from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.curve.spline import Path, natural_spline
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
@@ -199,6 +199,6 @@ def test_a_gap_is_bridged(part):
     keep = np.r_[0:50, 60 : part.time.size]
     repair = repaired(part.figure, part.time[keep], part.qpos[keep], "holes")
     found = cleaned(ground_of(part.figure, part.qpos), repair)
-    true, t = RecordedMotion.of(part.figure, part.time, part.qpos).path, part.time[50:60]
+    true, t = Track.of(part.figure, part.time, part.qpos).path, part.time[50:60]
     x, wanted = (samples_at(part.figure, path, t).links.x for path in (found.after, true))
     assert np.linalg.norm(x - wanted, axis=0).max() < 0.12

@@ -23,7 +23,7 @@ from dynsplines.solver.contacts.recorded_stances import (
     surprisal,
 )
 from dynsplines.solver.contacts.thresholds import Thresholds
-from dynsplines.solver.curve.recording import RecordedMotion
+from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.surface import Box, Plane, static_surfaces
 from dynsplines.solver.surface.heights import height_over
@@ -53,7 +53,7 @@ def ground_of(take: Take) -> Ground:
 
 def resting(take: Take, ground: Ground) -> np.ndarray:
     """(p, T) which points are low and slow."""
-    recorded = RecordedMotion.of(take.figure, take.time, take.qpos)
+    recorded = Track.of(take.figure, take.time, take.qpos)
     samples = samples_at(take.figure, recorded.path, take.time)
     places, _ = places_of(ground.points, samples)
     height, _ = height_over(ground.surfaces, places, np.array([point.radius for point in ground.points]))
@@ -72,7 +72,7 @@ def marked(stances: tuple[Contact, ...], take: Take, ground: Ground) -> np.ndarr
 @pytest.mark.slow
 def test_of_a_run_that_ships_they_are_where_soles_rest(take):
     ground = ground_of(take)
-    stances = infer_stances(RecordedMotion.of(take.figure, take.time, take.qpos), ground.points, ground.surfaces)
+    stances = infer_stances(Track.of(take.figure, take.time, take.qpos), ground.points, ground.surfaces)
     found, true = marked(stances, take, ground), resting(take, ground)
     assert (found & true).sum() >= 0.9 * true.sum()
     assert (found & ~true).sum() <= 0.15 * found.sum()
@@ -91,9 +91,7 @@ FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
 
 def stances_of(times: np.ndarray, x: np.ndarray, over: np.ndarray) -> tuple[Contact, ...]:
     """Of a sphere at places along a line, its lowest spot so high over the floor."""
-    return infer_stances(
-        RecordedMotion.of(SLED, times, np.column_stack([x, over + 0.15]), exact=True), [RUNNER], [FLOOR]
-    )
+    return infer_stances(Track.of(SLED, times, np.column_stack([x, over + 0.15]), exact=True), [RUNNER], [FLOOR])
 
 
 def spans(stances: tuple[Contact, ...]) -> list[tuple[float, float]]:
@@ -176,9 +174,7 @@ def test_who_kneels_stands_on_the_toe_alone(pitch, metres, degrees, seed):
     take = kneeling(FPS, np.radians(pitch))
     ground = ground_of(take)
     qpos = take.shaking(take.qpos, np.random.default_rng(seed), metres, np.radians(degrees))
-    stances, raised = infer_stances_and_raised(
-        RecordedMotion.of(take.figure, take.time, qpos), ground.points, ground.surfaces
-    )
+    stances, raised = infer_stances_and_raised(Track.of(take.figure, take.time, qpos), ground.points, ground.surfaces)
     height, found, resting_high = heights(take, ground), marked(stances, take, ground), marked(raised, take, ground)
     assert height[2, found[2]].max() < 0.07
     assert found[2, height[2] < 0.005].mean() > 0.9
@@ -193,7 +189,7 @@ def test_a_stance_on_an_edge_is_on_what_ends_there():
     """A box's top ends 4 cm before the point, which stands as high as it, and the floor is half a metre down."""
     box = Box("box", np.array([-1.04, 0.0, 0.25]), np.eye(3), np.array([1.0, 1.0, 0.25]))
     times = np.arange(40) / FPS
-    recorded = RecordedMotion.of(SLED, times, np.column_stack([0 * times, np.full(40, 0.65)]), exact=True)
+    recorded = Track.of(SLED, times, np.column_stack([0 * times, np.full(40, 0.65)]), exact=True)
     (one,) = infer_stances(recorded, [RUNNER], [FLOOR, box])
     assert one.surface is not None
     assert one.surface.height(np.array([0.0, 0.0, 0.5])) == pytest.approx(0, abs=1e-12)
@@ -246,16 +242,16 @@ def sole(*radii: float) -> tuple[Point, ...]:
     return tuple(Point(f"{i}", FOOT, CORNERS[i], radius) for i, radius in enumerate(radii))
 
 
-def recorded(height: float, turn: Array) -> RecordedMotion:
+def recorded(height: float, turn: Array) -> Track:
     """Walking along a line, the trunk turned about the vertical, the foot turned (3,) [rad] all the time."""
     qpos = np.zeros((TIMES.size, 11))
     qpos[:, 0], qpos[:, 1], qpos[:, 2] = TIMES, 0.3, height
     qpos[:, 3:7] = quat.from_rotation_vector([0, 0, 0.7])
     qpos[:, 7:] = quat.from_rotation_vector(turn)
-    return RecordedMotion.of(FIGURE, TIMES, qpos, exact=True)
+    return Track.of(FIGURE, TIMES, qpos, exact=True)
 
 
-def bottoms(found: RecordedMotion, points: tuple[Point, ...]) -> Array:
+def bottoms(found: Track, points: tuple[Point, ...]) -> Array:
     """(p, T) [m] how high the lowest spots of points are."""
     samples = Samples(FIGURE, found.states, 0 * found.states, 0 * found.states)
     return places_of(points, samples)[0][2] - np.array([[point.radius] for point in points])

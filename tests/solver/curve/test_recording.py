@@ -5,7 +5,7 @@ import pytest
 from figures import TINY, figure_of
 from scipy.spatial.transform import Rotation
 
-from dynsplines.solver.curve.recording import LIVELINESS, RecordedMotion, between
+from dynsplines.solver.curve.recording import LIVELINESS, Track, between
 from dynsplines.solver.figure.figure import Figure
 
 TIMES = np.linspace(0.3, 3.3, 181)
@@ -26,7 +26,7 @@ def swung(figure: Figure, rng: np.random.Generator, noise: float = 0.0) -> np.nd
 
 
 def test_the_curve_is_the_least_squares_solution(figure, rng):
-    recorded = RecordedMotion.of(figure, TIMES, swung(figure, rng, 0.01))
+    recorded = Track.of(figure, TIMES, swung(figure, rng, 0.01))
     h = TIMES[1] - TIMES[0]
     second = (np.eye(TIMES.size)[:-2] - 2 * np.eye(TIMES.size)[1:-1] + np.eye(TIMES.size)[2:]) / h**2
     for columns in recorded.groups:
@@ -42,18 +42,18 @@ def test_a_gap_is_bridged_and_what_is_in_it_does_not_matter(figure, rng):
     qpos = swung(figure, rng)
     known = np.ones((TIMES.size, 1))
     known[80:90] = 0
-    whole = RecordedMotion.of(figure, TIMES, qpos)
-    holes = RecordedMotion(figure, TIMES, np.where(known > 0, whole.states, 7.0), known * np.ones_like(whole.states))
+    whole = Track.of(figure, TIMES, qpos)
+    holes = Track(figure, TIMES, np.where(known > 0, whole.states, 7.0), known * np.ones_like(whole.states))
     np.testing.assert_allclose(holes.bridged, whole.bridged, atol=0.03)
     assert np.all(holes.trust[80:90] == 0)
 
 
 def test_a_sample_that_is_far_off_is_hardly_believed(figure, rng):
     qpos = swung(figure, rng, 0.005)
-    recorded = RecordedMotion.of(figure, TIMES, qpos)
+    recorded = Track.of(figure, TIMES, qpos)
     states = recorded.states.copy()
     states[60] += 0.5
-    odd = RecordedMotion(figure, TIMES, states, np.ones_like(states))
+    odd = Track(figure, TIMES, states, np.ones_like(states))
     assert odd.trust[60].max() < 0.2
     assert np.median(odd.trust) == 1
     np.testing.assert_allclose(odd.bridged[60], recorded.bridged[60], atol=0.05)
@@ -62,12 +62,12 @@ def test_a_sample_that_is_far_off_is_hardly_believed(figure, rng):
 def test_a_joint_that_was_recorded_nowhere_is_no_recording(figure):
     states = figure.to_state(np.tile(figure.model.qpos0, (TIMES.size, 1)))
     with pytest.raises(ValueError, match="without two samples"):
-        _ = RecordedMotion(figure, TIMES, states, 0 * states).bridged
+        _ = Track(figure, TIMES, states, 0 * states).bridged
 
 
 def test_a_recording_bent_by_its_way_to_another_is_that_and_goes_there_by_even_turns(figure, rng):
     """In what is known; half of the way is half of the turn, by SciPy's rotations."""
-    one, other = (RecordedMotion.of(figure, TIMES, swung(figure, rng)) for _ in range(2))
+    one, other = (Track.of(figure, TIMES, swung(figure, rng)) for _ in range(2))
     known = np.ones(one.states.shape, bool)
     ways = between(figure, one.states, other.states, known)
     quaternions = figure.tables.quaternion_columns.T
@@ -96,7 +96,7 @@ def test_what_fills_a_gap_turns_no_sign_about():
     known = np.ones((41, 1))
     known[15:26] = 0
     filled = np.where(known > 0, qpos, figure.model.qpos0)
-    whole, torn = (RecordedMotion.of(figure, times, rows, gaps) for rows, gaps in ((qpos, None), (filled, known)))
+    whole, torn = (Track.of(figure, times, rows, gaps) for rows, gaps in ((qpos, None), (filled, known)))
     seen = known[:, 0] > 0
     np.testing.assert_allclose(torn.states[seen], whole.states[seen], rtol=0, atol=1e-12)
     np.testing.assert_allclose(torn.bridged, whole.bridged, rtol=0, atol=0.05)

@@ -18,7 +18,7 @@ from scipy.spatial.transform import Rotation
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.contacts import Contact
-from dynsplines.solver.curve.recording import RecordedMotion
+from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
@@ -241,7 +241,7 @@ def leaning(figure: Figure, rng: np.random.Generator) -> Case:
 def tracking(figure: Figure, rng: np.random.Generator) -> Case:
     times = np.linspace(0, 2, 61)
     states = figure.to_state(figure.model.qpos0 + 0.3 * np.sin(3 * times[:, None] + rng.uniform(0, 6, figure.width)))
-    penalty = TrackingPenalty(RecordedMotion(figure, times, states, np.ones_like(states)))
+    penalty = TrackingPenalty(Track(figure, times, states, np.ones_like(states)))
     return penalty, at_times(random_samples(figure, rng), rng.uniform(0.1, 1.9, 5))
 
 

@@ -15,7 +15,7 @@ from dynsplines.solver import Problem, Solution, inbetween
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
-from dynsplines.solver.curve.recording import RecordedMotion
+from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
@@ -129,7 +129,7 @@ def test_what_follows_a_recording_is_far_when_it_is_far_from_that():
     rows[1, 0] = np.pi
     round_it = raw.with_rows(rows)
     for expected, others in ((raw, round_it), (round_it, raw)):
-        recorded = RecordedMotion.of(figure, times, path_of(expected).at(times), exact=True)
+        recorded = Track.of(figure, times, path_of(expected).at(times), exact=True)
         objective = Objective.of(figure, [(TrackingPenalty(recorded), 1.0)])
         assert is_pose_outlier(objective, others)
         assert not is_pose_outlier(objective, expected)

@@ -20,7 +20,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Steps
 from dynsplines.solver.contacts.gait_period import Gait
 from dynsplines.solver.curve.frame import Frame, Timeline
-from dynsplines.solver.curve.recording import RecordedMotion
+from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
@@ -311,7 +311,7 @@ TIMES = np.linspace(0, 2, 61)
 
 def near(figure: Figure, rng: np.random.Generator) -> TrackingPenalty:
     states = figure.to_state(figure.model.qpos0 + 0.3 * np.sin(3 * TIMES[:, None] + rng.uniform(0, 6, figure.width)))
-    return TrackingPenalty(RecordedMotion(figure, TIMES, states, np.ones_like(states)))
+    return TrackingPenalty(Track(figure, TIMES, states, np.ones_like(states)))
 
 
 def around(figure: Figure, rng: np.random.Generator, count: int) -> tuple[TrackingPenalty, Samples]:
