@@ -32,6 +32,7 @@ from dynsplines.solver.figure.dynamics import velocities
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.search.minimum import Stop
+from dynsplines.solver.tolerances import ROUNDING
 
 from .errors import UserError, import_first, words_of
 from .scene.assets import Scene
@@ -139,7 +140,7 @@ def _configurations(samples: Samples) -> tuple[Array, Array, Array]:
 
 def sample_count(duration: float, fps: float) -> int:
     """Return floor(duration · fps) + 1. Raises UserError for too many samples."""
-    count = int(np.floor(duration * fps + 1e-9)) + 1
+    count = int(np.floor(duration * fps + ROUNDING)) + 1
     if count > MOST_SAMPLES:
         raise UserError(f"{duration:g} s at {fps:g} samples a second are over {MOST_SAMPLES:,}; lower the rate")
     return count
@@ -332,7 +333,7 @@ def _check(saved: Saved, data: Arrays) -> None:
         raise ValueError(f"fps is {saved.fps:g}")
     for timeline in (saved.timeline, saved.raw):
         _check_timeline(saved.figure, timeline)
-        if not all(np.any(np.abs(timeline.times - key.time) < 1e-9) for key in saved.keys):
+        if not all(np.any(np.abs(timeline.times - key.time) < ROUNDING) for key in saved.keys):
             raise ValueError("a keyframe has no frame")
     if not (isinstance(saved.trace, list) and isinstance(saved.report, dict) and isinstance(saved.search, dict)):
         raise ValueError("trace, report and search are not a list and two tables")

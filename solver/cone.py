@@ -16,12 +16,12 @@ from typing import NamedTuple
 import numpy as np
 
 from .array import Array, Mask
+from .tolerances import SMALLEST
 
 MOST_STEPS = 60  # maximum number of Newton steps
 SETTLED = 1e-14  # [1] predicted decrease relative to |w|², at which a step is the last
 FAR = 0.5  # [1] positive slope at a step's end, relative to the negative one at its start, above which it overshoots
 SECANTS = 8  # steps after which overshooting steps are shortened by exact line search instead of by the secant rule
-TINY = 1e-300  # smallest divisor, against division by zero
 
 
 class Unsupplied(NamedTuple):
@@ -129,4 +129,4 @@ def _line_search(step: Array, slope: Array, pull: Array, change: Array, softness
     rise = np.where(last, rises[row, which] + jumps[row, which], rises[row, which])
     low = np.where(last, turns[row, which], turns[row, which] - gaps[row, which])
     value = np.where(last, at_turns[row, which], at_turns[row, which] - rises[row, which] * gaps[row, which])
-    return np.where(straight > 0, low - value / np.maximum(rise, TINY), 1.0)
+    return np.where(straight > 0, low - value / np.maximum(rise, SMALLEST), 1.0)

@@ -39,12 +39,12 @@ from .search.restarts import (
     violation_dominates,
 )
 from .solution import Improvement, Solution
+from .tolerances import ROUNDING
 
 ROUGH = 2e-2  # [1] tolerance of all rounds except the last, relative to E
 SHARE_OF_PROMISE = 0.1  # [1] predicted reduction of a step relative to that of new frames, below which a round ends
 MOST_FRAMES = 12  # default limit of variable frames, on average per segment between keyframes
 CLEARLY = 0.5  # [1] share of the first E, below which a path without short quaternions is better than the raw one
-ROUNDING = 1e-9  # [1] relative error of E between two sums over the same samples
 MOST_REFINEMENTS = 3  # [1] how often a search continues after it ended, with more samples
 
 

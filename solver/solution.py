@@ -15,8 +15,7 @@ from .curve.spline import Path, path_of
 from .figure.figure import Figure
 from .objective import Objective
 from .search.minimum import Stop
-
-AT_AN_END = 1e-9  # [s] rounding tolerance of times before the first or after the last keyframe
+from .tolerances import ROUNDING
 
 
 @dataclass(frozen=True)
@@ -79,6 +78,6 @@ class Solution:
             ValueError: A time is outside the motion.
         """
         first, last = self.path.span
-        if np.any(np.asarray(t) < first - AT_AN_END) or np.any(np.asarray(t) > last + AT_AN_END):
+        if np.any(np.asarray(t) < first - ROUNDING) or np.any(np.asarray(t) > last + ROUNDING):
             raise ValueError(f"the motion runs from {first:g} to {last:g} s; there is nothing to see outside")
         return self.figure.to_qpos(self.path.at(np.atleast_1d(np.asarray(t, float))))

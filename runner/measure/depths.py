@@ -26,6 +26,7 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.surface import Box, Surface
 from dynsplines.solver.surface.points import Point
 from dynsplines.solver.surface.touch import counts_all, movers
+from dynsplines.solver.tolerances import TINY
 
 from ..scene.configuration import posed
 
@@ -76,7 +77,7 @@ def depth(surface: Surface, centres: Array, radii: Array) -> Array:
     if isinstance(surface, Box):
         return radii[:, None] - _from_box(surface, centres)
     deep, direction = surface.depth(centres, radii)
-    return deep / np.maximum(np.linalg.norm(direction, axis=0), 1e-12)
+    return deep / np.maximum(np.linalg.norm(direction, axis=0), TINY)
 
 
 def _from_box(box: Box, points: Array) -> Array:

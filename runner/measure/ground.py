@@ -15,6 +15,7 @@ from dynsplines.solver.figure.dynamics import RootWrench, weight
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.surface.heights import heights
 from dynsplines.solver.surface.points import arrays_of, body_points, hanging, places_of
+from dynsplines.solver.tolerances import TINY
 
 from ..clip.posing.places import rounded
 from ..motion import samples_at
@@ -62,7 +63,7 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
     if root not in figure.tables.free_links:
         return
     limits = Thresholds.of(figure)
-    carried = RootWrench(samples, root).force[2] / max(weight(figure, root), 1e-9)
+    carried = RootWrench(samples, root).force[2] / max(weight(figure, root), TINY)
     is_explained = within((*carrying, *(schedule.specified_flights or ())), samples.t)
     for start, end in runs((height > limits.clear) & ~is_explained):
         run = np.arange(start, end)

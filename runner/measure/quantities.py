@@ -24,6 +24,7 @@ from dynsplines.solver.objective import Objective
 from dynsplines.solver.surface.heights import height_above
 from dynsplines.solver.surface.points import displacements, places_of
 from dynsplines.solver.surface.touch import counts_all, movers
+from dynsplines.solver.tolerances import TINY
 
 from ..clip.build import Clip
 from .checks import Row
@@ -223,7 +224,7 @@ def _support(clip: Clip, samples: Samples) -> dict[str, float]:
     aloft = within(carried.flights, samples.t)
     if aloft.any():
         wrench = RootWrench(samples, carried.root)
-        up = -clip.figure.gravity / max(float(np.linalg.norm(clip.figure.gravity)), 1e-12)
+        up = -clip.figure.gravity / max(float(np.linalg.norm(clip.figure.gravity)), TINY)
         lifted = np.maximum(up @ wrench.force[:, aloft], 0)
         out["off free fall, g"] = float(np.mean(np.linalg.norm(wrench.force[:, aloft], axis=0)) / carried.unit)
         out["upward force in flight, N"] = float(np.mean(lifted))

@@ -23,6 +23,7 @@ from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Cycle
 from dynsplines.solver.problem import renormalised
 from dynsplines.solver.refine.subdivision import by_weak_form
+from dynsplines.solver.tolerances import TINY
 
 from ..clip.build import Clip
 from ..motion import Saved, samples_at
@@ -104,7 +105,7 @@ def _centre_of_mass(samples: Samples) -> Array:
     """Return the centre of mass (3, T) [m] of the whole figure."""
     tables = samples.figure.tables
     centres = samples.links.x + turned(samples.links.rotation, tables.centre)
-    return np.einsum("l,cls->cs", tables.mass, centres) / max(float(tables.mass.sum()), 1e-12)
+    return np.einsum("l,cls->cs", tables.mass, centres) / max(float(tables.mass.sum()), TINY)
 
 
 def _remaining_decrease(objective: Objective, timeline: Timeline) -> dict[str, float]:

@@ -7,6 +7,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from dynsplines.solver.tolerances import TINY
+
 Array = NDArray[np.float64]
 Ints = NDArray[np.intp]
 
@@ -53,7 +55,7 @@ class Faces:
         corners = eye.project(points)
         edges = np.cross(np.roll(corners, -2, axis=1), np.roll(corners, -1, axis=1))
         volume = np.einsum("mi,mi->m", corners[:, 0], edges[:, 0])
-        self.number = np.flatnonzero((volume > 1e-12) & (corners[..., 2].max(axis=1) > eye.near))
+        self.number = np.flatnonzero((volume > TINY) & (corners[..., 2].max(axis=1) > eye.near))
         self.edges = edges[self.number]
         self.closeness = self.edges.sum(axis=1) / volume[self.number, None]
         self._low, self._high = _extent(corners[self.number], eye.near)

@@ -15,6 +15,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.tolerances import ROUNDING
 
 from ..errors import UserError, unknown
 from ..motion import Saved, sampled
@@ -201,7 +202,7 @@ def _lens(saved: Saved) -> dict[str, Any]:
 
 
 def _key_states(saved: Saved, timeline: Timeline) -> Array:
-    at = np.searchsorted(timeline.times, [key.time - 1e-9 for key in saved.keys])
+    at = np.searchsorted(timeline.times, [key.time - ROUNDING for key in saved.keys])
     return timeline.states[at]
 
 
@@ -217,7 +218,7 @@ def figure_six(saved: Saved, look: Look, graphics: Graphics, *, rate: float = BE
     timeline = saved.raw if look.only == "before" else saved.timeline
     keys = {key.time for key in saved.keys}
     qpos = figure.to_qpos(timeline.states)
-    is_key = np.array([any(abs(t - k) < 1e-9 for k in keys) for t in timeline.times])
+    is_key = np.array([any(abs(t - k) < ROUNDING for k in keys) for t in timeline.times])
     between = sampled(figure, timeline, rate).qpos
     ghosts = [Ghost(q, shade=0.75, opacity=0.25) for q in between]
     ghosts += [Ghost(q, shade=0.45, opacity=0.55) for q in qpos[~is_key]]

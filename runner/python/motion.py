@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike
 from rich.console import Console
 
 from dynsplines.solver.array import Array
+from dynsplines.solver.tolerances import ROUNDING
 
 from .. import motion as files
 from ..clip import text as clip_text
@@ -146,7 +147,7 @@ class Motion:
         times = np.asarray(t, float)
         if times.ndim > 1:
             raise UserError(f"{self.name}: times are one number or a list of them, not {times.shape}")
-        if times.size and not (self.start - 1e-9 <= times.min() and times.max() <= self.end + 1e-9):
+        if times.size and not (self.start - ROUNDING <= times.min() and times.max() <= self.end + ROUNDING):
             raise UserError(f"{self.name}: the motion runs from {self.start:g} to {self.end:g} s; give a time within")
         return self.saved.at(times.ravel()).reshape(*times.shape, self.model.nq)
 
@@ -209,7 +210,7 @@ class Motion:
         edits.check_alike(self.saved, other.saved)
         recorded = thinning.recorded_of(self.saved, 1.0, 1.0)
         first, last = recorded.times[[0, -1]]
-        if other.start > first + 1e-9 or other.end < last - 1e-9:
+        if other.start > first + ROUNDING or other.end < last - ROUNDING:
             raise UserError(
                 f"'{other.name}' runs from {other.start:g} to {other.end:g} s, not all of {first:g} to {last:g}"
             )

@@ -10,10 +10,9 @@ import numpy as np
 from .. import quaternion as quat
 from ..array import Array, segments_at
 from ..figure.figure import Figure, quaternion_columns
+from ..tolerances import ROUNDING
 from .frame import Timeline
 from .unknowns import bases
-
-PARALLEL = 1e-9  # sine of an angle below which an arc is a line
 
 
 def straightened(figure: Figure, timeline: Timeline) -> Timeline:
@@ -52,7 +51,7 @@ def _arc(a: Array, b: Array, share: Array) -> Array:
     """Return unit quaternions (T, 4) at a share (T,) of the arc from a to b (T, 4), the longer arc where a·b < 0."""
     angle = np.arccos(np.clip(np.einsum("ti,ti->t", a, b), -1, 1))
     sine = np.sin(angle)
-    flat = sine < PARALLEL
+    flat = sine < ROUNDING
     divisor = np.where(flat, 1.0, sine)
     first = np.where(flat, 1 - share, np.sin((1 - share) * angle) / divisor)
     second = np.where(flat, share, np.sin(share * angle) / divisor)

@@ -13,10 +13,9 @@ from numpy.typing import ArrayLike
 from .. import quaternion as quat
 from ..array import Array
 from ..figure.figure import Figure, JointKind, quaternion_columns
+from ..tolerances import ROUNDING
 from .frame import Frame, TimelineError
 from .seam import Seam, heading_between
-
-SAME = 1e-9  # [m, rad, 1] difference up to which entries of a loop's ends agree
 
 
 def close_loop(
@@ -47,7 +46,7 @@ def close_loop(
     state = np.where(from_first, first.state, seam.moved(last.state, -1))
     begin, end = state, seam.moved(state)
     difference = np.maximum(np.abs(end - last.state) * last.fixed, np.abs(begin - first.state) * first.fixed)
-    if difference.max() > SAME:
+    if difference.max() > ROUNDING:
         raise TimelineError(
             f"periodic ends: the last keyframe (t = {last.time:g} s) differs from the first at "
             f"{_where(figure, int(np.argmax(difference)), seam)} by {difference.max():.3g}; "
@@ -81,7 +80,7 @@ def _headings(figure: Figure, first: Frame, last: Frame, turn: float | None) -> 
     if not headings.size:
         raise TimelineError("the figure has no free joint, so no root to turn")
     angle = float(np.arctan2(np.sin(turn), np.cos(turn)))
-    headings[0] = angle if abs(angle) > SAME else 0.0
+    headings[0] = angle if abs(angle) > ROUNDING else 0.0
     return headings
 
 
@@ -92,7 +91,7 @@ def _travelled(figure: Figure, first: Frame, last: Frame, travel: ArrayLike | No
     out = np.zeros(roots.shape)
     difference = np.where(first.fixed & last.fixed, last.state - first.state, 0.0)[roots]
     if travel is None:
-        out[:2, :1] = np.where(np.abs(difference) > SAME, difference, 0.0)[:2, :1]
+        out[:2, :1] = np.where(np.abs(difference) > ROUNDING, difference, 0.0)[:2, :1]
     else:
         travel = np.asarray(travel, float)
         if travel.shape != (3,) or not np.all(np.isfinite(travel)):

@@ -13,11 +13,11 @@ from functools import cache
 import numpy as np
 
 from ..array import Array
+from ..tolerances import ROUNDING
 
 LEAST_PER_SPAN = 4  # minimum number of uniform samples in the shortest span between frames
 MOST_SAMPLES = 100_000  # maximum number of uniform samples, a limit of memory
 CLOSEST = 1e-3  # [s] distance of a cut from the edges of panels up to which it is ignored
-ROUNDING = 1e-9  # [1] rounding tolerance of spans whose length is a whole number of panels or cells
 
 
 @dataclass(frozen=True)

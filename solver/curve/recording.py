@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike
 from .. import quaternion as quat
 from ..array import Array, Index, Mask
 from ..figure.figure import Figure
+from ..tolerances import TINY
 from . import banded
 from .spline import Path, natural_spline
 
@@ -28,7 +29,6 @@ FAINT, FINE = np.radians(0.5), 0.002  # [rad], [m] least noise of samples at 120
 ROBUST = 2.5  # deviation of a sample, in standard deviations, from which it has less weight
 UNLIKE = 8.0  # deviation from the mean of the neighbours, in medians, from which the first curve omits a sample
 ROUNDS = 4  # most updates of the weights
-AGREES = 1e-12  # least deviation in a division, in standard deviations
 SPARSE = 1e-9  # added weight relative to the largest; in gaps acceleration alone determines the curve
 
 
@@ -174,7 +174,7 @@ class Track:
                 smooth[:, columns], lively[columns] = self._likeliest(columns, trust[:, columns[0]] / noise**2)
                 off = np.linalg.norm(self.states[:, columns] - smooth[:, columns], axis=1) / noise
                 bound = ROBUST * np.sqrt(columns.size)
-                believed = np.minimum(1.0, bound / np.maximum(off, AGREES)) ** 2
+                believed = np.minimum(1.0, bound / np.maximum(off, TINY)) ** 2
                 trust[:, columns] = self.known[:, columns] * believed[:, None]
                 if believed.min() == 1:
                     break

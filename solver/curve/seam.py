@@ -19,10 +19,9 @@ from numpy.typing import ArrayLike
 from .. import quaternion as quat
 from ..array import Array, Index
 from ..figure.figure import Figure, JointKind
+from ..tolerances import ROUNDING
 from .frame import Timeline
 from .spline import Complex, Path, Spline
-
-LEVEL = 1e-9  # [1] quaternion components up to which a turn is about the vertical (x and y), or is zero (z)
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,7 +170,7 @@ def turning_root(figure: Figure, link: int, *, in_world: bool) -> int:
 def heading_between(first: Array, last: Array) -> Array:
     """Return the rotation (...) [rad] about the vertical between quaternions (..., 4); 0 for other axes."""
     w, x, y, z = np.moveaxis(quat.normalised(quat.product(last, quat.inverse(first))), -1, 0)
-    upright = (np.abs(x) <= LEVEL) & (np.abs(y) <= LEVEL) & (np.abs(z) > LEVEL)
+    upright = (np.abs(x) <= ROUNDING) & (np.abs(y) <= ROUNDING) & (np.abs(z) > ROUNDING)
     return np.where(upright, 2 * np.arctan2(np.copysign(1.0, w) * z, np.abs(w)), 0.0)
 
 

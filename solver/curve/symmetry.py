@@ -17,12 +17,12 @@ import numpy as np
 from .. import quaternion as quat
 from ..array import Array, Index
 from ..figure.figure import Figure, JointKind
+from ..tolerances import ROUNDING
 
 WORLD = np.diag([1.0, -1, 1])  # S, the reflection of the world
 SAME_LINE = 1e-3  # [1] tolerance of 1 − cosine of the angle between an axis and the image of its partner's
 MIDDLE, UNEVEN = 0.01, 0.05  # [1] tolerances of axes and of centres of mass, relative to the figure's size
 UPRIGHT_PLANES = 2  # the first candidates: the x-z planes of the root and of the world
-EXACT = 1e-9  # entries of a reflection are rounded to 0, 1 or −1 within this
 # a separate word, a capitalised word, or a letter next to that for front, rear, hind, back or middle: FL, rh
 ENDS_LEG = r"[FRHBMfrhbm]"
 SIDE = re.compile(
@@ -171,7 +171,7 @@ def symmetric(figure: Figure, pairs: Sequence[tuple[str, str]], middle: float) -
 def rounded(matrix: Array) -> Array:
     """Return a matrix with entries close to 0, 1 or −1 rounded to these."""
     whole = np.round(matrix)
-    return np.where(np.abs(matrix - whole) < EXACT, whole + 0.0, matrix)
+    return np.where(np.abs(matrix - whole) < ROUNDING, whole + 0.0, matrix)
 
 
 def _planes(figure: Figure, root: int) -> list[Array]:
@@ -228,5 +228,5 @@ def _has_image(rest: Rest, links: Index, partner: Index, i: int, image: Array, m
     parent, off = rest.figure.links[i].parent, rest.unlike(i, i, image)
     others = [j for j in links.tolist() if partner[j] == j != i and rest.figure.links[j].parent == parent]
     return any(
-        not rest.misfit(i, j, image, middle) and rest.unlike(i, j, image) < off - EXACT * rest.size for j in others
+        not rest.misfit(i, j, image, middle) and rest.unlike(i, j, image) < off - ROUNDING * rest.size for j in others
     )

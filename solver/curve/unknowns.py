@@ -18,13 +18,13 @@ from scipy import sparse
 from .. import quaternion as quat
 from ..array import Array, Index, Mask
 from ..figure.figure import Figure, JointKind, Link, quaternion_columns
+from ..tolerances import ROUNDING
 from .frame import Frame, Timeline, TimelineError
 from .loop_keys import close_loop
 from .seam import Seam, sameness
 from .spline import Sampling, Spline, natural_end_slopes, spline_of
 from .winding import signs
 
-ZERO_LENGTH = 1e-9  # [1] norm up to which a quaternion defines no rotation
 SURELY_MORE = 1e-17  # [1] squared norm of quaternions above which keyframes need no further checks
 
 
@@ -362,5 +362,5 @@ def _check_masks(figure: Figure, frame: Frame, number: int) -> None:
             raise TimelineError(
                 f"{place}: the quaternion of '{link.name}' is fixed in part; fix all four of its components or none"
             )
-        if mask.all() and not np.linalg.norm(frame.state[columns]) > ZERO_LENGTH:
+        if mask.all() and not np.linalg.norm(frame.state[columns]) > ROUNDING:
             raise TimelineError(f"{place}: the quaternion of '{link.name}' is zero")

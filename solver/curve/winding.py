@@ -12,9 +12,9 @@ import numpy as np
 
 from .. import quaternion as quat
 from ..array import Array, Mask
+from ..tolerances import ROUNDING
 
 NEARLY_HALF = np.radians(150.0)  # [rad] angle above which a free body's direction of rotation is ambiguous
-TINY = 1e-9  # [rad] angle up to which a rotation has no defined axis
 
 
 def signs(times: Array, relative: Array, *, spins: bool) -> Array:
@@ -50,7 +50,7 @@ def _steadiest(times: Array, steps: Array, angle: Array, unsure: Mask) -> Mask:
         unsure: The ambiguous segments, (K − 1,).
     """
     spans = np.diff(times)
-    rates = np.stack([steps, steps - 2 * np.pi * steps / np.maximum(angle, TINY)[:, None]], axis=1)
+    rates = np.stack([steps, steps - 2 * np.pi * steps / np.maximum(angle, ROUNDING)[:, None]], axis=1)
     rates /= spans[:, None, None]
     cost = np.array([0.0, 0.0 if unsure[0] else np.inf])
     previous = np.zeros((spans.size, 2), int)

@@ -27,13 +27,13 @@ from ..curve.unknowns import raw_timeline
 from ..figure.figure import Figure, on_links
 from ..figure.kinematics import LinkMotion, States
 from ..surface.points import body_points
+from ..tolerances import ROUNDING
 
 InBetween = Callable[[Sequence[Frame]], Timeline]
 
 REACH = 4  # keyframes on either side of a removed one that a trial checks; beyond, a spline moves by less than 1 %
 MARGIN = 3  # further keyframes on either side that the spline of a trial interpolates
 SHARE = 0.5  # [1] deviation relative to the worst, from which segments get a keyframe in the same round
-FINE = 1e-9  # [1] rounding tolerance of the bound
 
 
 @dataclass(frozen=True)
@@ -176,7 +176,7 @@ def refined(
         timeline = inbetween(recorded.frames(chosen))
         excess = recorded.excess(timeline)
         report(f"{len(chosen)} keyframes, {excess.max():.3g} × the bound")
-        if excess.max() <= 1 + FINE or len(chosen) == len(recorded.times):
+        if excess.max() <= 1 + ROUNDING or len(chosen) == len(recorded.times):
             return tuple(chosen), timeline
         excess[chosen] = 0.0
         least = max(1.0, SHARE * excess.max())
@@ -212,7 +212,7 @@ def _without_redundant(recorded: Recorded, instants: Sequence[int], report: Call
         spans = {i: remaining[n + 1] - remaining[n - 1] for n, i in enumerate(remaining[1:-1], 1)}
         for i in sorted(spans, key=spans.__getitem__):
             n = remaining.index(i)
-            if recorded.excess_without(remaining, n) <= 1 + FINE:
+            if recorded.excess_without(remaining, n) <= 1 + ROUNDING:
                 del remaining[n]
         report(f"{len(remaining)} keyframes")
     return remaining

@@ -21,10 +21,9 @@ from ..curve.spline import path_of
 from ..curve.unknowns import raw_timeline
 from ..figure.figure import Figure, JointKind
 from ..figure.kinematics import Samples
+from ..tolerances import ROUNDING
 
-SAME_TIME = 1e-9  # [s] distance up to which a frame is at a cut
 LEAST_FRAMES = 4  # minimum number of variable frames, so that value, slope and curvature match at both ends
-UPSIDE_DOWN = 1e-9  # [1] length of (sine, cosine) below which a rotation has no heading
 OF_TRUNK = 0.25  # [1] minimum share of the mass beyond a link of the trunk; it is less for feet with toes
 
 
@@ -43,7 +42,7 @@ def check_interval(span: tuple[float, float], first: float, last: float) -> None
     """Raise TimelineError unless `first` to `last` [s] is within the motion."""
     if not first < last:
         raise TimelineError(f"an interval ends after it begins, not from {first:g} to {last:g} s")
-    if first < span[0] - SAME_TIME or last > span[1] + SAME_TIME:
+    if first < span[0] - ROUNDING or last > span[1] + ROUNDING:
         raise TimelineError(f"from {first:g} to {last:g} s is not inside {span[0]:g} to {span[1]:g} s")
 
 
@@ -52,7 +51,7 @@ def trimmed(timeline: Timeline, first: float, last: float) -> Timeline:
     times = timeline.times
     check_interval((float(times[0]), float(times[-1])), first, last)
     near = times[np.abs(times[:, None] - np.array([first, last])).argmin(axis=0)]
-    edges = np.where(np.abs(near - np.array([first, last])) <= SAME_TIME, near, [first, last])
+    edges = np.where(np.abs(near - np.array([first, last])) <= ROUNDING, near, [first, last])
     path = path_of(timeline)
     inside = [frame for frame in timeline.frames if edges[0] < frame.time < edges[1]]
     whole = np.ones(timeline.width, bool)
@@ -120,7 +119,7 @@ class Placement:
 def heading(rotation: Array) -> Array:
     """Return the rotation about z in rotation matrices (..., 3, 3), without their shortest tilt, (...) [rad]."""
     sine, cosine = rotation[..., 1, 0] - rotation[..., 0, 1], rotation[..., 0, 0] + rotation[..., 1, 1]
-    return np.where(np.hypot(sine, cosine) > UPSIDE_DOWN, np.arctan2(sine, cosine), 0.0)
+    return np.where(np.hypot(sine, cosine) > ROUNDING, np.arctan2(sine, cosine), 0.0)
 
 
 def following(figure: Figure, before: Timeline, after: Timeline, duration: float) -> Placement:

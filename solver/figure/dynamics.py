@@ -18,13 +18,13 @@ import mujoco
 import numpy as np
 
 from ..array import Array
+from ..tolerances import TINY
 from .adjoint import Cotangent, attached_pulled_back
 from .algebra import applied, cross, cross_sum, dot, gathered, turned_back
 from .figure import Figure
 from .kinematics import LinkMotion, Samples
 
 STANDARD_GRAVITY = 9.81  # [m/s²] used for weights if a model has no gravity
-MASSLESS = 1e-12  # [kg] smallest divisor, against division by zero
 
 
 class InverseDynamics:
@@ -221,7 +221,7 @@ def tree_mass(figure: Figure, root: int) -> tuple[float, Array]:
     """Return the mass [kg] of a free link with all links beyond it, and each link's share of it (L,)."""
     masses = figure.tables.mass * figure.tables.path[:, root]
     total = float(masses.sum())
-    return total, masses / max(total, MASSLESS)
+    return total, masses / max(total, TINY)
 
 
 def weight(figure: Figure, root: int) -> float:
@@ -241,4 +241,4 @@ def height(figure: Figure, root: int) -> float:
     mass, share = tree_mass(figure, root)
     away = inverse.centre[:, :, 0] - (inverse.centre[:, :, 0] @ share)[:, None]
     inertia = np.einsum("iil,l->", inverse.inertia[..., 0], figure.tables.path[:, root]) / 2
-    return float(np.sqrt(12 * (np.sum(share * np.sum(away**2, axis=0)) + inertia / max(mass, MASSLESS))))
+    return float(np.sqrt(12 * (np.sum(share * np.sum(away**2, axis=0)) + inertia / max(mass, TINY))))

@@ -20,13 +20,12 @@ from ..curve.spline import Path, Sampling, Spline
 from ..objective import Objective
 from ..penalty.block import one_sided_residuals
 from ..penalty.curvature import Curvature
+from ..tolerances import ROUNDING, SMALLEST
 
 NODES = 8  # nodes per span of the strong form's integrals
 GRADIENT_NODES, HESSIAN_NODES = 5, 2  # nodes per span of the weak form's first and second derivatives
 WINDOW, ENTRIES = 60, 200_000  # maximum number of spans whose curvature is in memory: 60, or 200 000 / N²
 REACH = 4  # spans on either side of a frame in which its cardinal function is used
-FAINT = 1e-9  # [1] regularisation of a Hessian, relative to its mean diagonal
-TINY = 1e-300  # smallest size of a Hessian, against division by zero
 
 
 @dataclass(frozen=True)
@@ -99,8 +98,8 @@ class WeakForm:
         place = np.searchsorted(spline.times, candidates)
         gradient, hessian = self._gradients(spline)[place], self._hessians(spline, place)
         width = gradient.shape[1]
-        size = np.maximum(np.einsum("cnn->c", hessian) / width, TINY)
-        hessian += FAINT * size[:, None, None] * np.eye(width)
+        size = np.maximum(np.einsum("cnn->c", hessian) / width, SMALLEST)
+        hessian += ROUNDING * size[:, None, None] * np.eye(width)  # so that it has an inverse
         return 0.5 * np.sum(gradient * np.linalg.solve(hessian, gradient[:, :, None])[:, :, 0], axis=1)
 
     def _gradients(self, spline: Spline) -> Array:

@@ -17,8 +17,8 @@ from ..curve.frame import Frame, Timeline
 from ..curve.spline import path_of
 from ..curve.unknowns import raw_timeline
 from ..figure.figure import Figure
+from ..tolerances import ROUNDING
 
-SAME = 1e-9  # [s, m, rad] difference up to which a keyframe's time and entries are unchanged
 FEW = 2  # variable frames added to a segment that has none
 CLOSE = 0.15  # [1] distance from a keyframe, relative to the segment, below which a variable frame is omitted
 TINY = 0.02  # [s] length of a segment up to which it gets no variable frames
@@ -75,7 +75,7 @@ def _matched(before: Sequence[Frame], keys: Sequence[Frame]) -> tuple[Array, Arr
     old, new = np.array([key.time for key in before]), np.array([key.time for key in keys])
     if old.size == new.size:
         return old, new
-    common = [(a, b) for a in old for b in new[np.abs(new - a) < SAME]]
+    common = [(a, b) for a in old for b in new[np.abs(new - a) < ROUNDING]]
     if not common:
         return old[[0, -1]], new[[0, -1]]
     pairs = np.array(common)
@@ -92,7 +92,7 @@ def _stretched(times: Array, here: Array, there: Array) -> Array:
 
 def _warm(key: Frame, was: Frame | None, pose: Array) -> Frame:
     """Return a keyframe with unspecified entries from the earlier path, unless an edited keyframe poses them."""
-    same = was is not None and np.array_equal(was.fixed, key.fixed) and np.abs(was.state - key.state).max() < SAME
+    same = was is not None and np.array_equal(was.fixed, key.fixed) and np.abs(was.state - key.state).max() < ROUNDING
     is_known = key.fixed if same else key.known
     return Frame(key.time, np.where(is_known, key.state, pose), key.fixed, ~key.fixed)
 
@@ -112,7 +112,7 @@ def _placed(times: Array, inner: Array) -> Array:
     for a, b in pairwise(times):
         margin = CLOSE * (b - a)
         inside = inner[(inner > a + margin) & (inner < b - margin)]
-        inside = inside[np.append(True, np.diff(inside) > SAME)] if inside.size else inside
+        inside = inside[np.append(True, np.diff(inside) > ROUNDING)] if inside.size else inside
         if not inside.size and b - a > TINY:
             inside = a + (b - a) * np.arange(1, FEW + 1) / (FEW + 1)
         result += inside.tolist()

@@ -37,6 +37,7 @@ from ..figure.kinematics import Samples
 from ..objective import Discretised, EvaluatedRun, Term
 from ..penalty.block import one_sided_residuals
 from ..penalty.curvature import Curvature, OneSidedResiduals
+from ..tolerances import TINY
 
 POINTS = 2  # nodes per span for the curvature of smooth terms, which needs fewer nodes than E
 SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000  # spans in a run: at least 32, else 2000 / columns, to stay in cache
@@ -46,7 +47,6 @@ SHARE_OF_POSITION = 0.3  # [1] weight of positions in F, relative to acceleratio
 MOST_CHANGES = 15  # maximum number of changes of the active set
 SETTLED = 0.1  # [1] gain of a change of the active set, relative to the total reduction, at which it is the last
 ENTRIES_AT_ONCE = 2_000_000  # entries of rows over four coefficients in memory at once, 16 MB
-LEAST = 1e-12  # smallest median curvature, against division by zero
 BLOCKED = 0.1  # [1] share of a Newton step below which inactive residuals block it, so that another change follows
 
 
@@ -386,7 +386,7 @@ def line_minimum(slope: float, bend: float, weight: Array, value: Array, change:
     constant = slope + pull[active] @ value[active] + np.append(0.0, np.cumsum(value_step))
     linear = bend + pull[active] @ change[active] + np.append(0.0, np.cumsum(sign * change_step))
     part = int(np.searchsorted(constant[:-1] + linear[:-1] * s > 0, True))
-    return float(np.clip(-constant[part] / max(linear[part], LEAST), 0, 1))
+    return float(np.clip(-constant[part] / max(linear[part], TINY), 0, 1))
 
 
 class Proposal(NamedTuple):
@@ -466,11 +466,11 @@ class Model:
             curvature = curvature_at(sampling.whole, [term], np.ones(sampling.t.size))
             layout.add_rows(matrix, (curvature, layout.basis.sampled(sampling).whole))
         diagonal = layout.diagonal(matrix)[:, 0]
-        size = max(middle(diagonal[layout.used]), LEAST)
+        size = max(middle(diagonal[layout.used]), TINY)
         diagonal += FAINT * size
         place, springs = layout.springs
         matrix.reshape(-1)[place] += STIFF * size * springs
-        return max(middle(np.concatenate(sizes)), LEAST) if scale is None else scale
+        return max(middle(np.concatenate(sizes)), TINY) if scale is None else scale
 
     def minimise(self, damping: float) -> Proposal:
         """Return the minimum of m with λ = damping."""

@@ -27,6 +27,7 @@ from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..objective import Objective
 from ..penalty import Guide, Role
+from ..tolerances import ROUNDING
 
 NOTABLE = 0.02  # [1] share of violations in E from which a limb far from its path may be on the wrong side of a bound
 COST_RATIO = 2.0  # [1] cost relative to the raw spline, above which a shorter route round an obstacle may exist
@@ -39,7 +40,6 @@ SPANS_AT_ONCE = 100  # spans between frames whose samples are in memory at once
 SAMPLES_PER_SPAN = 32  # samples between two frames, to detect short quaternions
 SHORT = 0.1  # norm of a quaternion below which its joint turns fast
 MIN_DURATION = 1e-4  # [1] shortest moment that is resolved, relative to the time between two samples
-MIN_SPACING = 1e-9  # [s] between edges
 OFFSETS = np.array([-10, -3, -1, -0.3, 0, 0.3, 1, 3, 10])  # [1] offsets of added samples, in durations of the moment
 
 
@@ -180,7 +180,7 @@ def common_grid(timelines: Sequence[Timeline], quaternions: Sequence[Index] | In
     edges = np.concatenate([timeline.times for timeline in timelines])
     flips = [flip for timeline in timelines for flip in _flips(timeline, quaternions)]
     edges = np.unique(np.concatenate([edges, *flips]))
-    edges = edges[np.append(True, np.diff(edges) > MIN_SPACING)]
+    edges = edges[np.append(True, np.diff(edges) > ROUNDING)]
     share = np.arange(SUBDIVISIONS) / SUBDIVISIONS
     return np.append((edges[:-1, None] + share * np.diff(edges)[:, None]).ravel(), edges[-1])
 

@@ -15,9 +15,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..array import Array, Index
+from ..tolerances import TINY
 from .surface import FAR, UPRIGHT
 
-TOUCHING = 1e-12  # [m] distance that counts as none, against division by zero
 SIDEWAYS = 4.0  # [1] κ, the factor on distances to faces that do not point up
 
 
@@ -159,4 +159,4 @@ class Box:
         local[top] -= sign * (self.half[top] + radius)
         for axis in self._sides:
             local[axis] -= np.clip(local[axis], -self.half[axis], self.half[axis])
-        return self.axes @ (local / np.maximum(np.linalg.norm(local, axis=0), TOUCHING))
+        return self.axes @ (local / np.maximum(np.linalg.norm(local, axis=0), TINY))

@@ -21,9 +21,9 @@ from ..array import Array, Index
 from ..figure.figure import Figure
 from ..figure.model import geom_name
 from ..figure.size import Size
+from ..tolerances import TINY
 from . import Hull, hull_of, moving_surface
 from .points import Point, mesh_vertices
-from .solid import TINY
 from .touch import movers
 
 WIDE = 0.3  # [m] length plus width of a geom's largest face from which it is wide, for an adult
@@ -41,7 +41,6 @@ FLAT = 1e-6  # [1] 1 − cosine of the angle up to which two faces are parallel
 CORNERS = 60  # maximum number of corners of a mesh's hull
 HIDDEN = 0.0002  # [m] protrusion up to which a sphere counts as inside a larger one
 CLOSE = 0.001  # [m] minimum spacing of spheres' centres
-SQUARED = 1e-24  # [m²] square of a length that counts as zero
 
 Spheres = tuple[Array, Array]
 
@@ -244,7 +243,7 @@ def _ellipsoid(half: Array, gap: float) -> Spheres:
     size = np.hypot(x / max(long, TINY), y / max(wide, TINY))
     shrink = np.where(size > 0, reach / np.maximum(size, TINY), 1.0)
     x, y = x * shrink, y * shrink
-    remainder = 1 - x**2 / max(a * a - c * c, SQUARED) - y**2 / max(b * b - c * c, SQUARED)
+    remainder = 1 - x**2 / max(a * a - c * c, TINY**2) - y**2 / max(b * b - c * c, TINY**2)
     centres = np.zeros((x.size, 3))
     centres[:, order[0]], centres[:, order[1]] = x, y
     return centres, c * np.sqrt(np.maximum(remainder, 0))

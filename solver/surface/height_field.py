@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..array import Array, Index
-from .solid import TINY, lengths
+from ..tolerances import TINY
+from .solid import lengths
 from .surface import FAR, UPRIGHT
 
 WINDOW = 8  # cells in each direction that are searched for the nearest triangle

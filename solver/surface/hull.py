@@ -8,7 +8,8 @@ from functools import cached_property
 import numpy as np
 
 from ..array import Array, Index
-from .solid import TINY, Solid, lengths
+from ..tolerances import TINY
+from .solid import Solid, lengths
 from .surface import GROUNDED, UPRIGHT
 
 SAME_FACE = 1e-7  # [m] distance up to which planes are the same

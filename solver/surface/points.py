@@ -18,13 +18,13 @@ from ..array import Array, Index, Mask
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..figure.model import geom_name
+from ..tolerances import ROUNDING
 from .touch import movers
 
 DIRECTIONS = 600  # number of directions in which a link's outermost spheres are determined
 MOST_BETWEEN = 1000  # maximum number of spheres along a capsule, more than any limb needs
 MESH_DIRECTIONS = 150  # number of directions in which a mesh's outermost vertices are determined
 RIM, RIM_POINTS = 0.002, (8, 32)  # [m] protrusion of a cylinder's rim between two points on it; least, most points
-TIE = 1e-9  # [m] difference up to which two spheres reach equally far
 SPACING, THIN = 0.75, 0.01  # spacing of spheres along a capsule, in radii [1] of at least THIN [m]
 
 
@@ -132,7 +132,7 @@ def _outermost(points: list[Point]) -> set[int]:
     for link in {point.link for point in points}:
         on_link = [i for i, point in enumerate(points) if point.link == link]
         support = np.array([points[i].position @ directions + points[i].radius for i in on_link])
-        farthest = support >= support.max(axis=0) - TIE
+        farthest = support >= support.max(axis=0) - ROUNDING
         hull |= {on_link[k] for k in np.unique(farthest.argmax(axis=0))}
     return hull
 

@@ -13,10 +13,10 @@ from functools import cached_property
 import numpy as np
 
 from ..array import Array
-from .solid import TINY, Solid, directions, lengths, roots
+from ..tolerances import TINY
+from .solid import Solid, directions, lengths, roots
 
 STEPS = 60  # maximum number of Newton steps
-ASIDE = 1e-12  # [1] minimum distance from planes of symmetry, relative to the shortest half axis
 SETTLED = 1e-14  # [1] relative size of a Newton step that is the last
 
 
@@ -176,7 +176,7 @@ class Ellipsoid(Solid):
         shortest = float(self.half.min())
         offset = half**2 - shortest**2
         # a point in a plane of symmetry inside has two nearest points: a tiny displacement selects one
-        there = np.maximum(np.abs(local), ASIDE * shortest)
+        there = np.maximum(np.abs(local), TINY * shortest)
         pull = half * there
         s = np.max(pull - offset, axis=0)  # t + the smallest a²
         for _ in range(STEPS):

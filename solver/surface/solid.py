@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..array import Array, Index
+from ..tolerances import TINY
 from .surface import FAR
 
-TINY = 1e-12  # [m] length up to which a vector has no direction
 LEAST_RISE = 0.05  # minimum z of a normal of a surface to stand on
 
 

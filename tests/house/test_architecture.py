@@ -119,7 +119,7 @@ def test_the_solver_uses_no_files_no_clock_and_no_terminal():
 # every folder, or module beside the folders, rests only on those in lines before its own
 STRATA = {
     "solver": """
-        array
+        array tolerances
         compiled quaternion cone cache
         figure
         curve surface

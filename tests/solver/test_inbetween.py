@@ -22,9 +22,10 @@ from dynsplines.solver.problem import SPACING, Problem, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA, split
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.search.nlopt_methods import METHODS
-from dynsplines.solver.solution import AT_AN_END, Improvement, Solution
+from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface import Box
 from dynsplines.solver.surface.points import Point
+from dynsplines.solver.tolerances import ROUNDING
 
 LEAST = [("variable", 0, -1), ("frames", 0, -1), ("max_evaluations", 1, 0)]
 LEAST += [("tolerance", 1e-300, 0.0), ("batch", 1e-300, 0.0), ("threshold", 0.0, -1e-300)]
@@ -291,7 +292,7 @@ def test_a_motion_is_seen_from_its_first_keyframe_to_its_last_and_a_rounding_bey
     t = np.array([0.0, 0.7, 2.0])
     np.testing.assert_allclose(found.at(t), path_of(found.timeline).at(t))
     assert found.at(0.7).shape == (1, 2)
-    np.testing.assert_allclose(found.at([-AT_AN_END, 2 + 0.9 * AT_AN_END]), found.at([0.0, 2.0]), atol=1e-7)
-    for outside in (-1.1 * AT_AN_END, 2 + 1.1 * AT_AN_END):
+    np.testing.assert_allclose(found.at([-ROUNDING, 2 + 0.9 * ROUNDING]), found.at([0.0, 2.0]), atol=1e-7)
+    for outside in (-1.1 * ROUNDING, 2 + 1.1 * ROUNDING):
         with pytest.raises(ValueError, match="from 0 to 2 s; there is nothing to see outside"):
             found.at([0.5, outside])

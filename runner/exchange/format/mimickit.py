@@ -22,6 +22,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.tolerances import ROUNDING
 
 from ...errors import UserError
 from .. import plain_pickle
@@ -92,7 +93,7 @@ def _part(model: mujoco.MjModel, joints: list[int], name: str) -> Part:
     if types == [JointKind.HINGE] * 3:
         axes = [model.jnt_axis[joint] for joint in joints]
         order = "".join("xyz"[int(np.argmax(axis))] for axis in axes)
-        if sorted(order) == list("xyz") and all(axis.max() > 1 - 1e-9 for axis in axes):
+        if sorted(order) == list("xyz") and all(axis.max() > 1 - ROUNDING for axis in axes):
             return Part(columns, order, rest)
     raise UserError(
         f"the format 'mimickit' has one ball joint, one hinge, or three about x, y and z a body; '{name}' has others"
@@ -108,7 +109,7 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
     frames = np.concatenate([at, turn, *(part.numbers(whole.qpos) for part in joints)], axis=1)
     entries = {"loop_mode": WRAP if loops else CLAMP, "fps": whole.fps, "frames": frames.tolist()}
     plain_pickle.dump(entries, path)
-    if abs(whole.fps - trajectory.fps) > 1e-9:
+    if abs(whole.fps - trajectory.fps) > ROUNDING:
         trajectory.notes.append(f"{whole.fps:.6g} samples a second, so that the last is the end of the loop")
 
 

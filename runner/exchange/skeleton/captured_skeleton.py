@@ -16,6 +16,7 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.tolerances import TINY
 
 from ...errors import GIVE_UNIT, listed
 from ...scene.roles import apply_bone_map, first_hinge, lineage, mapped_roles, roles, unique
@@ -129,7 +130,7 @@ class CapturedSkeleton:
         arms = [by_role[f"{side}_upper_arm"] for side in ("left", "right") if f"{side}_upper_arm" in by_role]
         if top is not None or len(arms) == 2:
             legs.append((place[top] if top is not None else place[arms].mean(axis=0)) - hips)
-        return min(float(part[2]) / max(float(np.linalg.norm(part)), 1e-12) for part in legs) > STANDING
+        return min(float(part[2]) / max(float(np.linalg.norm(part)), TINY) for part in legs) > STANDING
 
     def children(self, joint: int) -> list[int]:
         return [i for i, parent in enumerate(self.parents) if parent == joint]
@@ -253,7 +254,7 @@ def vertical(position: Array, roles: Mapping[str, int]) -> tuple[str, tuple[str,
     if not tops or not feet:
         return USUAL, ()
     along = position[:, tops].mean(axis=1) - position[:, feet].mean(axis=1)
-    cosine = along / np.maximum(np.linalg.norm(along, axis=1, keepdims=True), 1e-12)
+    cosine = along / np.maximum(np.linalg.norm(along, axis=1, keepdims=True), TINY)
     share, drift = {}, {}
     for i, name in enumerate(AXES):
         for sign, axis in ((1.0, name), (-1.0, f"-{name}")):
@@ -302,4 +303,4 @@ def standing_turn(place: Array, roles: Mapping[str, int]) -> tuple[Array, tuple[
 
 def unit(vector: Array) -> Array:
     """Return a vector (3,) scaled to length 1; zero stays zero."""
-    return vector / max(float(np.linalg.norm(vector)), 1e-12)
+    return vector / max(float(np.linalg.norm(vector)), TINY)

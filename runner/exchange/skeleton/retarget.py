@@ -27,6 +27,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.model import boxes
 from dynsplines.solver.figure.root import Root, roots_of, subtree
 from dynsplines.solver.posing import PoseSearch, Residuals, joined
+from dynsplines.solver.tolerances import TINY
 
 from ...errors import GIVE_MAP, UserError, listed
 from ...scene.configuration import posed
@@ -42,7 +43,6 @@ LISTED = 12
 LEG, ARM = ("thigh", "shin", "foot"), ("upper_arm", "forearm", "hand")
 ENDS = ("foot", "hand")
 HANGS_ON = {"forearm": "upper_arm", "shin": "thigh"}
-SHORTEST = 1e-9  # [m] least length of a limb, to avoid division by zero
 PLACE = 0.01  # [m] position error of a hand or foot that counts as a residual of 1
 TURN, TURN_OF_END, TURN_OF_TRUNK = np.radians((15, 4, 1))  # [rad] errors of a limb's parts, its end, and other bodies
 RANGE = 1e3  # [1/rad] weight of joint ranges
@@ -197,7 +197,7 @@ def _limbs(
         first, last = standing.start_of(chain[0]), standing.roles[chain[-1]]
         bodies = [body for body in hierarchy.above(standing.model, last, itself=True) if body >= first]
         theirs, mine = ([_line_of(pose, role, standing.bracketed) for role in chain] for pose in (captured, standing))
-        size = scale if parts is LEG else _length(mine) / max(_length(theirs), SHORTEST)
+        size = scale if parts is LEG else _length(mine) / max(_length(theirs), TINY)
         about = captured.position[:, captured.roles[chain[-1]]] - captured.position[:, captured.start_of(chain[0])]
         pelvis = standing.roles.get("pelvis", -1)
         if parts is LEG and pelvis in turns and side in standing.bracketed:
