@@ -30,7 +30,7 @@ from dynsplines.clean.repairs import repaired
 from dynsplines.clip import load as clips
 from dynsplines.clip.posing.places import sole_points
 from dynsplines.clip.tracking.penalties import Ground, ground_of
-from dynsplines.motion import sampled, samples_at
+from dynsplines.motion import Sampled, samples_at
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
@@ -77,7 +77,7 @@ def truths(effort: Effort) -> Iterator[Truth]:
     for name in people()[: effort.count(20, 2)]:
         clip = clips.load(name)
         motion = solving.solve(clip, Progress(Console(file=io.StringIO()))).motion
-        at = sampled(clip.figure, motion.timeline, FPS)
+        at = Sampled.of(motion, FPS)
         yield set_down(Truth(name, clip.figure, at.time - at.time[0], at.qpos))
 
 

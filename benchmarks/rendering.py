@@ -59,13 +59,13 @@ def _bare(saved: Any, look: Any, images: int, target: Path) -> None:
     import mujoco
     import numpy as np
 
-    from dynsplines.motion import sampled
+    from dynsplines.motion import Sampled
 
     model = mujoco.MjModel.from_xml_string(saved.mjcf)
     data = mujoco.MjData(model)
     half = look.width // 2
     model.vis.global_.offwidth, model.vis.global_.offheight = half, look.height
-    runs = [sampled(saved.figure, timeline, look.fps).qpos for timeline in (saved.raw, saved.timeline)]
+    runs = [Sampled.of(side, look.fps).qpos for side in (saved.before, saved)]
     camera = mujoco.MjvCamera()
     camera.distance, camera.azimuth, camera.elevation = 4.0, 90.0, -8.0
     with mujoco.Renderer(model, look.height, half) as renderer, iio.imopen(target, "w", plugin="pyav") as video:

@@ -17,9 +17,11 @@ import json
 import zipfile
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+import mujoco
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -52,23 +54,6 @@ NEEDED = (
 )  # fmt: skip
 Arrays = dict[str, np.ndarray]  # by name
 TEXTS = ("mjcf", "clip", "trace", "report", "name", "coordinates", "ends")
-
-
-@dataclass(frozen=True)
-class Sampled:
-    """A motion at equal time steps, in MuJoCo's order, units and axes.
-
-    Attributes:
-        time: Times (T,) [s].
-        qpos: Configurations (T, nq), with unit quaternions wxyz.
-        qvel: Velocities (T, nv).
-        qacc: Accelerations (T, nv).
-    """
-
-    time: Array
-    qpos: Array
-    qvel: Array
-    qacc: Array
 
 
 @dataclass(frozen=True)
@@ -108,6 +93,11 @@ class Saved:
         return path_of(self.timeline)
 
     @property
+    def before(self) -> Saved:
+        """The raw spline through the same keyframes."""
+        return replace(self, timeline=self.raw, trace=[], report={}, search={})
+
+    @property
     def stop(self) -> Stop:
         """Why the search ended."""
         return Stop.__members__.get(str(self.search.get("stop")), Stop.CONVERGED)
@@ -123,14 +113,86 @@ class Saved:
         return self.figure.to_qpos(self.path.at(np.atleast_1d(np.asarray(times, float))))
 
 
-def sampled(figure: Figure, timeline: Timeline, fps: float) -> Sampled:
-    """Return a timeline's motion at t0 + i / fps, i = 0 … floor(duration · fps)."""
-    first, last = float(timeline.times[0]), float(timeline.times[-1])
-    count = sample_count(last - first, fps)
-    time, path = first + np.arange(count) / fps, path_of(timeline)
-    chunks = [_configurations(samples) for samples in sample_runs(figure, path, time)]
-    qpos, qvel, qacc = (np.concatenate(rows) for rows in zip(*chunks, strict=True))
-    return Sampled(time, continuous(figure, qpos), qvel, qacc)
+@dataclass(frozen=True)
+class Sampled:
+    """A motion at equal time steps, in MuJoCo's order, units and axes.
+
+    Attributes:
+        motion: The motion.
+        fps: Samples per second [1/s].
+        time: Times (T,) [s].
+        qpos: Configurations (T, nq), with unit quaternions wxyz of continuous sign.
+        qvel: Velocities (T, nv).
+        qacc: Accelerations (T, nv).
+    """
+
+    motion: Saved
+    fps: float
+    time: Array
+    qpos: Array
+    qvel: Array
+    qacc: Array
+
+    @classmethod
+    def of(cls, motion: Saved, fps: float | None = None) -> Sampled:
+        """Return a motion at t0 + i / fps, i = 0 … floor(duration · fps), by default at its own rate."""
+        figure, path, rate = motion.figure, motion.path, motion.fps if fps is None else fps
+        first, last = path.span
+        time = first + np.arange(sample_count(last - first, rate)) / rate
+        chunks = [_configurations(samples) for samples in sample_runs(figure, path, time)]
+        qpos, qvel, qacc = (np.concatenate(rows) for rows in zip(*chunks, strict=True))
+        return cls(motion, rate, time, continuous(figure, qpos), qvel, qacc)
+
+    @property
+    def figure(self) -> Figure:
+        """The figure: a MuJoCo model as a tree of links."""
+        return self.motion.figure
+
+    @property
+    def model(self) -> mujoco.MjModel:
+        """The figure in its scene, as a compiled model."""
+        return self.motion.figure.model
+
+    @property
+    def name(self) -> str:
+        """The name of the motion."""
+        return self.motion.name
+
+    @cached_property
+    def bodies(self) -> Bodies:
+        """Positions, orientations and velocities of all bodies."""
+        return Bodies.of(self.model, self.qpos, self.qvel)
+
+
+@dataclass(frozen=True)
+class Bodies:
+    """The motion of all body frames in world axes; the first body is the world.
+
+    Attributes:
+        position: Positions (T, nbody, 3) [m].
+        rotation: Orientations (T, nbody, 4), wxyz and sign-continuous.
+        velocity: Velocities (T, nbody, 3) of the origins [m/s].
+        spin: Angular velocities (T, nbody, 3) [rad/s].
+    """
+
+    position: Array
+    rotation: Array
+    velocity: Array
+    spin: Array
+
+    @classmethod
+    def of(cls, model: mujoco.MjModel, qpos: Array, qvel: Array) -> Bodies:
+        """Return the motion of the bodies, by MuJoCo's kinematics of every sample."""
+        data = mujoco.MjData(model)
+        position, rotation, velocity, spin = (np.zeros((len(qpos), model.nbody, width)) for width in (3, 4, 3, 3))
+        for i in range(len(qpos)):
+            data.qpos, data.qvel = qpos[i], qvel[i]
+            mujoco.mj_fwdPosition(model, data)
+            mujoco.mj_fwdVelocity(model, data)
+            position[i], rotation[i], spin[i] = data.xpos, data.xquat, data.cvel[:, :3]
+            offset = data.xpos - data.subtree_com[model.body_rootid]  # from the point that cvel refers to
+            velocity[i] = data.cvel[:, 3:] + np.cross(spin[i], offset)
+        return cls(position, quat.aligned(rotation), velocity, spin)
 
 
 def _configurations(samples: Samples) -> tuple[Array, Array, Array]:
@@ -174,7 +236,7 @@ def continuous(figure: Figure, qpos: Array) -> Array:
 def save(saved: Saved, target: Path) -> None:
     """Write MOTION.npz atomically."""
     figure, model = saved.figure, saved.figure.model
-    after, raw = (sampled(figure, timeline, saved.fps) for timeline in (saved.timeline, saved.raw))
+    after, raw = Sampled.of(saved), Sampled.of(saved.before)
     key_time = np.array([key.time for key in saved.keys])
     arrays = {
         "format_version": FORMAT_VERSION,

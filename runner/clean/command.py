@@ -132,7 +132,7 @@ def clean_motion(saved: Saved, max_displacement: float | None, progress: Progres
 
 def _of_motion(saved: Saved) -> ImportedMotion:
     """Return a motion of this program at its rate."""
-    samples = motion.sampled(saved.figure, saved.timeline, saved.fps)
+    samples = motion.Sampled.of(saved)
     return ImportedMotion(saved.name, saved.scene, samples.time, samples.qpos, saved.fps)
 
 

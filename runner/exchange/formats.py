@@ -11,12 +11,13 @@ from typing import Any
 import mujoco
 
 from ..errors import GIVE_FORMAT, UserError, unknown
-from ..motion import Saved
+from ..motion import Sampled, Saved
 from ..system import size_limit
 from ..system.output import Replacement, check_target
+from ..system.quantity import positive
 from . import layouts
 from .array_reader import names_in
-from .trajectory import Recording, SampledTrajectory
+from .recording import Recording
 
 OF_MOTIONS = {"format_version", "frame_state"}  # names of arrays that only this program's motions have
 CONVERTIBLE = (".glb", ".gltf", ".vrm", ".fbx", ".usd", ".usda", ".usdc")  # animations that Blender converts to BVH
@@ -26,9 +27,10 @@ CONVERTIBLE = (".glb", ".gltf", ".vrm", ".fbx", ".usd", ".usda", ".usdc")  # ani
 class Format:
     """A file format: name, extension, one-line description, and the module that implements it.
 
-    The module has `write(trajectory, path)` if the format can be written, and `read(path, model, fps)`, which returns a
-    Recording, if it can be read; `model` is None without a figure from the user. Both raise UserError. An optional
-    function `recognises(path)` decides between formats that share an extension. Only BVH's reader takes `scale` [m].
+    The module has `write(sampled, path)` if the format can be written, which may return notes for the user, and
+    `read(path, model, fps)`, which returns a Recording, if it can be read; `model` is None without a figure from the
+    user. Both raise UserError. An optional function `recognises(path)` decides between formats that share an extension.
+    Only BVH's reader takes `scale` [m], and only the table's writer groups of columns.
 
     containers  extensions of other files with the same content, only read
     """
@@ -172,7 +174,7 @@ def export(
     form = chosen(kind, target, columns)
     target = target or target_of(saved.name, form)
     check_target(target, overwrite=overwrite)
-    trajectory = SampledTrajectory.of(saved, fps, columns)
+    sampled = Sampled.of(saved, None if fps is None else positive(fps, "fps ="))
     meshes = saved.scene.assets if target.suffix.lower() == ".xml" else {}
     others = {target.parent / name: content for name, content in meshes.items()}
     for other, content in others.items():
@@ -181,13 +183,13 @@ def export(
         if not (other.is_file() and other.read_bytes() == content):
             check_target(other, overwrite=overwrite)
     with Replacement(target) as temporary:
-        _module(form).write(trajectory, temporary)
+        notes = list(_module(form).write(sampled, temporary, *([columns] if columns else [])) or ())
     for other, content in others.items():
         with Replacement(other) as temporary:
             temporary.write_bytes(content)
-        trajectory.notes.append(f"wrote {other}")
+        notes.append(f"wrote {other}")
     if report is not None:
-        for note in trajectory.notes:
+        for note in notes:
             report(note)
     return target
 

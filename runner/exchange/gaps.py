@@ -17,7 +17,7 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import JointKind
 
 from ..errors import UserError
-from .trajectory import Recording
+from .recording import Recording
 
 STILL, JUMP = 1.0, 20.0  # [rad/s] largest speed of a joint in a pose; least speed of a jump out of it
 SUDDEN = 4.0  # [1] least ratio of the speed of this jump to that of the next sample, as throws and kicks last longer

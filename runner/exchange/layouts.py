@@ -19,7 +19,7 @@ from ..errors import UserError
 from ..scene.configuration import posed
 from ..scene.framing import spread
 from .array_reader import ArrayReader
-from .trajectory import Recording
+from .recording import Recording
 
 CLOSE, ALIGNED = 0.02, np.radians(2)  # [m], [rad] allowed difference between forward kinematics and recorded bodies
 LOOKED_AT = 60  # samples of a file that are compared, evenly spread

@@ -25,7 +25,6 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
-from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import applied, cross
 from dynsplines.solver.figure.dynamics import RootWrench, inverse_dynamics
 from dynsplines.solver.figure.figure import JointKind
@@ -36,8 +35,7 @@ from dynsplines.solver.penalty.ground.support import Reactions
 
 from ..clip import load as clip
 from ..errors import UserError, unknown
-from ..motion import samples_at
-from .trajectory import SampledTrajectory
+from ..motion import Sampled, samples_at
 
 Columns = dict[str, Array]
 ALL = "all"
@@ -67,29 +65,24 @@ class Foot:
 
 @dataclass(frozen=True)
 class Forces:
-    """The forces of a trajectory.
+    """The forces of a sampled.
 
-    samples  the motion; support  None for a figure without a free root
-    model    the trajectory's model, or one with the same joints whose forces are evaluated
+    samples  the same times of the motion; support  None for a figure without a free root
+    model    the motion's model, or one with the same joints whose forces are evaluated
     """
 
-    trajectory: SampledTrajectory
+    sampled: Sampled
     samples: Samples
     support: Support | None
     model: mujoco.MjModel
 
     @classmethod
-    def of(cls, trajectory: SampledTrajectory, model: mujoco.MjModel | None = None) -> Forces:
+    def of(cls, sampled: Sampled, model: mujoco.MjModel | None = None) -> Forces:
         """Return the forces of a motion in its model, or in another one with the same joints."""
-        saved = trajectory.saved
-        support = clip.clip_from_motion(saved).context.support
-        samples = samples_at(saved.figure, path_of(saved.timeline), trajectory.time)
-        return cls(
-            trajectory,
-            samples,
-            None if support is None else support.stiff,
-            trajectory.model if model is None else model,
-        )
+        support = clip.clip_from_motion(sampled.motion).context.support
+        samples = samples_at(sampled.figure, sampled.motion.path, sampled.time)
+        stiff = None if support is None else support.stiff
+        return cls(sampled, samples, stiff, sampled.model if model is None else model)
 
     @cached_property
     def has_known_support(self) -> Mask:
@@ -101,7 +94,7 @@ class Forces:
     @cached_property
     def inverse(self) -> Array:
         """(T, nv) MuJoCo's qfrc_inverse without contacts: the joint forces as if the ground exerted none."""
-        return inverse_dynamics(self.model, self.trajectory.qpos, self.trajectory.qvel, self.trajectory.qacc)
+        return inverse_dynamics(self.model, self.sampled.qpos, self.sampled.qvel, self.sampled.qacc)
 
     @cached_property
     def wrench(self) -> RootWrench | None:
@@ -109,7 +102,7 @@ class Forces:
         if self.support is None:
             return None
         out, root = RootWrench(self.samples, self.support.root), self.support.root
-        dof = self.trajectory.figure.links[root].dof
+        dof = self.sampled.figure.links[root].dof
         links = self.samples.links
         out.force = np.ascontiguousarray(self.inverse[:, dof : dof + 3].T)
         moment = applied(links.rotation[:, :, [root]], self.inverse[:, dof + 3 : dof + 6].T[:, None])[:, 0]
@@ -144,7 +137,7 @@ class Forces:
 
     def _foot(self, link: int) -> Foot:
         assert self.support is not None and self._reactions is not None
-        reactions, count, figure = self._reactions, self.samples.count, self.trajectory.figure
+        reactions, count, figure = self._reactions, self.samples.count, self.sampled.figure
         indices = np.flatnonzero(self._links[reactions.footing] == link)
         at, place, force = reactions.at[indices], reactions.place[:, indices], reactions.force[:, indices]
         normals = np.array([self.support.footings[i].normal for i in reactions.footing[indices]]).reshape(-1, 3).T
@@ -168,45 +161,46 @@ class Forces:
     def torques(self) -> Array:
         """(T, nv) MuJoCo's qfrc_inverse minus the ground reactions; at a free root, the remaining wrench."""
         out = self.inverse.copy()
-        reactions, model = self._reactions, self.trajectory.model
+        reactions, model = self._reactions, self.sampled.model
         if self.support is None or reactions is None:
             return out
         data, jacobian = mujoco.MjData(model), np.zeros((3, model.nv))
-        bodies = [self.trajectory.figure.links[link].body for link in self._links]
+        bodies = [self.sampled.figure.links[link].body for link in self._links]
         order = np.argsort(reactions.at, kind="stable")
         posed = -1
         for i in order:
             t = int(reactions.at[i])
             if t != posed:
-                set_qpos(model, data, self.trajectory.qpos[t])
+                set_qpos(model, data, self.sampled.qpos[t])
                 posed = t
             mujoco.mj_jac(model, data, jacobian, None, reactions.place[:, i], bodies[reactions.footing[i]])
             out[t] -= reactions.force[:, i] @ jacobian
         return np.where(self.has_known_support[:, None], out, np.nan)
 
 
-def velocities(trajectory: SampledTrajectory, forces: Forces) -> Columns:
+def velocities(forces: Forces) -> Columns:
     """Return MuJoCo's qvel."""
     units = ("m/s", "rad/s")
-    return _by_dof(trajectory.model, trajectory.qvel, {"free": "v w", "ball": "w", "hinge": "v", "slide": "v"}, units)
+    sampled, letters = forces.sampled, {"free": "v w", "ball": "w", "hinge": "v", "slide": "v"}
+    return _by_dof(sampled.model, sampled.qvel, letters, units)
 
 
-def torques(trajectory: SampledTrajectory, forces: Forces) -> Columns:
+def torques(forces: Forces) -> Columns:
     """Return the torques of all joints except free ones."""
     units = ("N", "N m")
-    return _by_dof(trajectory.model, forces.torques, {"ball": "t", "hinge": "t", "slide": "f"}, units)
+    return _by_dof(forces.sampled.model, forces.torques, {"ball": "t", "hinge": "t", "slide": "f"}, units)
 
 
 class Unavailable(Exception):
     """A group that a motion has no values for: the reason, and what to do."""
 
 
-def wrench(trajectory: SampledTrajectory, forces: Forces) -> Columns:
+def wrench(forces: Forces) -> Columns:
     """Return the external wrench at the free root; raises Unavailable without a free root."""
-    root_wrench, root = forces.wrench, trajectory.figure.root
-    if root_wrench is None or root is None:
+    root_wrench, figure = forces.wrench, forces.sampled.figure
+    if root_wrench is None or figure.root is None:
         raise Unavailable("the figure has no free root, so no wrench moves it from outside", "omit `wrench`")
-    name = trajectory.figure.links[root_wrench.root].name
+    name = figure.links[root_wrench.root].name
     return (
         _vector(f"{name}.f", "N", root_wrench.force)
         | _vector(f"{name}.m", "N m", root_wrench.moment)
@@ -214,7 +208,7 @@ def wrench(trajectory: SampledTrajectory, forces: Forces) -> Columns:
     )
 
 
-def ground(trajectory: SampledTrajectory, forces: Forces) -> Columns:
+def ground(forces: Forces) -> Columns:
     """Return the ground reactions of every foot with a stance; raises Unavailable if there is none."""
     if not forces.feet:
         raise Unavailable(
@@ -228,7 +222,7 @@ def ground(trajectory: SampledTrajectory, forces: Forces) -> Columns:
     return out | _vector("unsupplied.f", "N", forces.rest[:3]) | _vector("unsupplied.m", "N m", forces.rest[3:])
 
 
-GROUPS: dict[str, Callable[[SampledTrajectory, Forces], Columns]] = {
+GROUPS: dict[str, Callable[[Forces], Columns]] = {
     "velocities": velocities,
     "torques": torques,
     "wrench": wrench,
@@ -245,8 +239,8 @@ def named(text: str) -> tuple[str, ...]:
     return (ALL,) if ALL in words else tuple(dict.fromkeys(words))
 
 
-def table(trajectory: SampledTrajectory, groups: Sequence[str]) -> Columns:
-    """Return the columns (T,) of groups, by heading, and add a note on unknown forces.
+def table(sampled: Sampled, groups: Sequence[str]) -> tuple[Columns, list[str]]:
+    """Return the columns (T,) of groups, by heading, and notes on unknown forces.
 
     A note lists the groups of "all" that the motion has no values for.
 
@@ -254,31 +248,32 @@ def table(trajectory: SampledTrajectory, groups: Sequence[str]) -> Columns:
         UserError: The motion has no values for another group.
     """
     if not groups:
-        return {}
+        return {}, []
     wanted = [group for group in GROUPS if ALL in groups or group in groups]
-    forces = Forces.of(trajectory)
+    forces = Forces.of(sampled)
     out: Columns = {}
+    notes = list[str]()
     for group in wanted:
         try:
-            out |= GROUPS[group](trajectory, forces)
+            out |= GROUPS[group](forces)
         except Unavailable as missing:
             reason, remedy = missing.args
             if ALL not in groups:
-                raise UserError(f"{trajectory.name}: {reason}; {remedy}") from None
-            trajectory.notes.append(f"no columns `{group}`: {reason}")
+                raise UserError(f"{sampled.name}: {reason}; {remedy}") from None
+            notes.append(f"no columns `{group}`: {reason}")
     if {"torques", "ground"} & set(wanted) and not forces.has_known_support.all():
-        trajectory.notes.append(UNKNOWN_NOTE.format(share=1 - float(forces.has_known_support.mean())))
+        notes.append(UNKNOWN_NOTE.format(share=1 - float(forces.has_known_support.mean())))
     if "torques" in wanted:
-        trajectory.notes.extend(constraint_notes(trajectory, forces))
-    return out
+        notes.extend(constraint_notes(forces))
+    return out, notes
 
 
-def constraint_notes(trajectory: SampledTrajectory, forces: Forces) -> list[str]:
+def constraint_notes(forces: Forces) -> list[str]:
     """Return a note on forces of joint limits and equality constraints, if they are a large part of the torques."""
-    model = trajectory.model
+    sampled, model = forces.sampled, forces.sampled.model
     if not (model.neq or model.jnt_limited.any() or model.tendon_limited.any()):
         return []
-    free = inverse_dynamics(model, trajectory.qpos, trajectory.qvel, trajectory.qacc, disabled=EQUALITIES_AND_LIMITS)
+    free = inverse_dynamics(model, sampled.qpos, sampled.qvel, sampled.qacc, disabled=EQUALITIES_AND_LIMITS)
     size = np.abs(forces.inverse - free)
     at, dof = np.unravel_index(int(size.argmax()), size.shape)
     if size[at, dof] <= LARGE * np.abs(forces.inverse).max():
@@ -292,7 +287,7 @@ def constraint_notes(trajectory: SampledTrajectory, forces: Forces) -> list[str]
             size=size[at, dof],
             unit="N" if is_force else "N m",
             joint=model.joint(joint).name or f"joint{joint}",
-            time=trajectory.time[at],
+            time=sampled.time[at],
         )
     ]
 

@@ -36,13 +36,13 @@ from dynsplines.solver.surface.touch import bolted, is_scenery, movers, solids
 
 from ..clip import load as clip
 from ..errors import listed
+from ..motion import Sampled
 from ..scene.framing import size_of
 from ..scene.mujoco_versions import geoms_by_number, portable_text, remove
 from ..scene.roles import unique
 from ..system.mujoco_warnings import quietly
 from .quantities import Forces
 from .skeleton import hierarchy
-from .trajectory import SampledTrajectory
 
 FREQUENCY = 8.0  # [Hz] natural frequency of a limb on its actuators, several times that of human motion
 DAMPING = 2 / (2 * np.pi * FREQUENCY)  # [s] kv / kp of critical damping
@@ -97,21 +97,21 @@ class Simulation:
     notes: tuple[str, ...]
 
     @classmethod
-    def of(cls, trajectory: SampledTrajectory) -> Simulation:
+    def of(cls, sampled: Sampled) -> Simulation:
         """Return the scene of a motion; raises ValueError if MuJoCo cannot compile it."""
-        actuators = drives(trajectory)
-        root, notes = _scene(trajectory, actuators)
+        actuators = drives(sampled)
+        root, notes = _scene(sampled, actuators)
         with quietly():
             model = mujoco.MjModel.from_xml_string(
-                ElementTree.tostring(root, encoding="unicode"), dict(trajectory.saved.scene.assets)
+                ElementTree.tostring(root, encoding="unicode"), dict(sampled.motion.scene.assets)
             )
-        return cls(root, model, targets(trajectory, model, actuators), tuple(notes))
+        return cls(root, model, targets(sampled, model, actuators), tuple(notes))
 
 
-def drives(trajectory: SampledTrajectory) -> list[Drive]:
+def drives(sampled: Sampled) -> list[Drive]:
     """Return the actuators of a figure, in the order of its joints."""
-    model, least, joints = trajectory.model, _least(trajectory), joint_names(trajectory.model)
-    largest = np.abs(np.nan_to_num(Forces.of(trajectory).torques)).max(axis=0, initial=0)
+    model, least, joints = sampled.model, _least(sampled), joint_names(sampled.model)
+    largest = np.abs(np.nan_to_num(Forces.of(sampled).torques)).max(axis=0, initial=0)
     out: list[Drive] = []
     for joint in range(model.njnt):
         kind, dof = JointKind(model.jnt_type[joint]), int(model.jnt_dofadr[joint])
@@ -141,11 +141,11 @@ def _rounded(gain: float) -> float:
     return float(f"{gain:.3g}")
 
 
-def _least(trajectory: SampledTrajectory) -> Array:
+def _least(sampled: Sampled) -> Array:
     """Return the gain (njnt,) that supports the whole figure, for joints between its root and its soles."""
-    figure, model = trajectory.figure, trajectory.model
+    figure, model = sampled.figure, sampled.model
     out = np.zeros(model.njnt)
-    points = clip.clip_from_motion(trajectory.saved).context.points
+    points = clip.clip_from_motion(sampled.motion).context.points
     if figure.root is None or not points:
         return out
     root = figure.root.link
@@ -167,31 +167,31 @@ def _standing(figure: Figure, feet: set[int]) -> set[int]:
     return out
 
 
-def targets(trajectory: SampledTrajectory, model: mujoco.MjModel, actuators: list[Drive]) -> Array:
+def targets(sampled: Sampled, model: mujoco.MjModel, actuators: list[Drive]) -> Array:
     """Return `ctrl` (T, nu) at the samples; model: the scene to simulate, whose torques are added if known."""
-    torques = np.nan_to_num(Forces.of(trajectory, model).torques)
-    out = np.zeros((len(trajectory.qpos), len(actuators)))
+    torques = np.nan_to_num(Forces.of(sampled, model).torques)
+    out = np.zeros((len(sampled.qpos), len(actuators)))
     for column, drive in enumerate(actuators):
         first, dof = int(model.jnt_qposadr[drive.joint]), int(model.jnt_dofadr[drive.joint])
         if drive.axis is None:
-            at = trajectory.qpos[:, first]
+            at = sampled.qpos[:, first]
         else:
-            at = quat.rotation_vector(trajectory.qpos[:, first : first + 4])[:, drive.axis]
+            at = quat.rotation_vector(sampled.qpos[:, first : first + 4])[:, drive.axis]
             dof += drive.axis
-        out[:, column] = at + (drive.kv * trajectory.qvel[:, dof] + torques[:, dof]) / drive.kp
+        out[:, column] = at + (drive.kv * sampled.qvel[:, dof] + torques[:, dof]) / drive.kp
     return out
 
 
-def _scene(trajectory: SampledTrajectory, actuators: list[Drive]) -> tuple[ElementTree.Element, list[str]]:
+def _scene(sampled: Sampled, actuators: list[Drive]) -> tuple[ElementTree.Element, list[str]]:
     """Return the model's MJCF with colliding geoms, actuators and options, and notes on what is overridden."""
-    spec = trajectory.saved.scene.spec()
-    model, names = trajectory.model, joint_names(trajectory.model)
+    spec = sampled.motion.scene.spec()
+    model, names = sampled.model, joint_names(sampled.model)
     _set_options(spec, model)
     notes = _collide(spec, model)
     for name, joint in zip(names, spec.joints, strict=True):
         joint.name = name
     with quietly():
-        overlaps = _exclude_overlaps(spec, spec.compile(), trajectory.qpos)
+        overlaps = _exclude_overlaps(spec, spec.compile(), sampled.qpos)
         if overlaps:
             spec.compile()
     if sliding := sliding_joints(model):

@@ -18,7 +18,7 @@ from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.tolerances import ROUNDING
 
 from ..errors import UserError, unknown
-from ..motion import Saved, sampled
+from ..motion import Sampled, Saved
 from ..scene.assets import Scene
 from ..scene.framing import height, middles, spread
 from ..system.progress import Progress
@@ -167,10 +167,10 @@ def _key_shots(saved: Saved, look: Look) -> list[Shot]:
 
 
 def _moving_shots(saved: Saved, look: Look) -> list[Shot]:
-    sides = {"before": saved.raw, "after": saved.timeline}
+    sides = {"before": saved.before, "after": saved}
     shown = [look.only] if look.only else ["before", "after"]
     titles = {name: name if len(shown) > 1 else "" for name in shown}
-    runs = {name: sampled(saved.figure, sides[name], look.fps * look.slow) for name in shown}
+    runs = {name: Sampled.of(sides[name], look.fps * look.slow) for name in shown}
     roots = np.stack([middles(saved.figure, run.qpos) for run in runs.values()])
     views = _plan(saved, look, roots, look.fps * look.slow, len(shown))
     ghosts = _key_ghosts(saved) if look.ghosts else ()
@@ -215,11 +215,11 @@ def figure_six(saved: Saved, look: Look, graphics: Graphics, *, rate: float = BE
     """Return one still as figure 6 of the paper: keyframes darkest, then variable frames, then in-betweens (`rate`
     [1/s])."""
     figure = saved.figure
-    timeline = saved.raw if look.only == "before" else saved.timeline
+    shown = saved.before if look.only == "before" else saved
     keys = {key.time for key in saved.keys}
-    qpos = figure.to_qpos(timeline.states)
-    is_key = np.array([any(abs(t - k) < ROUNDING for k in keys) for t in timeline.times])
-    between = sampled(figure, timeline, rate).qpos
+    qpos = figure.to_qpos(shown.timeline.states)
+    is_key = np.array([any(abs(t - k) < ROUNDING for k in keys) for t in shown.timeline.times])
+    between = Sampled.of(shown, rate).qpos
     ghosts = [Ghost(q, shade=0.75, opacity=0.25) for q in between]
     ghosts += [Ghost(q, shade=0.45, opacity=0.55) for q in qpos[~is_key]]
     ghosts = [*(ghosts if look.only != "keys" else ()), *map(Ghost, qpos[is_key])]

@@ -130,7 +130,7 @@ class Motion:
     @cached_property
     def before(self) -> Motion:
         """The raw spline through the same keyframes."""
-        return Motion(replace(self.saved, timeline=self.saved.raw, trace=[], report={}, search={}))
+        return Motion(self.saved.before)
 
     def at(self, t: ArrayLike) -> Array:
         """Return configurations at given times.
@@ -161,7 +161,7 @@ class Motion:
             time (T,) [s], qpos (T, nq), qvel and qacc (T, nv) in MuJoCo's order, units and axes.
         """
         rate = self.fps if fps is None else positive(fps, "fps =")
-        return files.sampled(self.saved.figure, self.saved.timeline, rate)
+        return Sampled.of(self.saved, rate)
 
     def report(self) -> Report:
         """Return measurements of the spline through the keyframes ("before") and of the solution ("after").
@@ -458,8 +458,7 @@ class Motion:
     def _repr_html_(self) -> str:
         """Return a player of the motion before and after, for notebooks: a page without external content."""
         from ..exchange.format.html import page
-        from ..exchange.trajectory import SampledTrajectory
 
-        inside = html.escape(page(SampledTrajectory.of(self.saved)))
+        inside = html.escape(page(Sampled.of(self.saved)))
         style = "width: 100%; height: 480px; border: 0"
         return f'<iframe title="{html.escape(self.name)}" style="{style}" srcdoc="{inside}"></iframe>'

@@ -13,7 +13,8 @@ import numpy as np
 
 from ..array import Array, Index
 from ..surface import Plane
-from ..surface.points import TIE, Point
+from ..surface.points import Point
+from ..tolerances import ROUNDING
 from .contact import Contact
 from .keyframe_points import KeyframePoints
 
@@ -57,7 +58,7 @@ def _outermost(spots: KeyframePoints, link: int, points: Index, keys: Index) -> 
     local = np.einsum("ijp,ip->jp", rotation, touched)
     directions = rotation[:, :, 0].T @ _around(normal)
     reach = local.T @ directions
-    outer = np.unique(np.argmax(reach >= reach.max(axis=0) - TIE, axis=0))
+    outer = np.unique(np.argmax(reach >= reach.max(axis=0) - ROUNDING, axis=0))
     return [(int(points[i]), local[:, i]) for i in outer], plane
 
 

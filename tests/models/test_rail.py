@@ -10,7 +10,7 @@ from processes import quiet
 from texts import read_data
 
 from dynsplines import recordings, solving
-from dynsplines.motion import sampled
+from dynsplines.motion import Sampled
 
 LIMB = read_data("rail_limb.xml").replace("{ridge}", " ".join(["0 .2 .4 .6 .8 .9 1 .9 .8 .6 .4 .2 0"] * 7))
 OBSTACLES = {
@@ -33,8 +33,8 @@ def test_a_limb_goes_through_an_obstacle_on_the_raw_spline_and_at_most_two_milli
     (tmp_path / "limb.xml").write_text(LIMB.replace("{obstacle}", OBSTACLES[obstacle]), encoding="utf-8")
     solved = solving.solve(recordings.from_text(CLIP, name="limb", folder=tmp_path), quiet())
     figure, deepest = solved.clip.figure, []
-    for timeline in (solved.motion.raw, solved.motion.timeline):
-        run = sampled(figure, timeline, 1000.0)
+    for side in (solved.motion.before, solved.motion):
+        run = Sampled.of(side, 1000.0)
         deepest.append(penetration(figure.model, run.time, run.qpos).deepest)
     assert deepest[0] > 0.015
     assert deepest[1] <= 0.002

@@ -12,7 +12,7 @@ from shipped import Move, of
 
 from dynsplines import models
 from dynsplines.measure.violation import violations
-from dynsplines.motion import sampled
+from dynsplines.motion import Sampled
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts.gait_period import Gait
 from dynsplines.solver.curve.mirror import Mirror
@@ -102,7 +102,7 @@ def test_what_is_at_rest_stays_down_and_in_its_place(name):
 @pytest.mark.parametrize("name", [name for name, promise in PROMISES.items() if promise.itself < np.inf])
 def test_no_limb_goes_through_the_body(name):
     figure = of(name).clip.figure
-    run = sampled(figure, of(name).motion.timeline, 60.0)
+    run = Sampled.of(of(name).motion, 60.0)
     deepest, where = self_penetration(figure.model, geom_pairs(SelfContact.of(figure, 0.0)), run.time, run.qpos)
     assert deepest <= PROMISES[name].itself, where
 

@@ -13,7 +13,7 @@ from oracles import aligned
 
 from dynsplines import motion
 from dynsplines.errors import UserError
-from dynsplines.motion import Saved, load, sampled, save
+from dynsplines.motion import Sampled, Saved, load, save
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solving import Solved
 
@@ -68,13 +68,13 @@ def test_times_shapes_and_names_fit_the_model_in_the_file(arrays):
 def test_velocities_and_accelerations_are_mujocos(saved: Saved):
     model = saved.figure.model
     dt = 1e-4
-    for timeline in (saved.timeline, saved.raw):
-        fine = sampled(saved.figure, timeline, 1 / dt)
+    for side in (saved, saved.before):
+        fine = Sampled.of(side, 1 / dt)
         velocity = differentiated(model, fine.qpos, dt)
         np.testing.assert_allclose(fine.qvel[1:-1], velocity, atol=1e-4 * np.abs(velocity).max())
         slope = (fine.qvel[2:] - fine.qvel[:-2]) / (2 * dt)
         # at a knot the acceleration has a corner, which no difference sees
-        smooth = np.min(np.abs(fine.time[1:-1, None] - timeline.times), axis=1) > 1.5 * dt
+        smooth = np.min(np.abs(fine.time[1:-1, None] - side.timeline.times), axis=1) > 1.5 * dt
         np.testing.assert_allclose(fine.qacc[1:-1][smooth], slope[smooth], atol=1e-3 * np.abs(slope).max())
 
 
@@ -84,7 +84,7 @@ def test_keyframes_are_met_with_the_paths_own_sign(arrays, solved: Solved):
     np.testing.assert_array_equal(fixed, [key.fixed for key in solved.clip.keys])
     wanted = aligned(solved.clip.figure, wanted, reached)
     np.testing.assert_allclose(reached[fixed], wanted[fixed], atol=1e-9)
-    on_path = motion.continuous(solved.clip.figure, sampled(solved.clip.figure, solved.motion.timeline, 1000.0).qpos)
+    on_path = motion.continuous(solved.clip.figure, Sampled.of(solved.motion, 1000.0).qpos)
     np.testing.assert_allclose(reached[1], on_path[200], atol=1e-9)
     np.testing.assert_allclose(reached[0], arrays["qpos"][0], atol=1e-12)
 

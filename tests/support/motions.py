@@ -11,13 +11,13 @@ import numpy as np
 from figures import biped, figure_of
 from texts import read_data
 
-from dynsplines import models, motion, solving
+from dynsplines import models, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip import load as clips
 from dynsplines.clip.posing.places import sole_points
 from dynsplines.exchange import formats
 from dynsplines.exchange.motion_import import read_recording
-from dynsplines.motion import Sampled, Saved, sampled
+from dynsplines.motion import Sampled, Saved
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
@@ -60,7 +60,7 @@ def through(figure: str, time: np.ndarray, qpos: np.ndarray) -> Saved:
 
 
 def samples(saved: Saved, fps: float | None = None) -> Sampled:
-    return motion.sampled(saved.figure, saved.timeline, fps or saved.fps)
+    return Sampled.of(saved, fps)
 
 
 def poses(model: mujoco.MjModel, qpos: np.ndarray, qvel: np.ndarray | None = None) -> dict[str, np.ndarray]:
@@ -145,7 +145,7 @@ class Take:
     @classmethod
     def of(cls, solved: Solved, fps: float) -> Take:
         figure = solved.clip.figure
-        samples = sampled(figure, solved.motion.timeline, fps)
+        samples = Sampled.of(solved.motion, fps)
         return cls(figure, samples.time, samples.qpos)
 
     def sliding(self, rng: np.random.Generator) -> np.ndarray:

@@ -25,7 +25,7 @@ from dynsplines import recordings, solving
 from dynsplines.clip.build import Clip
 from dynsplines.clip.parse import table_of
 from dynsplines.clip.text import tables
-from dynsplines.motion import Saved, continuous, sampled, samples_at
+from dynsplines.motion import Sampled, Saved, continuous, samples_at
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Contact, grasped_links
 from dynsplines.solver.curve.spline import path_of
@@ -177,7 +177,7 @@ class Move:
         return min(mujoco.mj_geomDistance(self.scene, data, geom, solid, 1.0, None) for geom in own)
 
     def deep(self, *, raw: bool, rate: float = RATE) -> Penetration:
-        run = sampled(self.clip.figure, self.motion.raw if raw else self.motion.timeline, rate)
+        run = Sampled.of(self.motion.before if raw else self.motion, rate)
         return penetration(self.scene, run.time, run.qpos)
 
     def samples(self, first: float, last: float, count: int) -> Samples:

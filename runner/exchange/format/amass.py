@@ -42,10 +42,10 @@ from ...errors import GIVE_RATE, UserError
 from ...scene.configuration import posed
 from ...scene.roles import SIDES, lineage
 from ..array_reader import SAMPLES, ArrayReader, names_in, read_npz, times
+from ..recording import Recording
 from ..skeleton import hierarchy
 from ..skeleton.bvh_file import placed
 from ..skeleton.captured_skeleton import CapturedSkeleton
-from ..trajectory import Recording
 from . import bvh
 
 NAMES = (

@@ -17,29 +17,29 @@ import mujoco
 import numpy as np
 
 from ...errors import EXPORT_SKELETON, GIVE_FIGURE, GIVE_RATE, UserError
-from ...motion import asset_arrays, assets_in, write_arrays
+from ...motion import Sampled, asset_arrays, assets_in, write_arrays
 from ...scene.assets import Scene
 from ...scene.compose import compiled
 from ...scene.configuration import unlike_joints
 from .. import layouts
 from ..array_reader import names_in, read_npz, times
+from ..recording import Recording
 from ..robot import needs_figure
-from ..trajectory import Recording, SampledTrajectory
 
 
-def write(trajectory: SampledTrajectory, path: Path) -> None:
+def write(sampled: Sampled, path: Path) -> None:
     """Write all arrays in double precision."""
-    model = trajectory.model
+    model = sampled.model
     arrays = {
-        "fps": trajectory.fps,
-        "time": trajectory.time,
-        "qpos": trajectory.qpos,
-        "qvel": trajectory.qvel,
-        "qacc": trajectory.qacc,
+        "fps": sampled.fps,
+        "time": sampled.time,
+        "qpos": sampled.qpos,
+        "qvel": sampled.qvel,
+        "qacc": sampled.qacc,
         "joint_names": np.array([model.joint(i).name for i in range(model.njnt)]),
         "body_names": np.array([model.body(i).name for i in range(model.nbody)]),
-        "mjcf": np.array(trajectory.saved.mjcf),
-        **asset_arrays(trajectory.saved.scene),
+        "mjcf": np.array(sampled.motion.mjcf),
+        **asset_arrays(sampled.motion.scene),
     }
     write_arrays(path, arrays)
 

@@ -17,12 +17,13 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
+from ...motion import Sampled
 from ...scene.assets import Scene
 from ..array_reader import times
+from ..recording import Recording
 from ..skeleton import bvh_file, captured_figure, hierarchy, maps, retarget
 from ..skeleton.bvh_file import Joint, Skeleton, written
 from ..skeleton.captured_skeleton import CapturedSkeleton
-from ..trajectory import Recording, SampledTrajectory
 
 CENTIMETRES = 100.0  # per metre
 FIXED = 1e-7  # [m] largest change of position that counts as none
@@ -30,9 +31,9 @@ LIFTED = 0.002  # [m] least vertical shift that is reported
 PLACES = ("Xposition", "Yposition", "Zposition")
 
 
-def write(trajectory: SampledTrajectory, path: Path) -> None:
+def write(sampled: Sampled, path: Path) -> None:
     """Write the skeleton and its motion as .bvh."""
-    path.write_text(written(skeleton(trajectory)), encoding="utf-8", newline="\n")
+    path.write_text(written(skeleton(sampled)), encoding="utf-8", newline="\n")
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: float | None = None) -> Recording:
@@ -63,14 +64,14 @@ def of_captured(
     return Recording(time, qpos, Scene(mjcf), rate, (*notes, *captured.notes, *raised))
 
 
-def skeleton(trajectory: SampledTrajectory) -> Skeleton:
+def skeleton(sampled: Sampled) -> Skeleton:
     """Return the moving bodies as joints, under a fixed root at the origin if they form several trees."""
-    model, names = trajectory.model, hierarchy.names(trajectory.model)
+    model, names = sampled.model, hierarchy.names(sampled.model)
     bodies = [body for body in range(1, model.nbody) if model.body_weldid[body] != 0]
     tops = [body for body in bodies if model.body_weldid[model.body_parentid[body]] == 0]
     at_rest = hierarchy.rest(model)
-    place = y_up(trajectory.bodies.position)
-    turn = _turned(quat.product(trajectory.bodies.rotation, quat.conjugate(at_rest.rotation)))
+    place = y_up(sampled.bodies.position)
+    turn = _turned(quat.product(sampled.bodies.rotation, quat.conjugate(at_rest.rotation)))
     place_at_rest = y_up(at_rest.position[0])
     rows = ([0] if len(tops) > 1 else []) + bodies
     joints, columns = [], []
@@ -94,7 +95,7 @@ def skeleton(trajectory: SampledTrajectory) -> Skeleton:
         )
         columns += [CENTIMETRES * moved] if moves else []
         columns.append(np.degrees(hierarchy.euler_angles(relative[:, None], order.lower())[:, 0]))
-    return Skeleton(tuple(joints), trajectory.fps, np.concatenate(columns, axis=1))
+    return Skeleton(tuple(joints), sampled.fps, np.concatenate(columns, axis=1))
 
 
 def y_up(vector: Array) -> Array:

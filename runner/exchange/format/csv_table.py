@@ -22,9 +22,10 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 
 from ...errors import GIVE_FIGURE, GIVE_RATE, UserError, listed
+from ...motion import Sampled
 from .. import quantities
 from ..array_reader import times
-from ..trajectory import Recording, SampledTrajectory
+from ..recording import Recording
 
 FORMULA = "=+-@\t\r"  # first characters of cells that spreadsheets execute as formulas
 QUOTE = "'"
@@ -49,14 +50,18 @@ def columns(model: mujoco.MjModel) -> list[str]:
     return out
 
 
-def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """Write the table; every number has the digits that reproduce it exactly."""
-    more = quantities.table(trajectory, trajectory.columns)
-    table = np.column_stack([trajectory.time, trajectory.qpos, *more.values()])
+def write(sampled: Sampled, path: Path, groups: Sequence[str] = ()) -> list[str]:
+    """Write the table, with groups of further columns; every number has the digits that reproduce it exactly.
+
+    Return notes.
+    """
+    more, notes = quantities.table(sampled, groups)
+    table = np.column_stack([sampled.time, sampled.qpos, *more.values()])
     with path.open("w", newline="", encoding="utf-8") as stream:
         rows = csv.writer(stream)
-        rows.writerow([_inert(name) for name in ("time", *columns(trajectory.model), *more)])
+        rows.writerow([_inert(name) for name in ("time", *columns(sampled.model), *more)])
         rows.writerows(map(repr, row) for row in table.tolist())
+    return notes
 
 
 def recognises(path: Path) -> bool:

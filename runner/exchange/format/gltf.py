@@ -23,9 +23,9 @@ from numpy.typing import NDArray
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
+from ...motion import Sampled
 from ...scene.triangles import Piece, Triangles, joined, linear, pieces, png, triangles
 from ..skeleton import hierarchy
-from ..trajectory import SampledTrajectory
 
 STILL = 1e-7  # [m, or 1 for quaternions] largest change that counts as no motion
 FLOAT, UNSIGNED_INT = 5126, 5125  # component types
@@ -72,12 +72,12 @@ class _Document:
         return struct.pack("<4sII", b"glTF", 2, 12 + len(body)) + body
 
 
-def write(trajectory: SampledTrajectory, path: Path) -> None:
+def write(sampled: Sampled, path: Path) -> None:
     """Write the whole scene and its animation; the animation's extras contain the times of the keyframes."""
-    model, document = trajectory.model, _Document()
-    position, rotation = hierarchy.local(model, trajectory.bodies)
+    model, document = sampled.model, _Document()
+    position, rotation = hierarchy.local(model, sampled.bodies)
     names, rotation = hierarchy.names(model), hierarchy.xyzw(rotation)
-    meshes = _meshes(document, model, names, 10.0 + float(np.abs(trajectory.bodies.position).max()))
+    meshes = _meshes(document, model, names, 10.0 + float(np.abs(sampled.bodies.position).max()))
     for body, name in enumerate(names):
         place, turn = position[0, body].astype(np.float32), rotation[0, body].astype(np.float32)
         children = [int(child) for child in np.flatnonzero(model.body_parentid == body) if child]
@@ -85,28 +85,28 @@ def write(trajectory: SampledTrajectory, path: Path) -> None:
         more |= {"mesh": meshes[body]} if body in meshes else {}
         document.add("nodes", name=name, translation=place.tolist(), rotation=turn.tolist(), **more)
     document.arrays["nodes"][0]["rotation"] = hierarchy.xyzw(hierarchy.Y_UP).tolist()
-    _add_animation(document, trajectory, position, rotation)
-    path.write_bytes(document.binary(trajectory.name))
+    _add_animation(document, sampled, position, rotation)
+    path.write_bytes(document.binary(sampled.name))
 
 
-def _add_animation(document: _Document, trajectory: SampledTrajectory, position: Array, rotation: Array) -> None:
+def _add_animation(document: _Document, sampled: Sampled, position: Array, rotation: Array) -> None:
     """Add a channel for every position and rotation (xyzw) that changes; all share the times."""
     tracks = {
         (body, path): track[:, body]
-        for body in range(1, trajectory.model.nbody)
+        for body in range(1, sampled.model.nbody)
         for path, track in (("translation", position), ("rotation", rotation))
         if np.ptp(track[:, body], axis=0).max() > STILL
     }
     if not tracks:
         return
-    times = document.rows(np.arange(len(trajectory.time)) / trajectory.fps, bounded=True)
-    keys = [round(key.time - float(trajectory.time[0]), 9) for key in trajectory.saved.keys]
+    times = document.rows(np.arange(len(sampled.time)) / sampled.fps, bounded=True)
+    keys = [round(key.time - float(sampled.time[0]), 9) for key in sampled.motion.keys]
     document.add(
         "animations",
-        name=trajectory.name,
+        name=sampled.name,
         samplers=[{"input": times, "output": document.rows(track)} for track in tracks.values()],
         channels=[{"sampler": i, "target": {"node": body, "path": path}} for i, (body, path) in enumerate(tracks)],
-        extras={"fps": trajectory.fps, "keyframes": keys},
+        extras={"fps": sampled.fps, "keyframes": keys},
     )
 
 

@@ -21,25 +21,26 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 
+from ...motion import Bodies, Sampled
 from .. import layouts, plain_pickle
 from ..array_reader import times
+from ..recording import Recording
 from ..robot import Robot, configurations, needs_figure
-from ..trajectory import Bodies, Recording, SampledTrajectory
 
 NAME = "gmr"
 
 
-def write(trajectory: SampledTrajectory, path: Path) -> None:
+def write(sampled: Sampled, path: Path) -> None:
     """Write in double precision; raises UserError for a figure that is not a robot on a free root."""
-    robot = Robot.of(trajectory.model, NAME)
-    bodies = Bodies.of(trajectory.model, trajectory.qpos, trajectory.qvel)
-    root = trajectory.qpos[:, robot.root : robot.root + 7]
+    robot = Robot.of(sampled.model, NAME)
+    bodies = Bodies.of(sampled.model, sampled.qpos, sampled.qvel)
+    root = sampled.qpos[:, robot.root : robot.root + 7]
     away = bodies.position[:, robot.bodies] - root[:, None, :3]
     entries = {
-        "fps": trajectory.fps,
+        "fps": sampled.fps,
         "root_pos": np.ascontiguousarray(root[:, :3]),
         "root_rot": np.roll(root[:, 3:], -1, axis=1),
-        "dof_pos": trajectory.qpos[:, robot.columns],
+        "dof_pos": sampled.qpos[:, robot.columns],
         "local_body_pos": quat.rotated(quat.inverse(root[:, None, 3:]), away),
         "link_body_list": robot.body_names,
     }

@@ -16,26 +16,25 @@ from typing import Any
 
 import numpy as np
 
-from ...motion import sampled
+from ...motion import Bodies, Sampled
 from ...scene.triangles import is_still, pieces
 from ..model_json import drawn, packed
 from ..skeleton import hierarchy
-from ..trajectory import Bodies, SampledTrajectory
 
 SAME = 1e-6  # [m, or 1 for quaternions] largest difference of motions before and after that count as equal
 
 
-def write(trajectory: SampledTrajectory, path: Path) -> None:
+def write(sampled: Sampled, path: Path) -> None:
     """Write the page as a single file."""
-    path.write_text(page(trajectory), encoding="utf-8")
+    path.write_text(page(sampled), encoding="utf-8")
 
 
-def page(trajectory: SampledTrajectory) -> str:
+def page(sampled: Sampled) -> str:
     """Return the complete HTML text."""
     folder = files("dynsplines.exchange") / "player"
     parts = {
-        "title": html.escape(trajectory.name),
-        "data": json.dumps(content(trajectory), separators=(",", ":")).replace("<", "\\u003c"),
+        "title": html.escape(sampled.name),
+        "data": json.dumps(content(sampled), separators=(",", ":")).replace("<", "\\u003c"),
         **{
             name: (folder / file).read_text(encoding="utf-8")
             for name, file in (("style", "style.css"), ("player", "player.js"))
@@ -45,26 +44,24 @@ def page(trajectory: SampledTrajectory) -> str:
     return re.sub(r"\{\{(\w+)\}\}", lambda found: parts[found[1]], frame)
 
 
-def content(trajectory: SampledTrajectory) -> dict[str, Any]:
+def content(sampled: Sampled) -> dict[str, Any]:
     """Return the page's data; lengths in metres, z up, quaternions xyzw, times from 0."""
-    model, start = trajectory.model, float(trajectory.time[0])
-    raw = sampled(trajectory.figure, trajectory.saved.raw, trajectory.fps)
-    before = Bodies.of(model, raw.qpos, raw.qvel)
+    model, start = sampled.model, float(sampled.time[0])
+    before = Sampled.of(sampled.motion.before, sampled.fps).bodies
     changed = any(
-        np.abs(getattr(before, part) - getattr(trajectory.bodies, part)).max() > SAME
-        for part in ("position", "rotation")
+        np.abs(getattr(before, part) - getattr(sampled.bodies, part)).max() > SAME for part in ("position", "rotation")
     )
     visible = pieces(model)
     moving = sorted({piece.body for piece in visible if not is_still(model, piece)}) or list(range(1, model.nbody))
-    places = trajectory.bodies.position[:, moving]
+    places = sampled.bodies.position[:, moving]
     extent = float(np.ptp(places, axis=(0, 1))[:2].max())
     return {
-        "name": trajectory.name,
-        "fps": trajectory.fps,
-        "count": len(trajectory.time),
-        "keys": [{"time": key.time - start, "partial": not bool(np.all(key.fixed))} for key in trajectory.saved.keys],
+        "name": sampled.name,
+        "fps": sampled.fps,
+        "count": len(sampled.time),
+        "keys": [{"time": key.time - start, "partial": not bool(np.all(key.fixed))} for key in sampled.motion.keys],
         "bodies": hierarchy.names(model),
-        "after": _track(trajectory.bodies),
+        "after": _track(sampled.bodies),
         "before": _track(before) if changed else None,
         **drawn(model, 30.0 + 2 * float(np.abs(places).max())),
         "extent": extent,

@@ -24,11 +24,11 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 
 from ...errors import UserError
-from ...motion import write_arrays
+from ...motion import Sampled, write_arrays
 from .. import layouts
 from ..array_reader import ArrayReader, names_in, read_npz, times, unit_quaternions
+from ..recording import Recording
 from ..robot import Robot, configurations, needs_figure
-from ..trajectory import Recording, SampledTrajectory
 
 NAME = "locomujoco"
 OF_MODEL = (
@@ -38,19 +38,19 @@ OF_MODEL = (
 OF_DATA = ("xpos", "xquat", "cvel", "subtree_com", "site_xpos", "site_xmat")
 
 
-def write(trajectory: SampledTrajectory, path: Path) -> None:
+def write(sampled: Sampled, path: Path) -> None:
     """Write in double precision."""
-    model = Robot.of(trajectory.model, NAME).model
+    model = Robot.of(sampled.model, NAME).model
     arrays = {
-        "qpos": trajectory.qpos,
-        "qvel": trajectory.qvel,
-        "split_points": np.array([0, len(trajectory.qpos)]),
+        "qpos": sampled.qpos,
+        "qvel": sampled.qvel,
+        "split_points": np.array([0, len(sampled.qpos)]),
         "joint_names": np.array([model.joint(i).name or f"joint{i}" for i in range(model.njnt)]),
         "body_names": np.array([model.body(i).name or f"body{i}" for i in range(model.nbody)]),
         "site_names": np.array([model.site(i).name or f"site{i}" for i in range(model.nsite)], dtype=np.str_),
-        "frequency": np.array(trajectory.fps),
+        "frequency": np.array(sampled.fps),
         **{name: np.array(getattr(model, name)) for name in ("njnt", "nbody", "nsite", *OF_MODEL)},
-        **_of_data(model, trajectory.qpos, trajectory.qvel),
+        **_of_data(model, sampled.qpos, sampled.qvel),
     }
     write_arrays(path, arrays)
 

@@ -25,11 +25,12 @@ from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.tolerances import ROUNDING
 
 from ...errors import UserError
+from ...motion import Sampled
 from .. import plain_pickle
 from ..array_reader import times
+from ..recording import Recording
 from ..robot import needs_figure
 from ..skeleton.hierarchy import euler_angles
-from ..trajectory import Recording, SampledTrajectory
 
 CLAMP, WRAP = 0, 1  # values of loop_mode
 
@@ -100,35 +101,28 @@ def _part(model: mujoco.MjModel, joints: list[int], name: str) -> Part:
     )
 
 
-def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """Write plain numbers in lists, as MimicKit does."""
-    loops = _loops(trajectory)
-    whole = _period(trajectory) if loops else trajectory
-    root, joints = parts(trajectory.model)
+def write(sampled: Sampled, path: Path) -> list[str]:
+    """Write plain numbers in lists, as MimicKit does; return notes."""
+    is_loop = sampled.motion.timeline.ends == "periodic"
+    turns = is_loop and bool(Seam.of(sampled.figure, sampled.motion.timeline).turns)
+    whole = _period(sampled) if is_loop and not turns else sampled
+    root, joints = parts(sampled.model)
     at, turn = whole.qpos[:, root : root + 3], quat.rotation_vector(whole.qpos[:, root + 3 : root + 7])
     frames = np.concatenate([at, turn, *(part.numbers(whole.qpos) for part in joints)], axis=1)
-    entries = {"loop_mode": WRAP if loops else CLAMP, "fps": whole.fps, "frames": frames.tolist()}
+    entries = {"loop_mode": WRAP if is_loop and not turns else CLAMP, "fps": whole.fps, "frames": frames.tolist()}
     plain_pickle.dump(entries, path)
-    if abs(whole.fps - trajectory.fps) > ROUNDING:
-        trajectory.notes.append(f"{whole.fps:.6g} samples a second, so that the last is the end of the loop")
-
-
-def _loops(trajectory: SampledTrajectory) -> bool:
-    """Return whether the last sample is the first again, translated; add a note if it is rotated, too."""
-    timeline = trajectory.saved.timeline
-    if timeline.ends != "periodic":
-        return False
-    turns = Seam.of(trajectory.figure, timeline).turns
     if turns:
-        trajectory.notes.append("the format has no loops that rotate: one period is written, without a loop")
-    return not turns
+        return ["the format has no loops that rotate: one period is written, without a loop"]
+    if abs(whole.fps - sampled.fps) > ROUNDING:
+        return [f"{whole.fps:.6g} samples a second, so that the last is the end of the loop"]
+    return []
 
 
-def _period(trajectory: SampledTrajectory) -> SampledTrajectory:
+def _period(sampled: Sampled) -> Sampled:
     """Return one period of a loop at the nearest rate for which its end is a sample."""
-    times = trajectory.saved.timeline.times
+    times = sampled.motion.timeline.times
     lasts = float(times[-1] - times[0])
-    return SampledTrajectory.of(trajectory.saved, max(1, round(lasts * trajectory.fps)) / lasts)
+    return Sampled.of(sampled.motion, max(1, round(lasts * sampled.fps)) / lasts)
 
 
 def recognises(path: Path) -> bool:

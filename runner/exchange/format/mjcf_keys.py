@@ -18,28 +18,27 @@ import numpy as np
 from dynsplines.solver.array import Array
 
 from ...errors import UserError
+from ...motion import Sampled
 from ...scene.assets import Scene, taken_along
 from ...scene.compose import compiled, figure_spec
 from ...scene.mujoco_versions import portable_text, remove
 from ..array_reader import ArrayReader
-from ..trajectory import Recording, SampledTrajectory
+from ..recording import Recording
 
 
-def write(trajectory: SampledTrajectory, path: Path) -> None:
+def write(sampled: Sampled, path: Path) -> None:
     """Append keys to the model."""
-    write_keys(ElementTree.fromstring(trajectory.saved.mjcf), trajectory, path)
+    write_keys(ElementTree.fromstring(sampled.motion.mjcf), sampled, path)
 
 
-def write_keys(
-    root: ElementTree.Element, trajectory: SampledTrajectory, path: Path, control: Array | None = None
-) -> None:
+def write_keys(root: ElementTree.Element, sampled: Sampled, path: Path, control: Array | None = None) -> None:
     """Write a model with keys in place of its own; control (T, nu) of the model's actuators."""
     for keyframes in root.findall("keyframe"):
         root.remove(keyframes)
     keyframes = ElementTree.SubElement(root, "keyframe")
-    stem = re.sub(r"\W+", "_", trajectory.name) or "key"
-    for i, time in enumerate(trajectory.time.tolist()):
-        qpos, qvel = _written(trajectory.qpos[i]), _written(trajectory.qvel[i])
+    stem = re.sub(r"\W+", "_", sampled.name) or "key"
+    for i, time in enumerate(sampled.time.tolist()):
+        qpos, qvel = _written(sampled.qpos[i]), _written(sampled.qvel[i])
         key = ElementTree.SubElement(keyframes, "key", name=f"{stem}_{i}", time=repr(time), qpos=qpos, qvel=qvel)
         if control is not None:
             key.set("ctrl", _written(control[i]))

@@ -20,23 +20,23 @@ import numpy as np
 
 from dynsplines.solver.figure.root import root_of
 
-from ...motion import write_arrays
+from ...motion import Bodies, Sampled, write_arrays
 from .. import layouts
 from ..array_reader import names_in, read_npz, times
+from ..recording import Recording
 from ..robot import Robot, configurations, needs_figure
-from ..trajectory import Bodies, Recording, SampledTrajectory
 
 NAME = "mjlab"
 
 
-def write(trajectory: SampledTrajectory, path: Path) -> None:
+def write(sampled: Sampled, path: Path) -> None:
     """Write in double precision; raises UserError for a figure that is not a robot on a free root."""
-    robot = Robot.of(trajectory.model, NAME)
-    bodies = Bodies.of(trajectory.model, trajectory.qpos, trajectory.qvel)
+    robot = Robot.of(sampled.model, NAME)
+    bodies = Bodies.of(sampled.model, sampled.qpos, sampled.qvel)
     arrays = {
-        "fps": np.array([trajectory.fps]),
-        "joint_pos": trajectory.qpos[:, robot.columns],
-        "joint_vel": trajectory.qvel[:, robot.dofs],
+        "fps": np.array([sampled.fps]),
+        "joint_pos": sampled.qpos[:, robot.columns],
+        "joint_vel": sampled.qvel[:, robot.dofs],
         "body_pos_w": bodies.position[:, robot.bodies],
         "body_quat_w": bodies.rotation[:, robot.bodies],
         "body_lin_vel_w": bodies.velocity[:, robot.bodies],

@@ -14,22 +14,23 @@ import mujoco
 import numpy as np
 
 from ...errors import GIVE_RATE, UserError
+from ...motion import Sampled
 from ..array_reader import ArrayReader
+from ..recording import Recording
 from ..robot import Robot, configurations, needs_figure, refuse_balls, robot_joints
-from ..trajectory import Recording, SampledTrajectory
 from .csv_table import table, without_heading
 
 NAME = "mjlab-csv"
 
 
-def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """Write the table; every number has the digits that reproduce it exactly."""
-    robot = Robot.of(trajectory.model, NAME)
-    root = trajectory.qpos[:, robot.root : robot.root + 7]
-    rows = np.column_stack([root[:, :3], np.roll(root[:, 3:], -1, axis=1), trajectory.qpos[:, robot.columns]])
+def write(sampled: Sampled, path: Path) -> list[str]:
+    """Write the table; every number has the digits that reproduce it exactly. Return a note."""
+    robot = Robot.of(sampled.model, NAME)
+    root = sampled.qpos[:, robot.root : robot.root + 7]
+    rows = np.column_stack([root[:, :3], np.roll(root[:, 3:], -1, axis=1), sampled.qpos[:, robot.columns]])
     with path.open("w", encoding="utf-8") as stream:
         stream.writelines(",".join(map(repr, row)) + "\n" for row in rows.tolist())
-    trajectory.notes.append(f"the file contains no rate: {trajectory.fps:g} samples a second")
+    return [f"the file contains no rate: {sampled.fps:g} samples a second"]
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:

@@ -16,23 +16,21 @@ from scipy.interpolate import make_interp_spline
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import JointKind
 
+from ...motion import Sampled
 from ...system.mujoco_warnings import quietly
 from ..simulation import Simulation
-from ..trajectory import SampledTrajectory
 from .mjcf_keys import write_keys
 
 DURATION = 1.0  # [s] simulated
 ANGLE, DISTANCE = 0.05, 0.05  # [rad] and [m] largest deviations of a scene that follows its motion
 
 
-def write(trajectory: SampledTrajectory, path: Path) -> None:
-    """Write the scene, with notes on what it changes and how far it follows the motion."""
-    simulation = Simulation.of(trajectory)
-    trajectory.notes.append(f"{simulation.model.nu} position actuators; `ctrl` of the keys is what to aim them at")
-    trajectory.notes.extend(simulation.notes)
-    if len(trajectory.time) > 1:
-        trajectory.notes.append(note(tracked(simulation, trajectory), simulation.model))
-    write_keys(simulation.root, trajectory, path, simulation.control)
+def write(sampled: Sampled, path: Path) -> list[str]:
+    """Write the scene; return notes on what it changes and how far it follows the motion."""
+    simulation = Simulation.of(sampled)
+    write_keys(simulation.root, sampled, path, simulation.control)
+    notes = [f"{simulation.model.nu} position actuators; `ctrl` of the keys is what to aim them at", *simulation.notes]
+    return [*notes, note(tracked(simulation, sampled), simulation.model)] if len(sampled.time) > 1 else notes
 
 
 @dataclass(frozen=True)
@@ -68,13 +66,13 @@ class Tracking:
         return step, int(self.share[step].argmax())
 
 
-def tracked(simulation: Simulation, trajectory: SampledTrajectory) -> Tracking:
+def tracked(simulation: Simulation, sampled: Sampled) -> Tracking:
     """Simulate a scene from its first key."""
-    model, (first, end) = simulation.model, trajectory.time[[0, -1]].tolist()
+    model, (first, end) = simulation.model, sampled.time[[0, -1]].tolist()
     last = min(first + DURATION, end)
-    aims, poses = (make_interp_spline(trajectory.time, rows, k=1) for rows in (simulation.control, trajectory.qpos))
+    aims, poses = (make_interp_spline(sampled.time, rows, k=1) for rows in (simulation.control, sampled.qpos))
     data = mujoco.MjData(model)
-    data.time, data.qpos, data.qvel, data.ctrl = first, trajectory.qpos[0], trajectory.qvel[0], aims(first)
+    data.time, data.qpos, data.qvel, data.ctrl = first, sampled.qpos[0], sampled.qvel[0], aims(first)
     is_length = np.zeros(model.nv, bool)
     for kind, dof in zip(model.jnt_type.tolist(), model.jnt_dofadr.tolist(), strict=True):
         is_length[dof : dof + (3 if kind == JointKind.FREE else int(kind == JointKind.SLIDE))] = True

@@ -12,8 +12,8 @@ from scipy.spatial.transform import Rotation
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
+from ...motion import Bodies
 from ...scene.roles import unique
-from ..trajectory import Bodies
 
 LOCKED = 1e-6  # [1] cosine of the middle of three angles below which the first and the last are not unique
 # Figures here face x, with y to their left and z up; in animation they face z, with x to their left and y up

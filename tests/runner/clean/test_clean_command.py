@@ -47,7 +47,7 @@ def squats(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def soles(source: Path) -> np.ndarray:
     """(T, 3) [m] the left heel, by MuJoCo."""
     saved = motion.load(source)
-    samples, model = motion.sampled(saved.figure, saved.timeline, 120), saved.figure.model
+    samples, model = motion.Sampled.of(saved, 120), saved.figure.model
     return np.array([kinematics(model, row).site("left_heel").xpos for row in samples.qpos])
 
 
@@ -139,7 +139,7 @@ def test_stances_of_geoms_and_bodies_are_listed_after_those_of_soles(command, sq
         "right_toe_sole stands 0.20-1.00 s",
     ]
     saved = motion.load(tmp_path / "a.npz")
-    run, model = motion.sampled(saved.figure, saved.timeline, 120), saved.figure.model
+    run, model = motion.Sampled.of(saved, 120), saved.figure.model
     during = (run.time >= 0.25) & (run.time <= 0.95)
     toe = np.array([kinematics(model, row).geom("right_toe_sole").xpos for row in run.qpos[during]])
     assert np.ptp(toe, axis=0).max() < 0.005

@@ -21,8 +21,7 @@ from dynsplines.exchange import formats, gaps
 from dynsplines.exchange.skeleton import bvh_file, maps, retarget
 from dynsplines.exchange.skeleton.bvh_file import read
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
-from dynsplines.exchange.trajectory import Bodies
-from dynsplines.motion import Saved
+from dynsplines.motion import Bodies, Saved
 from dynsplines.scene.compose import figure_spec
 from dynsplines.solver import quaternion as quat
 from dynsplines.system.progress import Progress
@@ -66,7 +65,7 @@ def saved_as(folder: Path, text: str, qpos: np.ndarray) -> Path:
 
 def played(saved: Saved, fps: float = 120.0) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Times, qpos, and the soles' lowest points (T, 8, 3) [m], by MuJoCo."""
-    samples, model = motion.sampled(saved.figure, saved.timeline, fps), saved.figure.model
+    samples, model = motion.Sampled.of(saved, fps), saved.figure.model
     soles = [i for i in range(model.ngeom) if "_sole_" in model.geom(i).name]
     lowest = [kinematics(model, row).geom_xpos[soles] - [0, 0, 0.01] for row in samples.qpos]
     return samples.time, samples.qpos, np.array(lowest)
@@ -265,7 +264,7 @@ def test_joints_turn_no_faster_than_they_may(files, command, tmp_path):
     done = command("retarget", *words, "--speed-limit", "4rad/s", "-o", out)
     assert done.code == 0, done.err
     saved = motion.load(out)
-    samples, model = motion.sampled(saved.figure, saved.timeline, 240.0), saved.figure.model
+    samples, model = motion.Sampled.of(saved, 240.0), saved.figure.model
     qvel = np.zeros((len(samples.time) - 1, model.nv))
     for i in range(len(qvel)):
         step = samples.time[i + 1] - samples.time[i]

@@ -25,7 +25,7 @@ from dynsplines.exchange.motion_import import import_recording
 from dynsplines.exchange.skeleton import bvh_file, hierarchy, retarget
 from dynsplines.exchange.skeleton.bvh_file import Joint, Skeleton
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
-from dynsplines.exchange.trajectory import Bodies, SampledTrajectory
+from dynsplines.motion import Bodies, Sampled
 from dynsplines.solver import quaternion as quat
 from dynsplines.system.progress import Progress
 
@@ -34,12 +34,12 @@ TENTH = 1e-4  # [m]
 
 @pytest.fixture(scope="module")
 def cartwheel():
-    return SampledTrajectory.of(shipped.unsolved("cartwheel"), 15.0)
+    return Sampled.of(shipped.unsolved("cartwheel"), 15.0)
 
 
 @pytest.fixture(scope="module")
 def rail():
-    return SampledTrajectory.of(shipped.unsolved("hand_on_rail"), 12.0)
+    return Sampled.of(shipped.unsolved("hand_on_rail"), 12.0)
 
 
 def y_up(take):
@@ -58,7 +58,7 @@ def lift(after, before):
 
 
 def written(take, folder):
-    return formats.export(take.saved, "bvh", folder / "a.bvh", fps=take.fps)
+    return formats.export(take.motion, "bvh", folder / "a.bvh", fps=take.fps)
 
 
 def by_hand(skeleton, sample):
@@ -86,7 +86,7 @@ def by_hand(skeleton, sample):
 
 def test_every_joint_and_several_figures_are_where_mujoco_has_them(tmp_path):
     """Slides and joints beside their bodies' origins have positions; turned rest poses are baked in."""
-    take = SampledTrajectory.of(motions.moved(), 48.0)
+    take = Sampled.of(motions.moved(), 48.0)
     found = bvh_file.read(written(take, tmp_path))
     assert found.fps == 48.0
     names = hierarchy.names(take.model)
@@ -101,9 +101,9 @@ def test_every_joint_and_several_figures_are_where_mujoco_has_them(tmp_path):
 @pytest.mark.slow
 def test_of_several_figures_the_one_with_limbs_is_read(tmp_path, capsys):
     """The first moves freely under a common root, so its travel can be kept only without that root."""
-    take = SampledTrajectory.of(motions.moved(), 48.0)
+    take = Sampled.of(motions.moved(), 48.0)
     path = written(take, tmp_path)
-    back = SampledTrajectory.of(import_recording(path, scale=0.01, progress=Progress()), 48.0)
+    back = Sampled.of(import_recording(path, scale=0.01, progress=Progress()), 48.0)
     assert back.time.size == take.time.size
     assert [back.model.body(i).name for i in range(2)] == ["world", "hips"]
     travel = [np.ptp(each.bodies.position[:, each.model.body("hips").id, :2], axis=0) for each in (back, take)]
@@ -142,7 +142,7 @@ def test_parents_above_the_pelvis_change_nothing(cartwheel, tmp_path):
     moved = []
     for change in (replace, with_heading, with_places):
         (tmp_path / "under.bvh").write_text(bvh_file.written(change(bvh.skeleton(cartwheel))), encoding="utf-8")
-        moved.append(SampledTrajectory.of(import_recording(tmp_path / "under.bvh", figure="human"), 30.0))
+        moved.append(Sampled.of(import_recording(tmp_path / "under.bvh", figure="human"), 30.0))
     assert np.ptp(moved[0].qpos[:, 0]) > 0.5
     for other in moved[1:]:
         np.testing.assert_allclose(other.bodies.position, moved[0].bodies.position, atol=TENTH)
@@ -150,7 +150,7 @@ def test_parents_above_the_pelvis_change_nothing(cartwheel, tmp_path):
 
 @pytest.mark.slow
 def test_our_own_file_comes_back_on_our_own_figure(cartwheel, tmp_path):
-    back = SampledTrajectory.of(import_recording(written(cartwheel, tmp_path), figure="human"))
+    back = Sampled.of(import_recording(written(cartwheel, tmp_path), figure="human"))
     assert back.fps == cartwheel.fps
     before, after = cartwheel.bodies.position[:, 1:], back.bodies.position[:, 1:]
     np.testing.assert_allclose(after - lift(after, before), before, atol=TENTH)
@@ -159,7 +159,7 @@ def test_our_own_file_comes_back_on_our_own_figure(cartwheel, tmp_path):
 
 @pytest.mark.slow
 def test_a_figure_of_its_own_has_every_joint_where_the_file_has_it(cartwheel, tmp_path):
-    back = SampledTrajectory.of(import_recording(written(cartwheel, tmp_path)))
+    back = Sampled.of(import_recording(written(cartwheel, tmp_path)))
     names = [cartwheel.model.body(body).name for body in range(1, cartwheel.model.nbody)]
     before = cartwheel.bodies.position[:, 1:]
     after = back.bodies.position[:, [back.model.body(name).id for name in names]]
@@ -190,7 +190,7 @@ def t_pose() -> dict[str, np.ndarray]:
 
 
 def disguised(
-    take: SampledTrajectory,
+    take: Sampled,
     *,
     zero: Mapping[str, np.ndarray] | None = None,
     unit: float = 0.01,
@@ -248,7 +248,7 @@ def disguised(
 def test_a_t_pose_skeleton_of_any_unit_and_axes_moves_our_figure_alike(other, rail, tmp_path):
     path = tmp_path / "t.bvh"
     path.write_text(bvh_file.written(disguised(rail, zero=t_pose(), **other)))
-    back = SampledTrajectory.of(import_recording(path, figure="human"))
+    back = Sampled.of(import_recording(path, figure="human"))
     shift = back.bodies.position[:, 1] - rail.bodies.position[:, 1]
     if "larger" not in other:
         np.testing.assert_allclose(shift - shift[0] * [0, 0, 1], 0, atol=TENTH)
@@ -298,7 +298,7 @@ def test_bones_of_other_lengths_bring_hands_and_feet_to_scaled_places_and_the_fe
     assert abs(np.percentile(lowest, 2)) < 0.002
 
 
-def with_toes(take: SampledTrajectory, bend: np.ndarray) -> Skeleton:
+def with_toes(take: Sampled, bend: np.ndarray) -> Skeleton:
     """The human's motion on a skeleton whose feet have toes in their front third, bent up by angles (T,) [rad]."""
     found = bvh.skeleton(take)
     joints, columns, at = [], [], 0
@@ -401,10 +401,10 @@ def test_the_unit_is_guessed_told_and_may_be_said(tmp_path, cartwheel):
 
     import_recording(path, progress=Ear())
     assert any("taken for centimetres" in text for text in said)
-    small = SampledTrajectory.of(import_recording(path, scale=0.001))
+    small = Sampled.of(import_recording(path, scale=0.001))
     np.testing.assert_allclose(np.ptp(small.qpos[:, 0]), 0.1 * np.ptp(cartwheel.qpos[:, 0]), atol=1e-6)
     with pytest.raises(UserError, match="--scale does not apply"):
-        formats.recording(Path(formats.export(cartwheel.saved, "csv", tmp_path / "a.csv")), scale=0.1)
+        formats.recording(Path(formats.export(cartwheel.motion, "csv", tmp_path / "a.csv")), scale=0.1)
 
 
 def test_gaps_names_in_shift_jis_and_complete_last_lines(tmp_path):

@@ -14,7 +14,7 @@ from oracles import kinematics
 
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import hierarchy
-from dynsplines.exchange.trajectory import SampledTrajectory
+from dynsplines.motion import Sampled
 
 pygltflib = pytest.importorskip("pygltflib")
 trimesh = pytest.importorskip("trimesh")
@@ -27,12 +27,12 @@ require('gltf-validator').validateBytes(new Uint8Array(require('fs').readFileSyn
 
 @pytest.fixture(scope="module")
 def take():
-    return SampledTrajectory.of(motions.moved(), 48.0)
+    return Sampled.of(motions.moved(), 48.0)
 
 
 @pytest.fixture(scope="module")
 def target(take, tmp_path_factory):
-    return formats.export(take.saved, "gltf", tmp_path_factory.mktemp("gltf") / "a.glb", fps=take.fps)
+    return formats.export(take.motion, "gltf", tmp_path_factory.mktemp("gltf") / "a.glb", fps=take.fps)
 
 
 @pytest.fixture(scope="module")
@@ -57,7 +57,7 @@ def test_times_are_shared_exact_and_begin_at_zero(take, asset):
         accessor(asset, times)[:, 0], (np.arange(len(take.time)) / take.fps).astype(np.float32)
     )
     assert asset.animations[0].extras["fps"] == take.fps
-    assert len(asset.animations[0].extras["keyframes"]) == len(take.saved.keys)
+    assert len(asset.animations[0].extras["keyframes"]) == len(take.motion.keys)
 
 
 @pytest.mark.slow

@@ -16,14 +16,14 @@ from oracles import kinematics
 
 from dynsplines.exchange import formats
 from dynsplines.exchange.format import html
-from dynsplines.exchange.trajectory import SampledTrajectory
+from dynsplines.motion import Sampled
 
 SOURCES = Path(__file__).parents[3] / "pages" / "src"
 
 
 @pytest.fixture(scope="module")
 def take():
-    return SampledTrajectory.of(motions.moved(name="a < b & </script>"), 48.0)
+    return Sampled.of(motions.moved(name="a < b & </script>"), 48.0)
 
 
 @pytest.fixture(scope="module")
@@ -77,7 +77,7 @@ def test_its_pieces_are_the_visible_geoms_where_mujoco_has_them(take, content):
 
 def test_before_is_there_only_where_it_differs(saved, content):
     assert content["before"] is None
-    told = html.content(SampledTrajectory.of(saved))
+    told = html.content(Sampled.of(saved))
     assert told["before"] is not None
     before, after = (numbers(side["position"], 3) for side in (told["before"], told["after"]))
     assert 1e-4 < np.abs(before - after).max() < 1
@@ -127,7 +127,7 @@ def test_in_a_browser_it_plays_and_its_slider_moves_the_figure(saved, tmp_path):
 
 def check_slider(page, saved):
     """The slider stops the motion and moves the body to MuJoCo's place, after and before solving."""
-    take = SampledTrajectory.of(saved)
+    take = Sampled.of(saved)
     at = 5
     page.evaluate(
         "share => { const s = document.getElementById('scrub'); s.value = share; s.dispatchEvent(new Event('input')) }",

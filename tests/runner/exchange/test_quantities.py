@@ -16,7 +16,7 @@ from dynsplines.errors import UserError
 from dynsplines.exchange import formats, quantities
 from dynsplines.exchange.motion_import import import_recording
 from dynsplines.exchange.quantities import Forces
-from dynsplines.exchange.trajectory import SampledTrajectory
+from dynsplines.motion import Sampled
 
 ALL = tuple(quantities.GROUPS)
 NAMES = (
@@ -97,7 +97,7 @@ def test_what_is_unknown_is_not_a_number_and_is_reported(tmp_path):
         text += f'[[keyframe]]\ntime = {time}\nroot.position = [{x}, 0, 0.93]\nothers = "rest"\n'
     saved, said = solving.unsolved(recordings.from_text(text, name="away")).motion, []
     path = formats.export(saved, "csv", tmp_path / "a.csv", columns=("ground",), report=said.append)
-    forces = Forces.of(SampledTrajectory.of(saved))
+    forces = Forces.of(Sampled.of(saved))
     assert 0.1 < forces.has_known_support.mean() < 0.5
     assert any("the support of the figure is unknown" in line for line in said)
     with path.open(newline="") as stream:
@@ -115,16 +115,16 @@ def test_a_figure_without_a_root_has_torques_but_no_wrench(tmp_path):
         f"[[keyframe]]\ntime = {t}\njoints.turn = {90 * t}\njoints.reach = 0\n" for t in (0, 1)
     )
     saved = solving.unsolved(recordings.from_text(text, name="arm")).motion
-    columns = quantities.table(SampledTrajectory.of(saved), ("velocities", "torques"))
+    columns, _ = quantities.table(Sampled.of(saved), ("velocities", "torques"))
     assert list(columns) == ["turn.v [rad/s]", "reach.v [m/s]", "turn.t [N m]", "reach.f [N]"]
     assert all(np.isfinite(column).all() for column in columns.values())
     with pytest.raises(UserError, match="no free root"):
-        quantities.table(SampledTrajectory.of(saved), ("wrench",))
+        quantities.table(Sampled.of(saved), ("wrench",))
     with pytest.raises(UserError, match="no stance is known"):
-        quantities.table(SampledTrajectory.of(saved), ("ground",))
-    trajectory = SampledTrajectory.of(saved)
-    assert list(quantities.table(trajectory, quantities.named("all"))) == list(columns)
-    assert [note.partition(":")[0] for note in trajectory.notes[:2]] == ["no columns `wrench`", "no columns `ground`"]
+        quantities.table(Sampled.of(saved), ("ground",))
+    every, notes = quantities.table(Sampled.of(saved), quantities.named("all"))
+    assert list(every) == list(columns)
+    assert [note.partition(":")[0] for note in notes[:2]] == ["no columns `wrench`", "no columns `ground`"]
 
 
 ARM = read_data("arm_of_three.xml")
@@ -135,7 +135,7 @@ def test_torques_include_every_passive_force_of_the_users_own_file_and_large_one
     path.write_text(ARM)
     saved = motion_of(path, 3)
     expected = inverse_dynamics(mujoco.MjModel.from_xml_path(str(path)), motions.samples(saved))
-    columns = quantities.table(SampledTrajectory.of(saved), ("torques",))
+    columns, _ = quantities.table(Sampled.of(saved), ("torques",))
     torques = np.array([columns["shoulder.t [N m]"], columns["elbow.t [N m]"]]).T
     np.testing.assert_allclose(torques, expected, rtol=0, atol=1e-9 * np.abs(expected).max())
     beyond = motions.through(str(path), 0.3 * np.arange(3), np.radians([[0, 0], [60, 10], [0, 0]]))

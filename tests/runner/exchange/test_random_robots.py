@@ -20,8 +20,7 @@ from random_models import motion_of
 from dynsplines.errors import UserError
 from dynsplines.exchange import quantities
 from dynsplines.exchange.quantities import Forces
-from dynsplines.exchange.trajectory import SampledTrajectory
-from dynsplines.motion import Saved
+from dynsplines.motion import Sampled, Saved
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 
@@ -232,15 +231,15 @@ def borne(forces: Forces) -> Mask:
 
 def check_forces(saved: Saved, expected: Array) -> None:
     """Torques, and the root's wrench about the centre of mass, are those of mj_inverse."""
-    forces, at, model = Forces.of(SampledTrajectory.of(saved)), motions.samples(saved), saved.figure.model
+    forces, at, model = Forces.of(Sampled.of(saved)), motions.samples(saved), saved.figure.model
     rows = forces.has_known_support & ~borne(forces)
     np.testing.assert_allclose(forces.torques[rows], expected[rows], rtol=0, atol=EXACT * np.abs(expected).max())
     root = saved.figure.root
     if root is None:
         with pytest.raises(UserError, match="no free root"):
-            quantities.table(SampledTrajectory.of(saved), ("wrench",))
+            quantities.table(Sampled.of(saved), ("wrench",))
         return
-    columns = quantities.wrench(SampledTrajectory.of(saved), forces)
+    columns = quantities.wrench(forces)
     force, moment, centre = np.array(list(columns.values())).reshape(3, 3, -1).transpose(0, 2, 1)
     q, dof, data = int(model.jnt_qposadr[root.joint]), int(model.jnt_dofadr[root.joint]), mujoco.MjData(model)
     for qpos, row in zip(at.qpos, centre, strict=True):
@@ -282,7 +281,7 @@ def largest_errors(model: mujoco.MjModel) -> tuple[float, float]:
 def check_simulation(saved: Saved, folder: Path, expected: Array) -> None:
     """The scene follows the motion, or a note says that it does not."""
     model, notes = exported(saved, folder)
-    forces = Forces.of(SampledTrajectory.of(saved))
+    forces = Forces.of(Sampled.of(saved))
     check_feed_forward(model, expected, forces.has_known_support & ~borne(forces))
     angle, length = largest_errors(model)
     line = next(note for note in notes if note.startswith("mj_step of the scene"))

@@ -15,7 +15,7 @@ from dynsplines import inbetween, load, solving
 from dynsplines.clip import load as clip
 from dynsplines.exchange.format.simulate import note, tracked
 from dynsplines.exchange.simulation import Simulation
-from dynsplines.exchange.trajectory import SampledTrajectory
+from dynsplines.motion import Sampled
 
 LASTS = 1.0  # [s] of simulation
 FALLEN = 0.03  # [m]
@@ -45,9 +45,7 @@ ARMS = """<mujoco><worldbody><body name="trunk"><joint name="turn" axis="0 0 1"/
 def simulated(tmp_path, text, qpos, step=0.5):
     """The scene of the motion through poses some time apart [s], how it follows it, and the line on that."""
     (tmp_path / "model.xml").write_text(text)
-    take = SampledTrajectory.of(
-        motions.through(str(tmp_path / "model.xml"), step * np.arange(len(qpos)), np.array(qpos, float))
-    )
+    take = Sampled.of(motions.through(str(tmp_path / "model.xml"), step * np.arange(len(qpos)), np.array(qpos, float)))
     simulation = Simulation.of(take)
     tracking = tracked(simulation, take)
     return simulation, tracking, note(tracking, simulation.model)

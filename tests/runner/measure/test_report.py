@@ -21,7 +21,7 @@ from dynsplines import solving
 from dynsplines.clip import load as clip
 from dynsplines.measure.measurement import Measurement
 from dynsplines.measure.report import report, rows, tables
-from dynsplines.motion import sampled, samples_at
+from dynsplines.motion import Sampled, samples_at
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.dynamics import velocities
 from dynsplines.solver.search.descent import optimised
@@ -85,7 +85,7 @@ def test_a_foot_that_wanders_between_two_planted_keyframes_slides_as_far_as_it_d
     assert {(s["point"], s["from, s"], s["to, s"]) for s in stances} == {
         (point, *span) for point in ("heel", "toe") for span in ((-0.5, 0), (1, 1.5))
     }
-    run = sampled(solved.clip.figure, solved.motion.timeline, 2000.0)
+    run = Sampled.of(solved.motion, 2000.0)
     away = np.linalg.norm(run.qpos[run.time <= 0, :3] - [0, 0, 0.1], axis=1).max()
     assert away > 0.01
     assert [s["moved, m"] for s in stances if s["to, s"] == 0] == [pytest.approx(away, rel=1e-3)] * 2

@@ -22,7 +22,7 @@ from dynsplines.edit import edits
 from dynsplines.measure import violation
 from dynsplines.measure.bounds import BOUNDS, WHIP_SHARE
 from dynsplines.measure.violation import Violation
-from dynsplines.motion import sampled
+from dynsplines.motion import Sampled
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
@@ -262,7 +262,7 @@ def test_a_path_that_goes_deeper_than_the_keyframes_next_to_it_is_at_fault_too()
 def test_between_frames_a_path_in_the_floor_is_found_as_deep_as_it_is():
     problem = read(keys(*(at(0, 0, z) for z in (1, 0.11, 0.11, 1)), times=(0, 0.5, 1, 1.5)), BALL)
     found = next(each for each in wrong(problem) if each.kind == "penetration")
-    run = sampled(problem.figure, solving.unsolved(problem).motion.raw, 1000.0)
+    run = Sampled.of(solving.unsolved(problem).motion, 1000.0)
     seen = penetration(problem.figure.model, run.time, run.qpos)
     assert found.amount == pytest.approx(seen.deepest, abs=1e-4)
     assert found.time == pytest.approx(0.75, abs=0.01)
@@ -272,9 +272,8 @@ def test_between_frames_a_path_in_the_floor_is_found_as_deep_as_it_is():
 @pytest.mark.slow
 def test_depths_are_mujocos():
     problem = clip.load("jump_over_box")
-    raw = solving.unsolved(problem).motion.raw
     found = [each for each in wrong(problem) if each.kind == "penetration"]
-    run = sampled(problem.figure, raw, 240.0)
+    run = Sampled.of(solving.unsolved(problem).motion, 240.0)
     seen = penetration(problem.figure.model, run.time, run.qpos)
     assert seen.deepest > 0.02
     assert found[0].amount == pytest.approx(seen.deepest, abs=0.002)
@@ -309,7 +308,7 @@ def test_a_narrow_obstacle_inside_a_wide_geom_is_reported(model, geom, row, box,
 def deepest(problem: Clip, rate: float) -> float:
     """[m] of any pair of geoms that MuJoCo lets collide, by its distances, along the raw spline."""
     model, data = problem.figure.model, mujoco.MjData(problem.figure.model)
-    run = sampled(problem.figure, solving.unsolved(problem).motion.raw, rate)
+    run = Sampled.of(solving.unsolved(problem).motion, rate)
     depth = 0.0
     for qpos in run.qpos:
         data.qpos[:] = qpos

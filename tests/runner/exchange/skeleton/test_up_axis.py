@@ -16,7 +16,7 @@ from dynsplines.exchange.format import bvh
 from dynsplines.exchange.skeleton import bvh_file, retarget
 from dynsplines.exchange.skeleton.bvh_file import Skeleton
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton, vertical
-from dynsplines.exchange.trajectory import SampledTrajectory
+from dynsplines.motion import Sampled
 from dynsplines.solver import quaternion as quat
 
 
@@ -48,7 +48,7 @@ UPS = {  # how a file whose y is up is turned
 @pytest.fixture(scope="module")
 def walk():
     """A person's walk in BVH's axes."""
-    return bvh.skeleton(SampledTrajectory.of(shipped.unsolved("walk_loop"), 15.0))
+    return bvh.skeleton(Sampled.of(shipped.unsolved("walk_loop"), 15.0))
 
 
 def places(model, qpos):
