@@ -56,6 +56,7 @@ class Clip:
         notes: Lines on missing or doubtful input.
         custom_penalties: Custom soft constraints with their weights, which the problem contains, too. They are not
             stored in files.
+        has_recording: Whether the clip follows a recording, so that most of its frames are not keyframes of its text.
     """
 
     name: str
@@ -66,6 +67,7 @@ class Clip:
     context: Context
     notes: tuple[str, ...]
     custom_penalties: tuple[tuple[Penalty, float], ...] = ()
+    has_recording: bool = False
 
     @property
     def figure(self) -> Figure:
@@ -81,11 +83,6 @@ class Clip:
     def authored_keys(self) -> tuple[Frame, ...]:
         """The keyframes of the clip's text, without the frames of a recording that it follows."""
         return edits_of(self.keys, table_of(self.text, self.context.where)) if self.has_recording else self.keys
-
-    @property
-    def has_recording(self) -> bool:
-        """Whether the clip follows a recording, so that most of its frames are not keyframes of its text."""
-        return "recording" in self.text and table_of(self.text, self.context.where).recording is not None
 
     @property
     def stances(self) -> list[dict[str, object]]:
@@ -273,7 +270,7 @@ def build_following(
         has_cycle=False,
     )
     context = Context(schedule, where, bends)
-    return Clip(source.name, source.text, scene, fps, problem, context, ())
+    return Clip(source.name, source.text, scene, fps, problem, context, (), has_recording=True)
 
 
 def weight_factors(listed: Mapping[str, Options]) -> dict[str, float]:

@@ -298,26 +298,19 @@ class ContactTarget:
     stance: Contact
     rolling: Rolling | None = None
 
-    def distance(self, samples: Samples, at: Index) -> Array:
-        """Return the distance (k,) [m] of the point from its place at samples `at` (k,)."""
-        point = self.stance.point
-        x, rotation = samples.links.poses(point.link * samples.count + at)
-        off = x + np.einsum("ijk,j->ik", rotation, point.position) - self.stance.place(samples.t[at])
-        if self.rolling is not None:
-            off -= self.rolling.displacement(samples.links.Q[:, point.link, at])
-        return np.linalg.norm(off, axis=0)
-
 
 def displaced(targets: Sequence[ContactTarget], groups: Index, fixed: Fixed) -> Check:
     """Return the check of points of one kind that leave their places."""
+    attachment = Attachment(tuple(target.stance for target in targets))
 
     def hits(samples: Samples) -> Hits:
-        parts = []
+        row, at, away = attachment.displacements(samples)
         for i, target in enumerate(targets):
-            at = np.flatnonzero((samples.t >= target.stance.first) & (samples.t <= target.stance.last))
-            if at.size:
-                parts.append(Hits(np.full(at.size, i), at, target.distance(samples, at)))
-        return Hits.joined(parts)
+            if target.rolling is not None:
+                of_target = row == i
+                turned = samples.links.Q[:, target.stance.point.link, at[of_target]]
+                away[:, of_target] -= target.rolling.displacement(turned)
+        return Hits(row, at, np.linalg.norm(away, axis=0))
 
     kind = targets[0].kind
     text = {

@@ -75,16 +75,9 @@ def depths(nearby: Sequence[Bunch], surface: Surface, samples: Samples) -> Itera
 def depth(surface: Surface, centres: Array, radii: Array) -> Array:
     """Return the depths (p, k) [m] of spheres with centres (3, p, k) and radii (p,) in a surface, at most 0 outside."""
     if isinstance(surface, Box):
-        return radii[:, None] - _from_box(surface, centres)
+        return radii[:, None] - surface.distance(centres)
     deep, direction = surface.depth(centres, radii)
     return deep / np.maximum(np.linalg.norm(direction, axis=0), TINY)
-
-
-def _from_box(box: Box, points: Array) -> Array:
-    """Return the signed distance of points (3, ...) from a box; inside, it is minus that to the nearest exit."""
-    local = np.tensordot(box.axes.T, points - box.centre.reshape(3, *[1] * (points.ndim - 1)), axes=1)
-    half = box.half.reshape(3, *[1] * (points.ndim - 1))
-    return np.linalg.norm(np.maximum(np.abs(local) - half, 0), axis=0) - box.inside(points)
 
 
 @lru_cache(maxsize=2)

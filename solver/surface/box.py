@@ -98,6 +98,11 @@ class Box:
                     nearest = np.minimum(nearest, self.half[axis] - sign * local[axis])
         return np.where(self._within(local, self.half.reshape(3, *[1] * (points.ndim - 1))), nearest, 0.0)
 
+    def distance(self, points: Array) -> Array:
+        """Return the signed distance of points (3, ...) [m]; inside, it is minus that to the nearest exit."""
+        outside = np.maximum(np.abs(self._local(points)) - self.half.reshape(3, *[1] * (points.ndim - 1)), 0)
+        return np.linalg.norm(outside, axis=0) - self.inside(points)
+
     def _local(self, points: Array) -> Array:
         away = points.reshape(3, -1) - self.centre[:, None]
         return (self.axes.T @ away).reshape(points.shape)
