@@ -22,8 +22,7 @@ from ..system.scratch import scratch
 from ..system.workers import cores, ctrl_c_blocked
 from .task import Options
 
-CONNECT_SECONDS = 10  # [s] time limit of the connection to a cluster
-CLOSE_SECONDS = 10  # [s] time limit of closing a client
+PATIENCE_SECONDS = 10  # [s] time limit of connecting and of closing a client
 SETTINGS = {
     "distributed.admin.large-graph-warning-threshold": "1TB",  # no warnings about the size of meshes
     "distributed.deploy.lost-worker-timeout": "1 day",  # after the usual 15 s, a worker is no longer restarted
@@ -44,7 +43,7 @@ def connected(options: Options, progress: Progress) -> Iterator[Client]:
         _local(options.workers or cores()) if address is None else nullcontext(address) as cluster,
     ):
         try:
-            client = Client(cluster, timeout=CONNECT_SECONDS, set_as_default=False, direct_to_workers=False)
+            client = Client(cluster, timeout=PATIENCE_SECONDS, set_as_default=False, direct_to_workers=False)
         except (OSError, ValueError) as error:
             raise UserError(f"no Dask scheduler answers at '{address}': {one_line(error)}; check the address") from None
         try:
@@ -57,7 +56,7 @@ def connected(options: Options, progress: Progress) -> Iterator[Client]:
                     raise UserError("the Dask workers have several threads; start them with --nthreads 1")
             yield client
         finally:
-            client.close(timeout=CLOSE_SECONDS)
+            client.close(timeout=PATIENCE_SECONDS)
 
 
 @contextmanager

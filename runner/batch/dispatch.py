@@ -16,6 +16,7 @@ from ..errors import UserError, one_line
 from ..scene.file_access import is_allowed, lies_in
 from ..system.output import Replacement, clear_below
 from ..system.progress import Progress
+from ..system.workers import AHEAD
 from . import cluster, solving
 from .inputs import Contents, Source, sources, task_of
 from .manifest import Entry, Manifest, check_below, digest_of
@@ -25,7 +26,6 @@ from .task import Options, Outcome, Result
 
 READING_EVERY = 500  # clips per line of progress
 ENDED = "each worker that tried to solve it ended: a crash, or too little memory"
-AHEAD = 2  # clips submitted per worker, so that the next one is available when one is done
 
 
 def run(

@@ -22,10 +22,8 @@ from .array_reader import ArrayReader
 from .recording import Recording
 
 CLOSE, ALIGNED = 0.02, np.radians(2)  # [m], [rad] allowed difference between forward kinematics and recorded bodies
-LOOKED_AT = 60  # samples of a file that are compared, evenly spread
 FALLEN = np.radians(60)  # [rad] tilt of the root that casts doubt on its layout
 OFTEN = 0.1  # fraction of samples that are no outliers
-TURN = 2 * np.pi  # [rad]
 
 
 @dataclass(frozen=True)
@@ -89,9 +87,9 @@ def recording(
 def check_radians(model: mujoco.MjModel, qpos: Array, where: object) -> None:
     """Raise UserError if a hinge is often more than a turn beyond its range, as are angles in degrees."""
     low, high = model.jnt_range.T
-    hinges = np.flatnonzero((model.jnt_type == JointKind.HINGE) & (model.jnt_limited == 1) & (high - low < TURN))
+    hinges = np.flatnonzero((model.jnt_type == JointKind.HINGE) & (model.jnt_limited == 1) & (high - low < 2 * np.pi))
     values = qpos[:, model.jnt_qposadr[hinges]]
-    is_beyond = (values < low[hinges] - TURN) | (values > high[hinges] + TURN)
+    is_beyond = (values < low[hinges] - 2 * np.pi) | (values > high[hinges] + 2 * np.pi)
     for column, joint in enumerate(hinges.tolist()):
         if is_beyond[:, column].mean() > OFTEN:
             name, most = model.joint(joint).name, np.abs(values[:, column]).max()
@@ -129,7 +127,7 @@ def disagreement(model: mujoco.MjModel, qpos: Array, bodies: BodyPoses) -> tuple
     bodies does not matter, nor whether the world is among them. If the figure has fewer bodies, each of them is
     compared with its nearest recorded body instead.
     """
-    rows = spread(len(qpos), LOOKED_AT)
+    rows = spread(len(qpos))
     poses = ((data.xpos.copy(), data.xquat.copy()) for data in posed(model, qpos[rows]))
     position, rotation = (np.array(part) for part in zip(*poses, strict=True))
     root = root_of(model)

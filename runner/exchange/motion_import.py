@@ -23,7 +23,6 @@ from ..system.quantity import positive
 from . import gaps
 from .formats import recording, stem
 
-TURN = 2 * np.pi  # [rad]
 EDGE = 1e-3  # [rad] tolerance at the bounds of a turn, as files contain rounded angles
 
 
@@ -110,7 +109,7 @@ def _unwrapped(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, 
     if qpos.shape[1] != model.nq:  # reported where the keyframes are made
         return qpos, ()
     for joint in range(model.njnt):
-        is_bounded = model.jnt_limited[joint] and np.ptp(model.jnt_range[joint]) < TURN - EDGE
+        is_bounded = model.jnt_limited[joint] and np.ptp(model.jnt_range[joint]) < 2 * np.pi - EDGE
         if model.jnt_type[joint] != JointKind.HINGE or is_bounded:
             continue
         column = int(model.jnt_qposadr[joint])
@@ -118,7 +117,7 @@ def _unwrapped(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, 
         if not jumps.any():
             continue
         out = qpos.copy() if out is qpos else out
-        out[1:, column] -= TURN * np.cumsum(jumps)
+        out[1:, column] -= 2 * np.pi * np.cumsum(jumps)
         names.append(model.joint(joint).name or f"joint{joint}")
         first = min(first, float(time[1 + np.flatnonzero(jumps)[0]]))
     if not names:
@@ -130,5 +129,5 @@ def _unwrapped(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, 
 def _whole_turns(angle: Array) -> Array:
     """Return the number of whole turns (T - 1,) between samples, if all angles lie within one turn, from -180° or from
     0°, and so may be wrapped."""
-    is_within = any(angle.min() >= low - EDGE and angle.max() <= low + TURN + EDGE for low in (-np.pi, 0.0))
-    return np.round(np.diff(angle) / TURN) * is_within
+    is_within = any(angle.min() >= low - EDGE and angle.max() <= low + 2 * np.pi + EDGE for low in (-np.pi, 0.0))
+    return np.round(np.diff(angle) / (2 * np.pi)) * is_within

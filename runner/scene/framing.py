@@ -12,7 +12,7 @@ from dynsplines.solver.surface.touch import moves
 
 from .configuration import posed
 
-MOST_POSES = 60  # maximum number of poses from which a camera's frame is computed
+MOST_POSES = 60  # number of poses that represent a motion
 STANDING = 2.05  # [m] height of a person with a hand raised over the head
 PEOPLE = (1.3, 2.2)  # [m] range of heights of people
 WIDTH, HEIGHT = 0.8, 1.06  # [1] visible width and height about a figure's middle, relative to a camera's `height`
@@ -77,17 +77,17 @@ def height(figure: Figure, qpos: Array) -> float:
     if figure.root is not None and is_of_people_size(figure.model):
         return STANDING
     low, high = _boxes(figure, qpos)
-    middle = middles(figure, qpos)[spread(len(qpos), MOST_POSES)]
+    middle = middles(figure, qpos)[spread(len(qpos))]
     return _camera_height(np.maximum(high - middle, middle - low).max(axis=0))
 
 
-def spread(count: int, most: int) -> Index:
+def spread(count: int, most: int = MOST_POSES) -> Index:
     """Return evenly spaced indices of at most `most` of `count` items, with the first and the last."""
     return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(np.intp))
 
 
 def _boxes(figure: Figure, qpos: Array) -> tuple[Array, Array]:
     """Return the figure's boxes in these poses: lowest and highest corners, (n, 3) each."""
-    poses = qpos[spread(len(qpos), MOST_POSES)]
+    poses = qpos[spread(len(qpos))]
     low, high = zip(*(box(figure.model, data) for data in posed(figure.model, poses)), strict=True)
     return np.array(low), np.array(high)

@@ -29,7 +29,7 @@ Opened = Callable[[], AbstractContextManager[Tool]]
 Work = Callable[[Tool, Item], Result]
 
 MOST_WORKERS = 60  # maximum number of processes for which Windows can wait
-AHEAD = 2  # results per process that may wait for an earlier one
+AHEAD = 2  # tasks per process that are submitted, or wait with their results for an earlier one
 
 _job: tuple[Work[Any, Any, Any], Callable[[], Any]]  # in a worker: its work, and the function that returns its tool
 

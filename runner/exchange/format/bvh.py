@@ -26,7 +26,6 @@ from ..skeleton.bvh_file import Joint, Skeleton, written
 from ..skeleton.captured_skeleton import CapturedSkeleton
 
 CENTIMETRES = 100.0  # per metre
-FIXED = 1e-7  # [m] largest change of position that counts as none
 LIFTED = 0.002  # [m] least vertical shift that is reported
 PLACES = ("Xposition", "Yposition", "Zposition")
 
@@ -81,7 +80,7 @@ def skeleton(sampled: Sampled) -> Skeleton:
         is_root = body == rows[0]
         relative = quat.product(quat.conjugate(turn[:, above]), turn[:, body])
         moved = quat.rotated(quat.conjugate(turn[:, above]), place[:, body] - place[:, above])
-        moves = is_root or float(np.ptp(moved, axis=0).max()) > FIXED
+        moves = is_root or float(np.ptp(moved, axis=0).max()) > hierarchy.STILL
         order = "YXZ" if is_root or body in tops else "ZYX"
         end = CENTIMETRES * y_up(quat.rotated(at_rest.rotation[0, body], hierarchy.end(model, body)))
         joints.append(

@@ -27,7 +27,6 @@ from ...motion import Sampled
 from ...scene.triangles import Piece, Triangles, joined, linear, pieces, png, triangles
 from ..skeleton import hierarchy
 
-STILL = 1e-7  # [m, or 1 for quaternions] largest change that counts as no motion
 FLOAT, UNSIGNED_INT = 5126, 5125  # component types
 ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER = 34962, 34963  # targets of views
 WIDTHS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
@@ -95,7 +94,7 @@ def _add_animation(document: _Document, sampled: Sampled, position: Array, rotat
         (body, path): track[:, body]
         for body in range(1, sampled.model.nbody)
         for path, track in (("translation", position), ("rotation", rotation))
-        if np.ptp(track[:, body], axis=0).max() > STILL
+        if np.ptp(track[:, body], axis=0).max() > hierarchy.STILL
     }
     if not tracks:
         return

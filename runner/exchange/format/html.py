@@ -21,8 +21,6 @@ from ...scene.triangles import is_still, pieces
 from ..model_json import drawn, packed
 from ..skeleton import hierarchy
 
-SAME = 1e-6  # [m, or 1 for quaternions] largest difference of motions before and after that count as equal
-
 
 def write(sampled: Sampled, path: Path) -> None:
     """Write the page as a single file."""
@@ -49,7 +47,8 @@ def content(sampled: Sampled) -> dict[str, Any]:
     model, start = sampled.model, float(sampled.time[0])
     before = Sampled.of(sampled.motion.before, sampled.fps).bodies
     changed = any(
-        np.abs(getattr(before, part) - getattr(sampled.bodies, part)).max() > SAME for part in ("position", "rotation")
+        np.abs(getattr(before, part) - getattr(sampled.bodies, part)).max() > hierarchy.STILL
+        for part in ("position", "rotation")
     )
     visible = pieces(model)
     moving = sorted({piece.body for piece in visible if not is_still(model, piece)}) or list(range(1, model.nbody))

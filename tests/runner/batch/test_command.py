@@ -49,7 +49,7 @@ def test_a_scheduler_that_is_not_there_is_reported(refused: Refused, tmp_path: P
     pytest.importorskip("distributed")
     from dynsplines.batch import cluster
 
-    monkeypatch.setattr(cluster, "CONNECT_SECONDS", 0.5)
+    monkeypatch.setattr(cluster, "PATIENCE_SECONDS", 0.5)
     line = refused("tiny.toml", "--cluster", "tcp://127.0.0.1:9")
     assert line.startswith("no Dask scheduler answers at 'tcp://127.0.0.1:9': ")
     assert list((tmp_path / "batch").iterdir()) == []
