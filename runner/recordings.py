@@ -40,7 +40,8 @@ def load(
     file = None if model is not None or keys is not None else read(source)
     if not isinstance(file, Parsed):
         return clips.load(source, model=model, keys=keys, fps=fps)
-    return _loaded(file, (), figure_file=figure_file, fps=fps, unmet=unmet)
+    recording = recorded(file, figure_file)
+    return clips.from_parsed(file, figure_file=figure_file, fps=fps, unmet=unmet, recording=recording)
 
 
 def from_text(
@@ -59,23 +60,8 @@ def from_text(
         where: The label in errors; None: NAME.toml.
         fps: See `clip.load.from_parsed`; also `spec` and `like`.
     """
-    return _loaded(parse(text, name, where or f"{name}.toml", folder), (), fps=fps, spec=spec, like=like)
-
-
-def _loaded(
-    source: Parsed,
-    following: tuple[str, ...],
-    *,
-    figure_file: str | None = None,
-    fps: float | None = None,
-    spec: mujoco.MjSpec | None = None,
-    unmet: list[str] | None = None,
-    like: Clip | None = None,
-) -> Clip:
-    recording = recorded(source, figure_file, following)
-    return clips.from_parsed(
-        source, figure_file=figure_file, fps=fps, spec=spec, unmet=unmet, like=like, recording=recording
-    )
+    source = parse(text, name, where or f"{name}.toml", folder)
+    return clips.from_parsed(source, fps=fps, spec=spec, like=like, recording=recorded(source))
 
 
 def recorded(source: Parsed, figure_file: str | None = None, following: tuple[str, ...] = ()) -> Saved | None:
@@ -98,7 +84,7 @@ def recorded(source: Parsed, figure_file: str | None = None, following: tuple[st
         raise UserError(f"{where}: '{name}' lies outside the clip's folder; --allow-outside lets it be read")
     if file.suffix == ".toml":
         return _solved(str(file), str(file.resolve()), where, following)
-    if file.suffix == ".npz" and not (file.is_file() and not motion.is_motion(str(file))):
+    if motion.is_motion(str(file)):
         return motion.load(file)
     figure = figure_file or source.table.figure
     if figure_file is None and figure not in models.figures() and source.folder is not None:
@@ -130,5 +116,8 @@ def _solution(source: str, following: tuple[str, ...]) -> Saved:
     from . import solving  # imported here because most clips follow no other clip
 
     file = read(source)
-    clip = _loaded(file, following) if isinstance(file, Parsed) else clips.load(source)
+    if isinstance(file, Parsed):
+        clip = clips.from_parsed(file, recording=recorded(file, following=following))
+    else:
+        clip = clips.load(source)
     return solving.solve(clip, silent()).motion
