@@ -21,6 +21,7 @@ from dynsplines.clip.contacts import contacts
 from dynsplines.clip.parse import table_of
 from dynsplines.clip.text import tables, written
 from dynsplines.errors import UserError
+from dynsplines.motion import samples_at
 from dynsplines.solver import Frame, Solution, inbetween
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
@@ -54,7 +55,7 @@ class Violence:
         """Measured on a grid from the first keyframe to the last."""
         first, last = motion.path.span
         t = np.linspace(first, last, round(RATE * (last - first)) + 1)
-        samples, raw = (motion.objective.samples(path, t) for path in (motion.path, path_of(motion.raw)))
+        samples, raw = (samples_at(motion.figure, path, t) for path in (motion.path, path_of(motion.raw)))
         sizes = relative_accelerations(samples)[1].max(axis=1)
         apart = _distances(samples, raw)
         names = [link.name for link in motion.figure.links]

@@ -103,10 +103,15 @@ class Saved:
         return Stop.__members__.get(str(self.search.get("stop")), Stop.CONVERGED)
 
     @property
+    def evaluations(self) -> int:
+        """The number of evaluations of the search."""
+        return int(self.search.get("evaluations", 0))
+
+    @property
     def is_raw(self) -> bool:
         """Whether no search took place and the timeline is the raw spline, as for a recording."""
         pairs = [(line.times, line.states, line.end_slope) for line in (self.raw, self.timeline)]
-        return not self.search.get("evaluations") and all(map(np.array_equal, *pairs))
+        return not self.evaluations and all(map(np.array_equal, *pairs))
 
     def at(self, times: ArrayLike) -> Array:
         """Return configurations (S, nq) at times (S,) [s], with unit quaternions."""

@@ -44,8 +44,7 @@ def report(clip: Clip, motion: Saved) -> dict[str, Any]:
     An imported recording is measured once for both columns. It has no remaining decrease, because nothing is optimised.
     A cleaned recording has none either, because this is not the objective that was minimised.
     """
-    evaluations = motion.search.get("evaluations", 0)
-    searched = not motion.is_raw and (evaluations > 0 or motion.timeline.variable_count > 0)
+    searched = not motion.is_raw and (motion.evaluations > 0 or motion.timeline.variable_count > 0)
     objective = clip.problem.plain_objective
     if clip.settings.renormalise:
         objective = renormalised(objective, motion.raw)
@@ -63,7 +62,7 @@ def report(clip: Clip, motion: Saved) -> dict[str, Any]:
         "keyframes": len(clip.authored_keys),
         "partial keyframes": sum(not key.is_key for key in clip.authored_keys),
         "variable frames": motion.timeline.variable_count,
-        "evaluations": evaluations,
+        "evaluations": motion.evaluations,
         **{name: motion.search[name] for name in ("seconds",) if name in motion.search},
         "stopped because": motion.search.get("stopped because", motion.stop.value),
         "cycle": _cycle_report(clip),

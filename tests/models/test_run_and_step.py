@@ -27,6 +27,7 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.surface import Box
 from dynsplines.solver.surface.points import places_of
 from dynsplines.solver.surface.touch import movers, solids
+from dynsplines.solving import motion_of
 
 pytestmark = pytest.mark.slow
 TEXT = models.clip_text("run_and_step")
@@ -127,7 +128,9 @@ def perturbed(text: str, seed: int) -> Clip:
 def test_perturbed_clips_stay_out_of_floor_and_step():
     """One of four may end in a valley a little deeper than 2 mm; which one, the sixth digit of a mass decides."""
     clips = [perturbed(TEXT, seed) for seed in range(PERTURBED)]
-    depths = np.array([Move(clip, inbetween(clip.problem)).deep(raw=False, rate=200).deepest for clip in clips])
+    depths = np.array(
+        [Move(clip, motion_of(clip, inbetween(clip.problem))).deep(raw=False, rate=200).deepest for clip in clips]
+    )
     assert np.median(depths) <= 0.0005
     assert np.sum(depths > 0.002) <= PERTURBED // 4
     assert depths.max() <= 0.0025

@@ -382,7 +382,7 @@ def test_hands_stay_within_millimetres_where_the_raw_spline_loses_the_crate_and_
     clip = lifted
     motion = inbetween(replace(clip.problem, settings=replace(clip.settings, variable=1, frames=8)))
     timelines = motion.timeline, motion.raw
-    measured = report(clip, motion, 0.0)
+    measured = report(clip, motion_of(clip, motion))
     sides: list[dict[str, Any]] = [measured["after"], measured["before"]]
     for timeline, side, is_raw in zip(timelines, sides, (False, True), strict=True):
         assert [(row["hand"], row["body"]) for row in side["grasps"]] == [

@@ -248,7 +248,7 @@ joints = {swing = 0, slide = 0}
 
 def solved(problem: clip.Clip) -> dict:
     found = solving.solve(problem, quiet())
-    return report(found.clip, found.motion, 0.0)
+    return report(found.clip, found.motion)
 
 
 @pytest.mark.slow

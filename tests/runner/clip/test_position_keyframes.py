@@ -162,7 +162,7 @@ def test_a_search_ends_within_a_millimetre_and_is_reported():
     off = np.linalg.norm(data.site("right_hand").xpos - [0.5, -0.3, 1.1])
     assert off < 1e-3
     np.testing.assert_allclose(data.site("left_hand").xpos, [0.4, 0.35, 1.0], atol=MET)
-    told = report(problem, solved.motion, 0.0)
+    told = report(problem, solved.motion)
     assert told["after"]["target distance, m"] == {"right_hand at 0.8 s": pytest.approx(off, rel=1e-3)}
     assert told["before"]["target distance, m"]["right_hand at 0.8 s"] < 1e-6  # the search begins there
     assert told["after"]["keyframe error"] < 1e-9

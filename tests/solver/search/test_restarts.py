@@ -33,7 +33,6 @@ from dynsplines.solver.search.restarts import (
     EQUAL_WITHIN,
     MAX_DEVIATION,
     MAX_QUATERNION_LENGTH,
-    MIN_SPACING,
     OFFSETS,
     SAMPLES_PER_SEGMENT,
     SUBDIVISIONS,
@@ -48,6 +47,7 @@ from dynsplines.solver.search.restarts import (
 )
 from dynsplines.solver.surface import Capsule, Plane
 from dynsplines.solver.surface.points import Point
+from dynsplines.solver.tolerances import ROUNDING
 
 VERB = sys.modules["dynsplines.solver.inbetween"]  # the package has the verb under the module's name
 LIMB = limb()
@@ -218,7 +218,7 @@ def test_about_the_moment_at_which_a_quaternion_passes_zero_are_samples_as_close
     middle = 1.0 + 2.0 * where
     for about in OFFSETS:
         assert np.abs(edges - (middle + about * moment)).min() < 1e-9
-    assert np.all(np.diff(edges) > MIN_SPACING / SUBDIVISIONS)
+    assert np.all(np.diff(edges) > ROUNDING / SUBDIVISIONS)
     assert edges[0] == 1.0
     assert edges[-1] == 3.0
     alone = common_grid([timeline])

@@ -168,7 +168,7 @@ def test_an_arm_goes_through_the_trunk_without_the_penalty_and_at_most_two_milli
         options = "margin = 0.002" if asked else "self = false"
         (tmp_path / "arms.toml").write_text(f"{SWING}[[penalty]]\nkind = 'collision'\n{options}\n", encoding="utf-8")
         solved = solving.solve(clip.load(str(tmp_path / "arms.toml")), quiet())
-        data = report(solved.clip, solved.motion, 0.0)
+        data = report(solved.clip, solved.motion)
         out = io.StringIO()
         Console(file=out, width=160).print(tables(data))
         assert "self-penetration" in out.getvalue()
