@@ -23,6 +23,7 @@ from .bounds import BOUNDS
 from .checks import SAME_DEPTH, Check, Hits, Row, row_of
 from .ground import floating_and_sliding
 from .measurement import Measurement
+from .support import unsupported
 
 MAX_LINES = 10  # most violations that are printed
 
@@ -73,7 +74,9 @@ def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Vio
     """Return all violations in a measured motion, worst first."""
     violations = [violation for check, hits in motion.checks for violation in _worst(check, hits, motion)]
     violations += _drifts(motion)
-    for row, amount, time, key in floating_and_sliding(motion):
+    on_ground = list(floating_and_sliding(motion))
+    aloft = {row.name for row, *_ in on_ground if row.kind in ("aloft", "float")}
+    for row, amount, time, key in (*on_ground, *(each for each in unsupported(motion) if each[0].name not in aloft)):
         violations.append(_as_violation(row, amount, time, 0 if key is None else int(motion.numbers[key])))
     if stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS):
         row = row_of("search", stop.name.lower(), f"the search ended early: {stop.value}")

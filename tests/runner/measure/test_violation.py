@@ -78,6 +78,15 @@ def standing(*places: float, z: float = 0.93, seconds: float = 1.0) -> str:
     return keys(*rows, times=seconds * np.arange(len(places)))
 
 
+def leaning(angle: float) -> str:
+    """A human at rest leans so far forward [degrees] about its toes."""
+    turn = quat.from_rotation_vector([0, np.radians(angle), 0])
+    toe = np.array([0.17, 0, 0])
+    x, _, z = toe + quat.rotated(turn, [0, 0, 0.93] - toe)
+    row = f"root.position = [{x}, 0, {z}]\nroot.rotation = {{rotvec = [0, {angle}, 0]}}\n{REST}"
+    return keys(row, row)
+
+
 def tiptoe(distance: float, height: float) -> str:
     """A human on tiptoe is moved so far [m] within 0.5 s; the spheres of the toes are so high [m] above the floor."""
     ankle, toe = np.radians(40), np.array([0.17, -0.061])
@@ -178,6 +187,12 @@ FAULTS: dict[str, tuple[str, str, str, list[str]]] = {  # figure, clip, kind (""
     "no gravity": (HOPPER.format('<option gravity="0 0 0"/>', ""), hung(1.5, 1.5), "aloft", []),
     "a flight of the clip": (ON_FLOOR, thrown(2.0) + FLIGHT.format("0.1, 0.6"), "float", []),
     "beside a flight of the clip": (ON_FLOOR, thrown(2.0) + FLIGHT.format("0.3, 0.4"), "float", 2 * [".*" + FLOATS]),
+    "faster than friction allows": (
+        "human", standing(0, 0.5, 0, seconds=0.3), "unsupported", [r"contacts cannot supply a force of \d\.\d\d of the weight, for .*"]),
+    "slowly from side to side": ("human", standing(0, 0.5, 0, seconds=2.0), "unsupported", []),
+    "leaning far forward": (
+        "human", leaning(30), "unbalanced", [r"the centre of mass of the standing figure is \d+ mm beside its .*"]),
+    "leaning little": ("human", leaning(5), "unbalanced", []),
     "sliding": (
         "human", standing(0, 0.06, seconds=0.5), "slide",
         2 * [".*_foot slides 60 mm along the ground from 0.00 to 0.50 s, fastest at .* s"]),
