@@ -37,10 +37,14 @@ Excess = tuple[Row, float, float, int | None]  # a row, its amount, the time [s]
 
 
 def unsupported(motion: Measurement) -> Iterator[Excess]:
-    """Yield forces and moments of trees on a free root that contacts cannot supply, and trees out of balance."""
+    """Yield forces and moments of trees on a free root that contacts cannot supply, and trees out of balance.
+
+    The accelerations of a recording as imported are noise, so that it yields none.
+    """
     context, figure, path = motion.clip.context, motion.clip.figure, path_of(motion.timeline)
     window = WINDOW * Size.of(figure).time
-    if not context.surfaces or not np.any(figure.gravity) or np.ptp(path.span) < window:
+    is_imported = not motion.clip.text and motion.timeline.variable_count == 0
+    if is_imported or not context.surfaces or not np.any(figure.gravity) or np.ptp(path.span) < window:
         return
     samples = samples_at(figure, path, even_times(path.span, RATE))
     held_by_loops = {link for loop in closures(figure) for link in (loop.point.link, loop.on)}

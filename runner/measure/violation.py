@@ -15,6 +15,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.figure.size import Size
 from dynsplines.solver.search.minimum import Stop
 
 from ..clip.build import Clip
@@ -81,6 +82,10 @@ def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Vio
     if stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS):
         row = row_of("search", stop.name.lower(), f"the search ended early: {stop.value}")
         violations.append(_as_violation(row, row.bound, None))
+    scale = Size.of(motion.clip.figure).enlargement  # of bounds of lengths, as in models in centimetres
+    if scale > 1:
+        scaled = (replace(each, bound=scale * each.bound) if each.unit == "m" else each for each in violations)
+        violations = [each for each in scaled if each.unit != "m" or each.severity > 1]
     return tuple(sorted(violations, key=lambda violation: -violation.severity))
 
 

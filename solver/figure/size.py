@@ -25,6 +25,11 @@ class Size:
     length: float = 1.0
     time: float = 1.0
 
+    @property
+    def enlargement(self) -> float:
+        """How many times the figure is larger than an adult; 1 for smaller ones."""
+        return max(1.0, self.length)
+
     @classmethod
     def of(cls, figure: Figure) -> Size:
         """Return the size of a figure's tree.

@@ -33,9 +33,10 @@ from ..allowance import Allowance
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
-NEAR = 0.03  # [m] distance of capsules that one step of the search may cover
-GAP = 0.008  # [m] maximum gap between spheres and the geom that they fill
-HAIR = 0.015  # [m] protrusion from a thicker shape up to which a shape is omitted
+# [m] of figures up to the size of an adult; in proportion for larger ones, as for models in centimetres
+NEAR = 0.03  # distance of capsules that one step of the search may cover
+GAP = 0.008  # maximum gap between spheres and the geom that they fill
+HAIR = 0.015  # protrusion from a thicker shape up to which a shape is omitted
 PARALLEL = 1e-16  # [1] squared sine of the angle below which two segments are parallel
 CROSSING = 1e-12  # [m] distance below which axes intersect, so that their direction of separation is arbitrary
 UNWATCHED = 0.005  # [m] depth up to which links of an adult need not be watched
@@ -109,7 +110,8 @@ class SelfContact(Penalty):
     def residuals(self, samples: Samples) -> Iterator[Block]:
         if self.pairs.size and (self.watched is None or self.watched.size):
             links = self._arrays[0]
-            at, i, j, depth, first, last, direction = self._met(samples, NEAR, self.watched)
+            near = NEAR * Size.of(samples.figure).enlargement
+            at, i, j, depth, first, last, direction = self._met(samples, near, self.watched)
             wrenches = of_point(at, links[i], first, -direction), of_point(at, links[j], last, direction)
             yield Block(at, depth, wrenches, one_sided=True)
 
@@ -244,7 +246,8 @@ def nearest_on_segments(d: Array, u: Array, v: Array, h: Array, g: Array) -> tup
 @lru_cache(maxsize=2)  # editing a clip needs them repeatedly
 def _shapes(figure: Figure) -> tuple[tuple[Bar, ...], Index]:
     """Return the bars of a figure, and the pairs of them that can collide, (2, n)."""
-    bars = _outer([bar for geom in movers(figure.model) for bar in _bars(figure, geom)])
+    every = [bar for geom in movers(figure.model) for bar in _bars(figure, geom)]
+    bars = _outer(every, HAIR * Size.of(figure).enlargement)
     return bars, _pairs(figure, bars)
 
 
@@ -279,7 +282,7 @@ def _bars(figure: Figure, geom: int) -> list[Bar]:
     if model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_CAPSULE:
         filled, half = (np.zeros((1, 3)), size[:1]), float(size[1])
     else:
-        filled, half = filling_spheres(model, geom, GAP), 0.0
+        filled, half = filling_spheres(model, geom, GAP * Size.of(figure).enlargement), 0.0
     out = []
     for offset, radius in zip(*filled, strict=True):
         link, centre = figure.point_on_link(body, model.geom_pos[geom] + axes @ offset)
@@ -288,8 +291,8 @@ def _bars(figure: Figure, geom: int) -> list[Bar]:
     return out
 
 
-def _outer(bars: list[Bar]) -> tuple[Bar, ...]:
-    """Return the bars without those that protrude by at most HAIR from a thicker one on their link."""
+def _outer(bars: list[Bar], hair: float) -> tuple[Bar, ...]:
+    """Return the bars without those that protrude by at most `hair` [m] from a thicker one on their link."""
     bars = sorted(bars, key=lambda bar: -bar.radius)
     links, centres, axes, halves, radii = _arrays(bars)
     is_outer = np.zeros(len(bars), bool)
@@ -299,7 +302,7 @@ def _outer(bars: list[Bar]) -> tuple[Bar, ...]:
         away = np.stack([bar.centre - bar.half * bar.axis, bar.centre + bar.half * bar.axis], axis=1)[:, None]
         away = away - centres[:, others, None]
         away -= np.clip(dot(axis, away), -half, half) * axis
-        limit = np.maximum(radii[others] - bar.radius + HAIR, 0)  # at both ends, as the thicker bar is convex
+        limit = np.maximum(radii[others] - bar.radius + hair, 0)  # at both ends, as the thicker bar is convex
         is_outer[k] = not np.any(dot(away, away).max(axis=1) <= limit**2)
     return tuple(bars[k] for k in np.flatnonzero(is_outer))
 

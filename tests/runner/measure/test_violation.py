@@ -188,7 +188,8 @@ FAULTS: dict[str, tuple[str, str, str, list[str]]] = {  # figure, clip, kind (""
     "a flight of the clip": (ON_FLOOR, thrown(2.0) + FLIGHT.format("0.1, 0.6"), "float", []),
     "beside a flight of the clip": (ON_FLOOR, thrown(2.0) + FLIGHT.format("0.3, 0.4"), "float", 2 * [".*" + FLOATS]),
     "faster than friction allows": (
-        "human", standing(0, 0.5, 0, seconds=0.3), "unsupported", [r"contacts cannot supply a force of \d\.\d\d of the weight, for .*"]),
+        "human", standing(0, 0.5, 0, seconds=0.3), "unsupported",
+        [r"contacts cannot supply a force of \d\.\d\d of the weight, for .*"]),
     "slowly from side to side": ("human", standing(0, 0.5, 0, seconds=2.0), "unsupported", []),
     "leaning far forward": (
         "human", leaning(30), "unbalanced", [r"the centre of mass of the standing figure is \d+ mm beside its .*"]),
@@ -251,6 +252,25 @@ def with_frame(problem: Clip, time: float, change: np.ndarray) -> Timeline:
 
 
 # penetration
+
+LEG_IN_CENTIMETRES = """<body name="{0}_thigh" pos="0 {1} -10"><joint name="{0}_hip" axis="0 1 0"/>
+<geom type="capsule" size="5" fromto="0 0 0 0 0 -35"/><body name="{0}_shin" pos="0 0 -40">
+<joint name="{0}_knee" axis="0 1 0"/><geom type="capsule" size="4" fromto="0 0 0 0 0 -30"/>
+<body name="{0}_foot" pos="0 0 -35"><joint name="{0}_ankle" axis="0 1 0"/>
+<geom type="box" size="10 4 2" pos="4 0 -3"/></body></body></body>"""
+IN_CENTIMETRES = f"""<mujoco><option gravity="0 0 -981"/><worldbody><geom name="floor" type="plane" size="900 900 9"/>
+<body name="pelvis" pos="0 0 90"><freejoint/><geom type="box" size="10 15 10"/>
+{LEG_IN_CENTIMETRES.format("left", 10)}{LEG_IN_CENTIMETRES.format("right", -10)}</body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize(("centimetres", "count"), [(0.2, 0), (2.0, 2)])
+def test_bounds_of_lengths_hold_in_a_model_in_centimetres(centimetres, count):
+    found = of_kind(
+        read(keys(f"root.position = [0, 0, {90 - centimetres}]\n{REST}", REST), IN_CENTIMETRES), "penetration"
+    )
+    assert len({each.name.partition(" ")[0] for each in found}) == count
+    assert all(each.bound == pytest.approx(0.5, rel=0.7) for each in found)
+
 
 SQUAT = keys(REST, REST + "root.position = [0, 0, 0.73]", REST)
 
