@@ -21,6 +21,9 @@ from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
 from .block import Block, Dense, summed
 
+# distances from a bound, a length [m] on an adult and an angle [rad], that one step of the search may cover
+NEAR_LENGTH, NEAR_ANGLE = 0.03, float(np.radians(4))
+
 
 @dataclass(frozen=True)
 class Normalization:
@@ -113,7 +116,7 @@ class Penalty(ABC):
         """Return the residuals. f_j is the weighted sum of their squares.
 
         Of one-sided residuals, only positive ones count. The optimiser uses the others, too, if a step may make them
-        positive; those farther from their bounds may be omitted.
+        positive; those farther from their bounds than NEAR_LENGTH or NEAR_ANGLE may be omitted.
 
         Args:
             samples: S samples of the motion: the state y and its time derivatives y', y'', each (S, N), and in

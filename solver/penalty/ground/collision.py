@@ -21,9 +21,8 @@ from ...surface.points import Point, arrays_of, placed
 from ...surface.surface import FAR
 from ..allowance import Allowance
 from ..block import Block
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import NEAR_LENGTH, Normalization, Penalty, Role
 
-NEAR = 0.03  # [m] distance within which a point of an adult may touch after one step of the search
 ROUNDING = 1e-9  # [s] tolerance at the ends of intervals
 MOST_TOGETHER = 64  # most points in a bounding sphere; a limb of capsules has 10-30
 _Near = tuple[Index, Array, Array, Array]
@@ -150,7 +149,7 @@ class Collision(Penalty):
     def residuals(self, samples: Samples) -> Iterator[Block]:
         if not self.points or not self.surfaces:
             return
-        margin = NEAR * Size.of(samples.figure).length
+        margin = NEAR_LENGTH * Size.of(samples.figure).length
         carriers, middles, reach = self._bounds
         around = self.relative_to_carrier(samples, samples.links.points(carriers, middles)[0])
         touching = [surface.near(around, reach[:, None] + margin) for surface in self.surfaces]

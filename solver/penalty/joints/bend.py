@@ -22,9 +22,8 @@ from ...figure.kinematics import Samples
 from ...figure.wrenches import of_turn
 from ..allowance import Allowance
 from ..block import Block
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import NEAR_ANGLE, Normalization, Penalty, Role
 
-NEAR = np.radians(4)  # [rad] distance to a bound that one step of the search may cover
 ALONG, FLAT = 1e-9, 1e-18  # [1] sine of the angle between limb and hinge axis without defined flexion, and its square
 ANGLE, SIGN = np.array([0, 1, 1, 2, 2]), np.array([-1.0, 1, -1, 1, -1])  # of the five bounds, as in `_excess`
 JointFrames = tuple[Array, Array, Array, Array, Array, Array]
@@ -128,7 +127,7 @@ class BendLimits(Penalty):
         excess = self._excess(angles)
         if self.allowed is not None and self.allowed.excess.any():
             excess -= self.allowed.at(samples.t)
-        side, joint, at = np.nonzero(excess > -NEAR)
+        side, joint, at = np.nonzero(excess > -NEAR_ANGLE)
         axis = SIGN[side] * _turning_axes(rotated, ANGLE[side], joint, at)
         link = self._axes[0][joint]
         changes = of_turn(at, link, axis), of_turn(at, samples.figure.tables.parents[link], -axis)

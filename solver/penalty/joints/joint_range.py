@@ -20,15 +20,13 @@ from ...figure.algebra import cross, dot, hamilton, vector_product
 from ...figure.figure import Figure, JointKind, quaternion_columns
 from ...figure.kinematics import Samples
 from ...figure.wrenches import Wrenches, of_turn
+from ...tolerances import SMALLEST
 from ..allowance import Allowance
 from ..block import Block, Entries
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import NEAR_ANGLE, NEAR_LENGTH, Normalization, Penalty, Role
 
-# [rad, m] distance to a bound that one step of the search may cover
-NEAR = {JointKind.BALL: np.radians(4), JointKind.HINGE: np.radians(4), JointKind.SLIDE: 0.03}
-NEAR_HOME = np.radians(12)  # [rad] likewise, of rotations that a range keeps near one value
+NEAR_HOME = np.radians(12)  # [rad] distance that a step may cover to a bound of rotations that are kept near one value
 ROUNDING = np.radians(0.5)  # [rad] ε
-TINY = 1e-300  # smallest divisor, against division by zero
 
 
 @dataclass(frozen=True)
@@ -124,14 +122,15 @@ class JointRange(Penalty):
         if plain.size:
             columns, (low, high) = self._columns(samples), self._limits(samples.t, plain)
             value = samples.columns(columns)
-            least = np.array([-NEAR[self.joints[i].kind] for i in plain])[:, None]
+            is_slide = np.array([self.joints[i].kind is JointKind.SLIDE for i in plain])[:, None]
+            least = -np.where(is_slide, NEAR_LENGTH, NEAR_ANGLE)
             for sign, over in ((-1.0, low - value), (1.0, value - high)):
                 joint, at = np.nonzero(over > least)
                 yield Block(at, over[joint, at], (Entries(at, 0, columns[joint], sign),), one_sided=True)
         if balls.size:
             _, angle, rate, axis = self._turned(samples)
             most = self._limits(samples.t, balls)[1]
-            least = np.where(self._is_home, NEAR_HOME, NEAR[JointKind.BALL])[:, None]
+            least = np.where(self._is_home, NEAR_HOME, NEAR_ANGLE)[:, None]
             over, axes = (angle - most)[None], (rate * axis)[:, None]
             if np.any(most < least):
                 over, axes = _with_other_axes(over, axes, angle, most)
@@ -204,7 +203,7 @@ class JointRange(Penalty):
         angle = 2 * np.arctan2(sine, np.abs(w))
         angle_ = 2 * np.arctan2(np.abs(w), sine)
         rounded = np.hypot(angle_, ROUNDING)
-        axis = along * np.where(w < 0, -1.0, 1.0) / np.maximum(sine, TINY)
+        axis = along * np.where(w < 0, -1.0, 1.0) / np.maximum(sine, SMALLEST)
         return angle, np.pi - rounded, angle_ / rounded, axis
 
     @cached_property
@@ -290,7 +289,7 @@ class Speed(Penalty):
         size = np.linalg.norm(relative, axis=0)
         at, joint = np.nonzero((size > self.limits[:, None]).T)
         fast, link = size[joint, at], self.links[joint]
-        axis = relative[:, joint, at] / np.maximum(fast, TINY)
+        axis = relative[:, joint, at] / np.maximum(fast, SMALLEST)
         parent = samples.figure.tables.parents[link]
         changes = Wrenches(at, link, torque_d=axis), Wrenches(at, parent, torque_d=-axis)
         yield Block(at, fast - self.limits[joint], changes)

@@ -29,16 +29,15 @@ from ...figure.size import Size
 from ...figure.wrenches import of_point
 from ...surface.cover import filling_spheres
 from ...surface.touch import movers
+from ...tolerances import TINY
 from ..allowance import Allowance
 from ..block import Block
-from ..penalty import Normalization, Penalty, Role
+from ..penalty import NEAR_LENGTH, Normalization, Penalty, Role
 
 # [m] of figures up to the size of an adult; in proportion for larger ones, as for models in centimetres
-NEAR = 0.03  # distance of capsules that one step of the search may cover
 GAP = 0.008  # maximum gap between spheres and the geom that they fill
 HAIR = 0.015  # protrusion from a thicker shape up to which a shape is omitted
 PARALLEL = 1e-16  # [1] squared sine of the angle below which two segments are parallel
-CROSSING = 1e-12  # [m] distance below which axes intersect, so that their direction of separation is arbitrary
 UNWATCHED = 0.005  # [m] depth up to which links of an adult need not be watched
 FARTHEST = 0.01  # [m] limit of MuJoCo's distance computation, of which only the sign is used
 
@@ -110,7 +109,7 @@ class SelfContact(Penalty):
     def residuals(self, samples: Samples) -> Iterator[Block]:
         if self.pairs.size and (self.watched is None or self.watched.size):
             links = self._arrays[0]
-            near = NEAR * Size.of(samples.figure).enlargement
+            near = NEAR_LENGTH * Size.of(samples.figure).enlargement
             at, i, j, depth, first, last, direction = self._met(samples, near, self.watched)
             wrenches = of_point(at, links[i], first, -direction), of_point(at, links[j], last, direction)
             yield Block(at, depth, wrenches, one_sided=True)
@@ -136,7 +135,7 @@ class SelfContact(Penalty):
         depth = radii[i] + radii[j] + self.margin - gap
         if self.allowed is not None:
             depth -= self.allowed.of(self._link_pairs[1][i, j], samples.t[at])
-        direction = np.where(gap > CROSSING, apart / np.maximum(gap, CROSSING), np.array([[0.0], [0], [1]]))
+        direction = np.where(gap > TINY, apart / np.maximum(gap, TINY), np.array([[0.0], [0], [1]]))
         k = np.flatnonzero(depth > -near)
         return at[k], i[k], j[k], depth[k], (a + s * u)[:, k], (b + t * v)[:, k], direction[:, k]
 

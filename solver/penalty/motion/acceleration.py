@@ -21,6 +21,7 @@ from ...figure.adjoint import Cotangent
 from ...figure.algebra import dot
 from ...figure.kinematics import Samples
 from ...figure.wrenches import Wrenches
+from ...tolerances import TINY
 from ..block import Block, Dense, every
 from ..curvature import Curvature
 from ..penalty import Normalization, Penalty
@@ -28,7 +29,6 @@ from ..penalty import Normalization, Penalty
 POWER = 4  # [1] power of squared accelerations, hence the eighth power of accelerations
 NEGLIGIBLE = 1e-3  # [1] gradient relative to the largest below which a residual is omitted from the model
 STEEPER = np.sqrt((2 * POWER - 1) / POWER)  # [1] factor that makes the model's second derivative that of |α|⁸
-STILL = 1e-12  # [rad/s²] smallest divisor, against division by zero
 
 
 @dataclass(frozen=True)
@@ -154,7 +154,7 @@ def relative_accelerations(samples: Samples) -> tuple[Array, Array]:
     relative = np.zeros_like(links.alpha)
     relative[:, joints] = links.alpha[:, joints] - links.alpha[:, samples.figure.tables.parents[joints]]
     sizes = np.sqrt(np.einsum("ils,ils->ls", relative, relative))
-    return relative / np.maximum(sizes, STILL), sizes
+    return relative / np.maximum(sizes, TINY), sizes
 
 
 @dataclass(frozen=True)
