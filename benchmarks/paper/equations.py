@@ -1,4 +1,7 @@
-"""The paper's equations that the solver does not use: its covariant acceleration (eq. 9) and its residual (eq. 10)."""
+"""The paper's equations that the solver does not use: its covariant acceleration (eq. 9) and its residual (eq. 10).
+
+The paper argues against two criteria of subdivision (§2), "objective" and "resolution". They are here for comparison.
+"""
 
 from __future__ import annotations
 
@@ -9,12 +12,17 @@ from functools import partial
 import numpy as np
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.curve.spline import Path
+from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.curve.quadrature import gauss_nodes
+from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import CovariantAcceleration
 from dynsplines.solver.penalty.block import Block, Dense, every
 from dynsplines.solver.penalty.curvature import Curvature
+from dynsplines.solver.refine.subdivision import CRITERIA, midpoints, split
+from dynsplines.solver.search.descent import optimised
 
 
 @dataclass(frozen=True)
@@ -78,3 +86,21 @@ def tangential(residual: Array, q: Array) -> Array:
     """The part of a residual (S, 4) orthogonal to q (S, 4), which alone changes the rotation."""
     along = np.sum(residual * q, axis=1, keepdims=True) / np.sum(q * q, axis=1, keepdims=True)
     return residual - along * q
+
+
+def by_objective(objective: Objective, timeline: Timeline) -> Array:
+    """Return ∫ f dt over every segment."""
+    t, w = gauss_nodes(np.asarray(timeline.times), 6)
+    density = objective.density(objective.samples(path_of(timeline), t))
+    return (w * density).reshape(-1, 6).sum(axis=1)
+
+
+def by_resolution(objective: Objective, timeline: Timeline) -> Array:
+    """Return ∫ |y − y_fine| dt per segment, with y_fine the optimum at twice the resolution (Welch & Witkin 1992)."""
+    fine = optimised(objective, split(timeline, midpoints(timeline)))
+    t, w = gauss_nodes(np.asarray(timeline.times), 6)
+    apart = np.linalg.norm(path_of(timeline).at(t) - path_of(fine).at(t), axis=1)
+    return (w * apart).reshape(-1, 6).sum(axis=1)
+
+
+CRITERIA.update({"objective": by_objective, "resolution": by_resolution})  # for `Settings.criterion`

@@ -149,7 +149,7 @@ class _Drawn:
             "variable": lambda: self.draw.randint(0, 3),
             "frames": lambda: self.draw.randint(0, 6),
             "evaluations": lambda: self.draw.randint(1, 3),
-            "criterion": lambda: self.draw.choice(["weak", "residual", "objective", "resolution"]),
+            "criterion": lambda: self.draw.choice(["weak", "residual"]),
             "threshold": lambda: self.draw.choice([0, 0.001, 1]),
             "optimiser": lambda: self.draw.choice([*METHODS]),
             "tolerance": lambda: self.draw.choice([1e-9, 1e-3]),

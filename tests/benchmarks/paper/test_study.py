@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import shipped
 from gradients import penalty_slope
 from paper import study
 from paper.barr import Discrete
-from paper.equations import PaperAcceleration, covariant_residual
+from paper.equations import PaperAcceleration, by_objective, covariant_residual
 from paper.orientations import INTRINSIC, KEYFRAMES, PAPER, Case, Run, energy, spinner
 from random_models import random_samples
 
 from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import UnitMagnitude
@@ -65,6 +68,12 @@ def test_the_closed_form_is_half_the_residual_of_the_sample_gradients(
     generic = residual(Objective.of(spinner(), [(PaperAcceleration(), 1.0), (UnitMagnitude(), 3.0)]), path)
     closed = covariant_residual(path, generic.t.ravel(), 3.0).reshape(generic.value.shape)
     np.testing.assert_allclose(closed, generic.value / 2, atol=close * abs(generic.value).max())
+
+
+def test_the_segments_shares_add_up_to_e() -> None:
+    motion = Case(1).solved(PAPER, 1)
+    objective = replace(motion.objective, quadrature=Quadrature(points=6))
+    assert by_objective(objective, motion.timeline).sum() == pytest.approx(objective.value(motion.path), rel=1e-9)
 
 
 @pytest.mark.slow

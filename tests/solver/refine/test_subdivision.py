@@ -7,35 +7,18 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from figures import PENALTIES, TINY, figure_of, hinge_keys, hinged
+from figures import TINY, figure_of, hinge_keys, hinged
 from oracles import aligned
 from problems import hop, turning
 from random_models import distance_from_key, evenly
 
 from dynsplines.solver.curve.frame import Frame, Timeline
-from dynsplines.solver.curve.quadrature import Quadrature, gauss_nodes
+from dynsplines.solver.curve.quadrature import gauss_nodes
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
-from dynsplines.solver.objective import Objective
 from dynsplines.solver.refine.euler_lagrange import NODES, residual
-from dynsplines.solver.refine.subdivision import by_objective, split
+from dynsplines.solver.refine.subdivision import split
 from dynsplines.solver.refine.warm_start import warm_start
-
-
-@pytest.fixture(params=[1, 2])
-def problem(request, rng) -> tuple[Objective, Timeline]:
-    """Variable frames that are off where they should be."""
-    figure = hinged()
-    timeline = evenly(raw_timeline(figure, hinge_keys()), request.param)
-    off = 0.2 * rng.normal(size=timeline.states.shape) * ~timeline.fixed
-    frames = Frame.many(timeline.times, timeline.states + off, timeline.fixed)
-    timeline = Timeline(tuple(frames), timeline.end_slope, timeline.ends)
-    return Objective.of(figure, PENALTIES, quadrature=Quadrature(points=6)), timeline
-
-
-def test_the_segments_shares_add_up_to_e(problem):
-    objective, timeline = problem
-    assert by_objective(objective, timeline).sum() == pytest.approx(objective.value(path_of(timeline)), rel=1e-9)
 
 
 def test_the_residual_is_the_derivative_of_the_objective_along_variations_inside_a_span(rng):
