@@ -8,6 +8,7 @@ allowance  tolerance of violations in keyframes
 motion, ground, joints  the soft constraints
 """
 
+from .allowance import Allowance as Allowance
 from .block import Block as Block
 from .block import Dense as Dense
 from .block import Entries as Entries

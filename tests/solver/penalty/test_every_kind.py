@@ -22,6 +22,7 @@ from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
+    Allowance,
     Attachment,
     Bend,
     BendLimits,
@@ -48,7 +49,6 @@ from dynsplines.solver.penalty import (
     UnitMagnitude,
     Upright,
 )
-from dynsplines.solver.penalty.allowance import Allowance
 from dynsplines.solver.penalty.block import Block, one_sided_residuals
 from dynsplines.solver.penalty.joints.self_contact import Bar
 from dynsplines.solver.surface import Box, Plane, Surface
