@@ -291,24 +291,26 @@ class ContactTarget:
     """A point that must stay in its place.
 
     kind     "contact" or "stance"
+    group    number of its foot and interval
     rolling  how it rolls, if it does
     """
 
     kind: str
-    stance: Contact
+    contact: Contact
+    group: int
     rolling: Rolling | None = None
 
 
-def displaced(targets: Sequence[ContactTarget], groups: Index, fixed: Fixed) -> Check:
+def displaced(targets: Sequence[ContactTarget], fixed: Fixed) -> Check:
     """Return the check of points of one kind that leave their places."""
-    attachment = Attachment(tuple(target.stance for target in targets))
+    attachment, points = Attachment(tuple(target.contact for target in targets)), [t.contact.point for t in targets]
 
     def hits(samples: Samples) -> Hits:
         row, at, away = attachment.displacements(samples)
         for i, target in enumerate(targets):
             if target.rolling is not None:
                 of_target = row == i
-                turned = samples.links.Q[:, target.stance.point.link, at[of_target]]
+                turned = samples.links.Q[:, target.contact.point.link, at[of_target]]
                 away[:, of_target] -= target.rolling.displacement(turned)
         return Hits(row, at, np.linalg.norm(away, axis=0))
 
@@ -317,8 +319,9 @@ def displaced(targets: Sequence[ContactTarget], groups: Index, fixed: Fixed) -> 
         "contact": "contact {} is {{}} from the place where it should rest",
         "stance": "{} moves {{}} between keyframes with the same position",
     }[kind]
-    rows = [row_of(kind, stay.stance.point.name, text.format(stay.stance.point.name)) for stay in targets]
-    return Check.each(kind, rows, hits, fixed.places[[stay.stance.point.link for stay in targets]], groups)
+    rows = [row_of(kind, point.name, text.format(point.name)) for point in points]
+    groups = np.array([target.group for target in targets])
+    return Check.each(kind, rows, hits, fixed.places[[point.link for point in points]], groups)
 
 
 def slips(grasps: Sequence[Contact], starts: Sequence[Array], fixed: Fixed) -> Check:

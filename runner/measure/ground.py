@@ -93,7 +93,7 @@ def _sliding(motion: Measurement, samples: Samples) -> Iterator[Excess]:
     speeds = np.linalg.norm(_velocities(samples, links, positions)[:2], axis=0)
     centres, radii = places_of(points, samples)
     height, _ = heights(context.surfaces, centres, radii)
-    stances = [(rounded(figure, target.stance.point), target.stance) for target, _ in motion.contact_targets]
+    stances = [(rounded(figure, target.contact.point), target.contact) for target in motion.contact_targets]
     rests = np.array(
         [
             within(tuple((one.first, one.last) for at, one in stances if at.coincides(point)), samples.t)

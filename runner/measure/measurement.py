@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.contacts import ROUNDING, Contact, stances
+from dynsplines.solver.contacts import Contact, stances
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
@@ -30,6 +30,7 @@ from dynsplines.solver.penalty import (
 )
 from dynsplines.solver.penalty.motion.acceleration import relative_accelerations
 from dynsplines.solver.surface.points import Point, places_of
+from dynsplines.solver.tolerances import ROUNDING
 
 from ..clip.build import Clip
 from ..clip.kinds import BODY, body_contacts
@@ -47,7 +48,7 @@ class Measurement:
     clip    the clip; if it follows a recording, its frames are only the specified keyframes, the first and the last
     time    (T,) [s] of the grid;  key_at  (K,) indices of the keyframes in it
     checks  each with the amounts of its rows
-    contact_targets  points that must not move in an interval, each with the number of its group: of a foot and interval
+    contact_targets  points that must not move in an interval
     """
 
     clip: Clip
@@ -55,7 +56,7 @@ class Measurement:
     time: Array
     key_at: Index
     checks: tuple[tuple[Check, Hits], ...]
-    contact_targets: tuple[tuple[ContactTarget, int], ...]
+    contact_targets: tuple[ContactTarget, ...]
 
     @classmethod
     def of(cls, clip: Clip, timeline: Timeline, raw: Timeline) -> Measurement:
@@ -63,7 +64,7 @@ class Measurement:
         clip, path = _as_keyed(clip), path_of(timeline)
         key_times = np.clip([key.time for key in clip.keys], *path.span)
         stays = tuple(_contact_targets(clip, timeline))
-        instants = [t for stay, _ in stays for t in (stay.stance.first, stay.stance.last)]
+        instants = [t for stay in stays for t in (stay.contact.first, stay.contact.last)]
         instants += [t for grasp in clip.context.schedule.grasps for t in (grasp.first, grasp.last)]
         instants += [target.first for target in clip.context.schedule.targets]
         time = np.unique(np.concatenate([even_times(path.span, RATE), key_times, instants]))
@@ -138,15 +139,15 @@ def _peak(figure: Figure, raw: Timeline, time: Array) -> float:
 
 
 def _checks(
-    clip: Clip, timeline: Timeline, contact_targets: Sequence[tuple[ContactTarget, int]], raw_peak: float
+    clip: Clip, timeline: Timeline, contact_targets: Sequence[ContactTarget], raw_peak: float
 ) -> Iterator[Check]:
     figure, context = clip.figure, clip.context
     fixed = Fixed(figure, np.array([key.fixed for key in clip.keys]))
     feet, parts = feet_of(figure, context.points), list(_parts(clip))
     for kind in ("contact", "stance"):
-        rows = [(stay, group) for stay, group in contact_targets if stay.kind == kind]
-        if rows:
-            yield checks.displaced([stay for stay, _ in rows], np.array([group for _, group in rows]), fixed)
+        targets = [target for target in contact_targets if target.kind == kind]
+        if targets:
+            yield checks.displaced(targets, fixed)
     if context.schedule.grasps:
         path = path_of(timeline)
         starts = [
@@ -228,8 +229,8 @@ def _groups(rests: Sequence[Contact], feet: Index) -> Index:
     return groups
 
 
-def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[tuple[ContactTarget, int]]:
-    """Yield the clip's contacts, and the stances inferred from keyframes, each with the number of its group.
+def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[ContactTarget]:
+    """Yield the clip's contacts, and the stances inferred from keyframes, with the numbers of their groups.
 
     Frames of a recording are samples, not poses: a foot that lands between two of them is near its place in both.
     """
@@ -240,7 +241,7 @@ def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[tuple[ContactTa
         spots = np.diagonal(places_of([rest.point for rest in rests], middle)[0], axis1=1, axis2=2)
         for k, (rest, group) in enumerate(zip(rests, _groups(rests, feet).tolist(), strict=True)):
             rolling = Rolling.of(rest, middle.links.Q[:, rest.point.link, k])
-            yield ContactTarget("contact", _target(rest, spots[:, k]), rolling), group
+            yield ContactTarget("contact", _target(rest, spots[:, k]), group, rolling)
     is_recording = not clip.text and timeline.variable_count == 0
     shortest = Thresholds.of(figure).far_apart if is_recording else 0.0
     free = [
@@ -249,7 +250,7 @@ def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[tuple[ContactTa
         if stance.last - stance.first > shortest and not any(rest.overlaps(stance) for rest in rests)
     ]
     for stance, group in zip(free, _groups(free, feet).tolist(), strict=True):
-        yield ContactTarget("stance", stance), group
+        yield ContactTarget("stance", stance, group)
 
 
 def inferred(clip: Clip, timeline: Timeline) -> tuple[Contact, ...]:

@@ -133,7 +133,7 @@ def _grasps(clip: Clip, measurement: Measurement) -> list[Entry]:
 
 def _rests(measurement: Measurement, kind: str) -> list[Entry]:
     """Return the points of contacts, or of stances inferred from keyframes, with the distances from their places."""
-    rests = [target.stance for target, _ in measurement.contact_targets if target.kind == kind]
+    rests = [target.contact for target in measurement.contact_targets if target.kind == kind]
     return [
         {"point": rest.point.name, "from, s": rest.first, "to, s": rest.last, "moved, m": moved}
         for rest, (_, moved, _) in zip(rests, measurement.largest(kind), strict=True)

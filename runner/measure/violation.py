@@ -194,14 +194,14 @@ def _named(check: Check, hits: Hits, group: Index, worst: int) -> int:
 def _drifts(motion: Measurement) -> Iterator[Violation]:
     """Yield the keyframes in which a resting point is not at its position in the previous keyframe."""
     worst: dict[tuple[str, int, int], tuple[float, Row, float]] = {}
-    for stay, group in motion.contact_targets:
-        for stance in stay.stance.pieces():
-            assert stance.places is not None
-            drift = float(np.linalg.norm(stance.places[-1] - stance.places[0]))
-            place = stay.kind, group, int(np.argmin(np.abs(motion.time[motion.key_at] - stance.last)))
-            if drift > max(BOUNDS[stay.kind].most, worst[place][0] if place in worst else 0.0):
-                text = f"{stance.point.name} should rest, but is {{}} from its position in the previous keyframe"
-                worst[place] = drift, row_of(stay.kind, stance.point.name, text), stance.last
+    for target in motion.contact_targets:
+        for contact in target.contact.pieces():
+            assert contact.places is not None
+            drift = float(np.linalg.norm(contact.places[-1] - contact.places[0]))
+            place = target.kind, target.group, int(np.argmin(np.abs(motion.time[motion.key_at] - contact.last)))
+            if drift > max(BOUNDS[target.kind].most, worst[place][0] if place in worst else 0.0):
+                text = f"{contact.point.name} should rest, but is {{}} from its position in the previous keyframe"
+                worst[place] = drift, row_of(target.kind, contact.point.name, text), contact.last
     for (_, _, k), (drift, row, time) in worst.items():
         yield _as_violation(row, drift, time, int(motion.numbers[k]))
 
