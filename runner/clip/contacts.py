@@ -14,7 +14,7 @@ from operator import itemgetter
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
-from dynsplines.solver.contacts import ROUNDING, Contact, ContactSchedule
+from dynsplines.solver.contacts import Contact, ContactSchedule
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
@@ -25,6 +25,7 @@ from dynsplines.solver.penalty.allowance import Allowance
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import Point, placed
+from dynsplines.solver.tolerances import ROUNDING
 
 from ..errors import UserError, unknown
 from .posing.places import Places, sole_points

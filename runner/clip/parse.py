@@ -14,11 +14,11 @@ from typing import TypeVar
 from pydantic import ValidationError
 
 from dynsplines import models
-from dynsplines.solver.contacts import ROUNDING
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.problem import FEW, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.solver.search.descent import check_method
+from dynsplines.solver.tolerances import ROUNDING
 
 from ..errors import UserError, import_first, unknown
 from ..scene import file_access

@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from dynsplines.solver.array import Array, Mask
-from dynsplines.solver.contacts import ROUNDING, Contact
+from dynsplines.solver.contacts import Contact
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, JointKind, Link, quaternion_columns
 from dynsplines.solver.figure.root import Root, sliding_joints
@@ -16,6 +16,7 @@ from dynsplines.solver.penalty.joints.equality import Coupling, in_order
 from dynsplines.solver.posing import Goal, rest_rotation
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import Point
+from dynsplines.solver.tolerances import ROUNDING
 
 from ..errors import UserError, unknown
 from .kinds import posing_limits

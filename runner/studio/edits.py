@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from dynsplines.solver.contacts import ROUNDING
+from dynsplines.solver.tolerances import ROUNDING
 
 from ..clip.kinds import KINDS, Options
 from ..clip.parse import is_too_near

@@ -15,7 +15,6 @@ steps             legs that swing while another one stands
 thresholds        all distances, times and speeds that decide, relative to the size of the figure
 """
 
-from .contact import ROUNDING as ROUNDING
 from .contact import Contact as Contact
 from .contact import Interval as Interval
 from .contact import stances as stances

@@ -14,10 +14,10 @@ import numpy as np
 from ..array import Array, Mask
 from ..surface import Plane
 from ..surface.points import Point
+from ..tolerances import ROUNDING
 from .keyframe_points import KeyframePoints
 
 HELD = 10.0  # [1] weight of stances of posed keyframes, which meet positions only approximately
-ROUNDING = 1e-9  # [s] rounding tolerance of times
 Interval = tuple[float, float]
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from pydantic import TypeAdapter, ValidationError
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import ROUNDING, Contact
+from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.quadrature import Quadrature
@@ -38,6 +38,7 @@ from dynsplines.solver.penalty import (
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane, Surface, static_surfaces
 from dynsplines.solver.surface.points import Point, body_points, bottoms_of
+from dynsplines.solver.tolerances import ROUNDING
 
 from ...errors import UserError
 from ..context import knees_and_elbows

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from dynsplines.solver.array import Array, Mask
-from dynsplines.solver.contacts import ROUNDING, Contact
+from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.recorded_stances import infer_stances
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
@@ -25,6 +25,7 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import TrackingPenalty
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.surface.points import Point, placed, places_of
+from dynsplines.solver.tolerances import ROUNDING
 
 from ...errors import UserError
 from ...motion import Saved, continuous, sample_count
