@@ -2,15 +2,19 @@
 
 Everything is read as text through `importlib.resources`, so a checkout, an editable install and a wheel behave alike.
 A figure is an MJCF file of this folder and a clip a TOML file in `clips`; `stage.xml` is what surrounds a figure. A
-TOML file in `maps` is a bone map of a figure, for retargeting recordings to it.
+TOML file in `maps` is a bone map of a figure, for retargeting recordings to it. `prior.npz` contains the networks that
+predict how people move, see `prior.md`.
 """
 
 import difflib
 import re
 from collections.abc import Iterable
-from importlib.resources import files
+from functools import cache
+from importlib.resources import as_file, files
 from importlib.resources.abc import Traversable
 from pathlib import Path
+
+import numpy as np
 
 STAGE = "stage"
 
@@ -81,6 +85,21 @@ def map_file(name: str) -> Path:
 def stage_text() -> str:
     """The MJCF text of the stage: sky, floor, lights and the quality of the picture."""
     return (files(__name__) / f"{STAGE}.xml").read_text(encoding="utf-8")
+
+
+@cache
+def prior() -> tuple[dict[str, np.ndarray], ...]:
+    """Return the arrays of every network of `prior.npz` by name.
+
+    Rows of matrices are integers of 8 bits in the file, each with a scale.
+    """
+    networks: dict[str, dict[str, np.ndarray]] = {}
+    with as_file(files(__name__) / "prior.npz") as path, np.load(path) as arrays:
+        for key in [key for key in arrays.files if not key.endswith(".scale")]:
+            network, _, name = key.partition(".")
+            scale = arrays[f"{key}.scale"][:, None] if f"{key}.scale" in arrays.files else 1.0
+            networks.setdefault(network, {})[name] = arrays[key] * scale
+    return tuple(networks.values())
 
 
 def _entries(folder: Traversable, suffix: str) -> dict[str, Traversable]:

@@ -46,6 +46,8 @@ from .motion.acceleration import UnitMagnitude as UnitMagnitude
 from .motion.cycle import Cycle as Cycle
 from .motion.posture import Between as Between
 from .motion.posture import Posture as Posture
+from .motion.prior import Person as Person
+from .motion.prior import Prior as Prior
 from .motion.torque import Torque as Torque
 from .motion.tracking import TrackingPenalty as TrackingPenalty
 from .penalty import Guide as Guide

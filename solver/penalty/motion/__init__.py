@@ -5,4 +5,6 @@ posture       angular velocity, in addition to acceleration
 torque        joint torques, by inverse dynamics
 cycle         the gait cycle inferred from keyframes
 tracking      the recorded motion
+people        how people move between two keyframes, predicted by small networks
+prior         the motion that people prefer
 """

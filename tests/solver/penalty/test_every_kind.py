@@ -37,6 +37,7 @@ from dynsplines.solver.penalty import (
     PeakAcceleration,
     Penalty,
     Posture,
+    Prior,
     Range,
     RootAcceleration,
     SelfContact,
@@ -245,6 +246,19 @@ def tracking(figure: Figure, rng: np.random.Generator) -> Case:
     return penalty, at_times(random_samples(figure, rng), rng.uniform(0.1, 1.9, 5))
 
 
+def prior(figure: Figure, rng: np.random.Generator) -> Case:
+    """Random states at four instants of two segments, the second of which has weights of zero."""
+    tables, links = figure.tables, np.arange(1, len(figure.links))
+    positions, columns = tables.position_columns[:, :1].ravel(), np.full((links.size, 4), -1)
+    for link, quaternion in zip(tables.quaternion_links, tables.quaternion_columns.T, strict=True):
+        if tables.in_world[link]:
+            columns[link - 1] = quaternion
+    predicted = rng.normal(size=(2, 4, positions.size + columns.size))
+    weights = np.repeat(rng.uniform(1, 2, (2, links.size)) * [[1.0], [0.0]], 4, axis=1)
+    weights = np.concatenate([np.ones((2, positions.size)), weights], axis=1)
+    return Prior(np.array([0.0, 1.2, 2.0]), positions, links, columns, predicted, weights), timed(figure, rng)
+
+
 KINDS: dict[str, Kind] = {
     "covariant": plain(CovariantAcceleration()),
     "unit": plain(UnitMagnitude()),
@@ -281,11 +295,12 @@ KINDS: dict[str, Kind] = {
     "upright": upright,
     "upright at a time": leaning,
     "tracking": tracking,
+    "prior": prior,
     "sum": added(contact(FLOOR), plain(Torque()), bends(allowed=False), contact(SLOPE)),
 }
 ONE_SIDED = ("contact", "self-contact", "bend", "range", "overshoot")  # kinds without other residuals
 APPROXIMATE = {"peak", "skate", "skate on a slope", "support"}  # kinds with a model other than their Jacobian's square
-OF_LENGTHS = {"unit", "tracking"}  # kinds that depend on the lengths of quaternions
+OF_LENGTHS = {"unit", "tracking", "prior"}  # kinds that depend on the lengths of quaternions
 
 
 @pytest.fixture(params=KINDS)
@@ -352,7 +367,7 @@ def test_a_clip_that_is_played_slower_costs_less_by_a_power(
     np.testing.assert_allclose(penalty.evaluate(slower) * 3.0**power, penalty.evaluate(samples), rtol=1e-9)
 
 
-PLACED = {"planted", "instants", "range", "overshoot", "tracking", "contact with a slope", "skate on a slope"}
+PLACED = {"planted", "instants", "range", "overshoot", "tracking", "prior", "contact with a slope", "skate on a slope"}
 PLACED |= {
     "contact with a block",
     "contact with a step",
@@ -429,7 +444,14 @@ def imaged(figure: Figure, factor: float) -> tuple[Figure, Array]:
     return Figure(model, figure.coordinates), along
 
 
-WITHOUT_IMAGE = {"range", "overshoot", "tracking", "coupling", "bend with an allowance"}  # kinds of single columns
+WITHOUT_IMAGE = {
+    "range",
+    "overshoot",
+    "tracking",
+    "prior",
+    "coupling",
+    "bend with an allowance",
+}  # kinds of single columns
 OF_FORCES = {"torque", "torque with armature", "speed", "sum"}  # kinds with units of their own
 SIMILAR = [
     (name, factor)
