@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from . import batch as batches
     from . import inputs, motion, solving
     from .clean import command as clean_command
-    from .clip import kinds, starter
+    from .clip import kinds, person, starter
     from .edit import files, thinning
     from .exchange import formats, motion_import, quantities
     from .exchange.skeleton import maps
@@ -56,7 +56,7 @@ else:
         return [_Lazy(f"{package}.{name}") for name in names.split()]
 
     inputs, motion, solving, terminal = _lazy("", "inputs motion solving system.progress")
-    batches, kinds, starter = _lazy("", "batch clip.kinds clip.starter")
+    batches, kinds, person, starter = _lazy("", "batch clip.kinds clip.person clip.starter")
     files, thinning = _lazy(".edit", "files thinning")
     (clean_command,) = _lazy(".clean", "command")
     formats, motion_import, quantities, maps = _lazy(".exchange", "formats motion_import quantities skeleton.maps")
@@ -232,9 +232,10 @@ def list_models() -> None:
 
 
 @app.command("penalties", rich_help_panel="Create")
-def list_penalties(as_json: option.AsJson = False) -> None:
+def list_penalties(figure: option.PenaltyFigure = None, as_json: option.AsJson = False) -> None:
     """List the soft constraints, their weights and options.
     A clip configures them in [[penalty]] tables. The list shows default weights, and the units of options."""
+    notes = {} if figure is None else {"prior": person.note_on(figure)}
     if as_json:
         print(json.dumps([kind.described() for kind in kinds.KINDS.values()], indent=2))
         return
@@ -243,6 +244,7 @@ def list_penalties(as_json: option.AsJson = False) -> None:
             print(kind.name)
         for part in kind.parts:
             on = f"; on with {part.option}" if not part.is_default else "" if kind.is_default else "; on where listed"
+            on = notes.get(kind.name, on)
             print(f"{f'  {part.name}' if part.name else kind.name:13} {part.weight:4g}  {part.quantity}{on}")
         for name, values in kind.choices().items():
             print(f"{'':20}{name} ({values})")

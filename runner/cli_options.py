@@ -254,6 +254,10 @@ RenderWorkers = Annotated[
     int | None,
     number("N", "Number of rendering processes", 1, 60, "1; one per core if there is no OpenGL driver", kind=int),
 ]
+PenaltyFigure = Annotated[
+    str | None,
+    value("MODEL", "Figure to which they apply: name of a shipped figure, or MJCF file", "any", "--figure"),
+]
 StudioSource = Annotated[
     str,
     typer.Argument(

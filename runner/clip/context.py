@@ -18,12 +18,13 @@ from dynsplines.solver.figure.dynamics import height
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.root import has_fixed_base
-from dynsplines.solver.penalty import Bend, Lean, Range, Support, holds, leans
-from dynsplines.solver.surface import Surface
+from dynsplines.solver.penalty import Bend, Lean, Person, Range, Support, holds, leans
+from dynsplines.solver.surface import Plane, Surface
 from dynsplines.solver.surface.points import Point, displacements
 
 from ..errors import UserError, unknown
 from .contacts import schedule_of
+from .person import person_of
 from .posing.places import Places
 from .table import ContactTable, GraspTable
 
@@ -94,6 +95,20 @@ class Context:
         if schedule.root is None:
             return None
         return Support.of(self.figure, schedule.root, schedule.footings, schedule.flights)
+
+    @cached_property
+    def person(self) -> Person | None:
+        """The figure as a person; None if it is none."""
+        try:
+            return person_of(self.figure, self.points)
+        except ValueError:
+            return None
+
+    @property
+    def ground(self) -> float | None:
+        """The height of level ground [m]; None if there are other surfaces, or none."""
+        planes = [surface for surface in self.surfaces if isinstance(surface, Plane) and surface.normal[2] == 1]
+        return float(planes[0].point[2]) if len(planes) == len(self.surfaces) == 1 else None
 
     @property
     def is_stationary_at_ends(self) -> tuple[bool, bool]:

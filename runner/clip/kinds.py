@@ -12,6 +12,7 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import Discriminator, Field, Tag
 
+from dynsplines import models
 from dynsplines.solver.contacts import Interval, surfaces_on
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure
@@ -31,6 +32,7 @@ from dynsplines.solver.penalty import (
     PeakAcceleration,
     Penalty,
     Posture,
+    Prior,
     RootAcceleration,
     SelfContact,
     Skate,
@@ -336,6 +338,14 @@ def _posture(context: Context, options: Options) -> Penalty:
     return Posture(between=Between.of(context.figure, context.keys, context.schedule.steps))
 
 
+def _prior(context: Context, options: Options) -> Penalty | None:
+    person = context.person
+    if person is None:
+        return None
+    prior = Prior.of(person, context.keys, models.prior(), context.ground)
+    return prior if prior.weights.any() else None
+
+
 def _overshoot(context: Context, options: Options) -> Penalty | None:
     return overshoot(context.holds)
 
@@ -406,6 +416,9 @@ KINDS = {
             Part(0.003, "height of the lowest point of a figure that is on the ground in any keyframe", _grounded),
         ), ("reach",)),
         Kind("posture", (Part(0.7, "velocity of joints and roots", _posture),)),
+        Kind("prior", (
+            Part(1.0, "distance from the poses of people between such keyframes", _prior),
+        ), is_default=False),
         Kind("limits", (
             Part(1.0, "knees and elbows bent backward, sideways or twisted", _bend, "bend", tracking=1e7),
             Part(1.0, "angle or displacement beyond the model's joint ranges", _range, "range", tracking=1e7),
