@@ -187,7 +187,11 @@ const weights = (): void => {
   });
   const tolerance = field("tolerance of the search", Number(document.solve.tolerance ?? 0.001), "", (value) => void change(["solve"], { tolerance: value }), 0.001);
   tolerance.value = String(document.solve.tolerance ?? 0.001);
-  box.replaceChildren(el("label", { class: "line" }, "tolerance of the search ", tolerance), ...rows);
+  const people = el("input", { type: "checkbox", checked: (document.weights.prior ?? loaded?.weights.prior ?? 0) > 0 });
+  people.addEventListener("change", () => void edit("set_weight", { kind: "prior", weight: people.checked ? kinds.find(({ term }) => term === "prior")?.weight : 0 }));
+  box.replaceChildren(
+    el("label", { class: "line", title: "stay near the poses of people between such keyframes" }, people, " as people move"),
+    el("label", { class: "line" }, "tolerance of the search ", tolerance), ...rows);
   box.scrollTop = scroll;
 };
 
