@@ -26,17 +26,16 @@ def paper(seeds: Seeds = None, figures: Folder = None, as_json: AsJson = False) 
     from rich.console import Console
 
     from dynsplines import solving
-    from dynsplines.clip import load as clip
     from dynsplines.measure.report import report
     from dynsplines.picture.graphics import do_without
     from dynsplines.system.progress import Progress
 
-    from . import claim, study
+    from . import claim, clips, study
 
     do_without()
     with Progress() as progress:
         claims = study.run(seeds or study.SETS, progress)
-        solved = solving.solve(clip.load("run_and_step"), progress)
+        solved = solving.solve(clips.loaded("run_and_step"), progress)
         claims += study.clip_claims(report(solved.clip, solved.motion))
     if as_json:
         print(json.dumps(claim.as_json(claims), indent=2))

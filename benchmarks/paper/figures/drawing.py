@@ -16,7 +16,6 @@ from typing import Any
 from PIL import Image
 
 from dynsplines import solving
-from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.motion import Saved
 from dynsplines.picture.graphics import Graphics
@@ -25,6 +24,7 @@ from dynsplines.system import signals
 from dynsplines.system.output import Replacement
 from dynsplines.system.progress import Progress
 
+from ..clips import loaded
 from . import charts, scenes
 from .captioned import Picture, captioned
 from .scenes import Dip
@@ -100,7 +100,7 @@ class Results:
         return Dip.of(self.runner, self.runner.raw)
 
     def _solved(self, name: str) -> Saved:
-        solution = solving.solve(clip.load(name), self.progress)
+        solution = solving.solve(loaded(name), self.progress)
         if signals.was_received():  # a search that is cut short is no result
             raise KeyboardInterrupt
         return solution.motion

@@ -1,0 +1,12 @@
+"""The shipped clips with the paper's method, without the soft constraint that was learned from recordings."""
+
+from __future__ import annotations
+
+from dynsplines.clip import load as clip
+from dynsplines.clip.build import Clip
+
+
+def loaded(name: str) -> Clip:
+    """Return a shipped clip, with a weight of 0 for `prior`."""
+    shipped = clip.load(name)
+    return shipped.with_problem(penalties=tuple(pair for pair in shipped.penalties if pair[0].name != "prior"))
