@@ -11,13 +11,13 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines import load, models
 from dynsplines.clip.build import Clip
-from dynsplines.clip.context import Context
+from dynsplines.clip.person import person_of
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Person, Prior
+from dynsplines.solver.penalty import Prior
 
 
 @pytest.fixture(scope="module")
@@ -27,12 +27,6 @@ def walk() -> Clip:
     raw = clip.context.keys
     keys = timeline(raw, raw.times[::4], raw.states[::4])
     return replace(clip, context=replace(clip.context, schedule=replace(clip.context.schedule, keys=keys)))
-
-
-def person_of(figure: Figure, clip: Clip) -> Person:
-    person = replace(clip.context, schedule=replace(clip.context.schedule, figure=figure)).person
-    assert person is not None
-    return person
 
 
 def timeline(keys: Timeline, times: Array, states: Array) -> Timeline:
@@ -94,7 +88,7 @@ def test_a_figure_that_rests_with_raised_arms_has_the_same_posture(walk: Clip) -
         spec.body(f"{side}_upper_arm").quat = Rotation.from_euler("x", angle, degrees=True).as_quat(scalar_first=True)
     raised = Figure(spec.compile())
     hanging = Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")))
-    people = person_of(raised, walk), person_of(hanging, walk)
+    people = person_of(raised, walk.context.points), person_of(hanging, walk.context.points)
     qpos = hanging.model.qpos0[None].copy()
     down = hanging.to_state(qpos)
     for side, angle in (("left", -90), ("right", 90)):
@@ -134,11 +128,10 @@ def test_a_loop_is_predicted_across_its_seam(walk: Clip) -> None:
     up_to_sign(once.predicted + shift, thrice.predicted[count : 2 * count], atol=1e-6)
 
 
-@pytest.mark.parametrize("missing", ["left_foot", "chest"])
-def test_a_figure_that_lacks_a_part_or_lies_is_no_person(walk: Clip, missing: str) -> None:
-    context: Context = walk.context
-    parts = {part: link for part, link in context.parts.items() if part != missing}
-    assert Person.of(walk.figure, parts) is None
-    spec = mujoco.MjSpec.from_string(models.figure_text("human"))
-    spec.body("pelvis").quat = Rotation.from_euler("y", 90, degrees=True).as_quat(scalar_first=True)
-    assert Person.of(Figure(spec.compile()), context.parts) is None
+def test_a_figure_that_lacks_a_part_or_lies_is_no_person() -> None:
+    unknown, lying = (mujoco.MjSpec.from_string(models.figure_text("human")) for _ in range(2))
+    unknown.body("left_foot").name = "left_thing"
+    lying.body("pelvis").quat = Rotation.from_euler("y", 90, degrees=True).as_quat(scalar_first=True)
+    for spec, reason in ((unknown, "no body has a name of these parts: left foot"), (lying, "does not stand")):
+        with pytest.raises(ValueError, match=reason):
+            person_of(Figure(spec.compile()))
