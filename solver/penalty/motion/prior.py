@@ -20,7 +20,7 @@ from ..block import Block, every
 from ..penalty import Normalization, Penalty
 from .people import PARENTS, PARTS, Segments, Weights, neighbours, predicted
 
-PHASES = 49  # number of phases per segment at which poses are predicted; in between they are interpolated
+PHASES = 33  # number of phases per segment at which poses are predicted; in between they are interpolated
 BRIEF, SHORT, LONG, ENDLESS = 0.2, 0.3, 1.5, 2.5  # [s] durations of segments between which trust rises, and falls
 STANDS = 0.8  # [1] smallest height of the hips above the ankles at rest, relative to the length of a leg
 SOLE = 0.06  # [1] height of the ankles above the ground in the recordings, relative to the length of a leg
