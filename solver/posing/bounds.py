@@ -12,11 +12,11 @@ from .. import quaternion as quat
 from ..array import Array, Index, Mask
 from ..figure.figure import Figure, JointKind
 from ..penalty.joints.bend import ALONG, FLAT, BendLimits, bent
+from ..tolerances import ROUNDING
 
 STRAIGHT = 3.0  # [1] weight of sideways and twist angles of knees and elbows, relative to rotations of a limb joint
 ONE_SIDED = 0.25  # [1] a hinge bends one way if its rest value is within this share of its range from an end
 INSIDE = 1e-5  # [rad, m] margin of joints from the ends of their ranges
-NARROW = 1e-9  # [rad, m] smallest range or rotation angle in a division
 Part = tuple[Array, Array]  # residuals (k,) and their Jacobian (k, n)
 
 
@@ -57,7 +57,7 @@ class Ranges:
         simple = [link for link in links if link.kind is not JointKind.BALL]
         limits = model.jnt_range[[link.joint for link in simple]].reshape(-1, 2)
         columns = np.array([link.qpos for link in simple], np.intp)
-        share = (model.qpos0[columns] - limits[:, 0]) / np.maximum(np.ptp(limits, axis=1), NARROW)
+        share = (model.qpos0[columns] - limits[:, 0]) / np.maximum(np.ptp(limits, axis=1), ROUNDING)
         hinges = np.array([link.kind is JointKind.HINGE for link in simple], bool)
         directions = hinges * (1.0 * (share < ONE_SIDED) - (share > 1 - ONE_SIDED))
         margin = np.minimum(INSIDE, np.ptp(limits, axis=1) / 4) - beyond * hinges
@@ -108,7 +108,7 @@ class Ranges:
             turn = quat.rotation_vector(qpos[self.balls])
             angle = np.sqrt(np.einsum("bi,bi->b", turn, turn))
             over[:balls] = angle - self.most
-            rows[np.arange(balls)[:, None], self.turns] = turn / np.maximum(angle, NARROW)[:, None]
+            rows[np.arange(balls)[:, None], self.turns] = turn / np.maximum(angle, ROUNDING)[:, None]
         at, upper = qpos[self.simple], balls + np.arange(simple)
         over[upper], over[upper + simple] = at - self.limits[:, 1], self.limits[:, 0] - at
         rows[upper, self.places], rows[upper + simple, self.places] = 1.0, -1.0

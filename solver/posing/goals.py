@@ -15,8 +15,7 @@ from ..array import Array, Mask
 from ..figure.figure import Figure
 from ..figure.model import kinematics
 from ..surface.points import Point
-
-UPRIGHT = 1e-12  # [1] smallest sine of a tilt with a defined direction
+from ..tolerances import TINY
 
 
 class Goal(Protocol):
@@ -135,7 +134,7 @@ class BodyGoal:
         up = quat.rotated(quat.product(here, quat.inverse(rest_rotation(model, self._body(model)))), [0.0, 0, 1])
         tilt = np.cross([0.0, 0, 1], up)
         length = float(np.linalg.norm(tilt))
-        if length < UPRIGHT:
+        if length < TINY:
             return np.array([0.0 if up[2] > 0 else np.pi, 0.0])
         return tilt[:2] * np.arctan2(length, up[2]) / length
 
@@ -150,7 +149,7 @@ def same_heading(figure: Figure, qpos: Array, body: int) -> BodyGoal:
     model, data = figure.model, kinematics(figure.model, qpos)
     at_rest = rest_rotation(model, body)
     turn = quat.product(data.xquat[body], quat.inverse(at_rest)) * [1.0, 0, 0, 1]
-    heading = turn / np.linalg.norm(turn) if np.linalg.norm(turn) > UPRIGHT else np.array([1.0, 0, 0, 0])
+    heading = turn / np.linalg.norm(turn) if np.linalg.norm(turn) > TINY else np.array([1.0, 0, 0, 0])
     return BodyGoal(str(model.body(body).name), quat.product(heading, at_rest), body)
 
 

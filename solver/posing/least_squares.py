@@ -13,12 +13,12 @@ from functools import cached_property
 import numpy as np
 
 from ..array import Array, Index, Mask
+from ..tolerances import TINY
 
 # [1] damping relative to the squared weights of the unknowns: of the first step, smallest and largest
 FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 0.1, 1e-12, 1e8
 # [1] divisor of damping after a step that reduces the cost; multiplier of damping after any other step
 BOLDER, MORE_CAREFUL = 5, 6
-TINY = 1e-12  # [rad, m] smallest length of a step in a division
 ACTIVE_SETS = 4  # [1] largest number of solves of a step, until the positive one-sided residuals no longer change
 SQUARED = 1e4  # [1] largest weight, relative to that of the unknowns, for which normal equations are accurate enough
 

@@ -27,10 +27,9 @@ from ...figure.wrenches import along_axes, of_point, of_velocity
 from ...surface import Surface
 from ...surface.heights import height_over
 from ...surface.points import arrays_of
+from ...tolerances import TINY
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
-
-TINY = 1e-12  # [m] least distance in a division
 
 
 @dataclass(frozen=True)

@@ -19,11 +19,11 @@ from ...figure.wrenches import of_point
 from ...surface import Box, Plane, Surface
 from ...surface.points import Point, arrays_of, placed
 from ...surface.surface import FAR
+from ...tolerances import ROUNDING
 from ..allowance import Allowance
 from ..block import Block
 from ..penalty import NEAR_LENGTH, Normalization, Penalty, Role
 
-ROUNDING = 1e-9  # [s] tolerance at the ends of intervals
 MOST_TOGETHER = 64  # most points in a bounding sphere; a limb of capsules has 10-30
 _Near = tuple[Index, Array, Array, Array]
 

@@ -21,13 +21,13 @@ from ...figure.wrenches import of_point
 from ...surface import Surface
 from ...surface.heights import clearance_gradients, clearances
 from ...surface.points import Point, arrays_of
+from ...tolerances import SMALLEST
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
 NEAR = 0.01  # [m] height that the body of an adult may gain in one step of the search
 NEGLIGIBLE = 1e-9  # of the lowest point's share
 FIRM = 10.0  # [1] factor of residuals in intervals in which only the ground carries the body
-TINY = 1e-300  # [m] a residual that is zero
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class HoverPenalty(Penalty):
         lowest = least - self.blend * np.log(total)
         faded = -np.expm1(-((lowest / self.reach) ** 2))
         value = np.where(lowest > 0, self.reach * np.sqrt(faded), lowest)
-        slope = np.where(lowest > 0, lowest * (1 - faded) / np.maximum(value, TINY), 1.0)
+        slope = np.where(lowest > 0, lowest * (1 - faded) / np.maximum(value, SMALLEST), 1.0)
         firm = np.where(within(self.landed, samples.t), FIRM, 1.0)
         value, slope = firm * value, firm * slope
         near = lowest > -NEAR * Size.of(samples.figure).length

@@ -21,13 +21,13 @@ from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, applied, conjugated, cross, dot, hamilton, vector_product
 from ...figure.figure import Figure, independent_joints
 from ...figure.kinematics import Samples
+from ...tolerances import ROUNDING
 from ..block import Block, Dense, every
 from ..curvature import Curvature
 from ..penalty import Guide, Normalization, Role
 
 FRAMES = 8  # variable frames per period that a path needs to follow a cycle
 LITTLE = np.radians(5)  # [rad] small deviation of one joint, for the normalization
-ROUNDING = 1e-9  # [1] rounding tolerance of the number of frames in a segment
 
 
 @dataclass(frozen=True, eq=False)
