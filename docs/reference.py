@@ -102,6 +102,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "from": "the start, in seconds",
             "to": "the end, in seconds",
             "position": "in the axes of the held body, in metres; default: the position in the keyframes",
+            "rotation": '`"free"` lets the body rotate about the site; default: its rotation in the hand is held, too',
         },
     ),
     "[scene] step": (

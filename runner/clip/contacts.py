@@ -7,7 +7,7 @@ keyframe puts the body out of the limb's reach, the grasp is relaxed.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from operator import itemgetter
 
@@ -49,7 +49,9 @@ def schedule_of(
     soles = sole_points(figure, figure.to_qpos(np.reshape(complete, (-1, figure.width))))
     specified = contacts(figure, keys, tables, where, soles, surfaces)
     grasps = grasps_of(figure, keys, grasp_tables, where, soles)
-    return ContactSchedule(figure, keys, soles, surfaces, (*specified, *grasps))
+    firm = [grasp for grasp, table in zip(grasps, grasp_tables, strict=True) if table.rotation != "free"]
+    turns = tuple(turn for grasp in firm if _is_alone(grasp, grasps) for turn in rotation_points(figure, keys, grasp))
+    return ContactSchedule(figure, keys, soles, surfaces, (*specified, *grasps), turns)
 
 
 def contacts(
@@ -263,6 +265,24 @@ def _grasped(figure: Figure, keys: Timeline, grasp: Contact, name: str) -> Conta
         return held
     times = np.unique([grasp.first, *spots, grasp.last])
     return replace(held, times=times, places=held.place(times).T, slack=np.array([slack.get(t, 0.0) for t in times]))
+
+
+def rotation_points(figure: Figure, keys: Timeline, grasp: Contact) -> Iterator[Contact]:
+    """Yield the contacts of two points beside the site of a grasp, which hold the rotation of the body.
+
+    Between keyframes that specify the rotation of the site's link and of the body, it changes from one to the next.
+    """
+    for axis in Thresholds.of(figure).object_arm * np.eye(3)[:2]:
+        beside = replace(grasp.point, position=grasp.point.position + axis)
+        turn = Contact(beside, grasp.first, grasp.last, grasp.on)
+        setting, places, _ = _grasp_places(figure, keys, turn)
+        yield _placed(turn, [(float(keys.times[k]), places[:, k].copy()) for k in setting.tolist()])
+
+
+def _is_alone(grasp: Contact, grasps: Sequence[Contact]) -> bool:
+    """Return whether no other site holds the same body at the same time. Several hold it by their positions."""
+    others = (each for each in grasps if each is not grasp and each.on == grasp.on)
+    return not any(other.meets(grasp.first, grasp.last) for other in others)
 
 
 def _grasp_places(figure: Figure, keys: Timeline, grasp: Contact) -> tuple[Index, Array, Mask]:

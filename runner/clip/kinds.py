@@ -275,7 +275,8 @@ def _contact(context: Context, options: Options) -> Penalty | None:
 
 
 def _grasp(context: Context, options: Options) -> Penalty | None:
-    return Attachment(context.schedule.grasps, term_name="attach.grasp") if context.schedule.grasps else None
+    grasps, turns = context.schedule.grasps, context.schedule.turns
+    return Attachment((*grasps, *turns), term_name="attach.grasp") if grasps else None
 
 
 def _placement(context: Context, options: Options) -> Penalty | None:

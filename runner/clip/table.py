@@ -293,13 +293,18 @@ class ContactTable(Table):
 
 
 class GraspTable(Table):
-    """A site that is fixed on a body in an interval [s]."""
+    """A site that is fixed on a body in an interval [s].
+
+    Attributes:
+        rotation: "free" if the body may rotate in the grasp.
+    """
 
     hand: Word
     body: Annotated[str, "a name in quotes"]
     start: Number = Field(alias="from")
     end: Number = Field(alias="to")
     position: Place | None = None
+    rotation: Literal["free"] | None = None
 
 
 class StanceTable(Table):

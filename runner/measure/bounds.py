@@ -27,6 +27,7 @@ BOUNDS = {
         Bound("self", 0.01, "m"),  # limbs are soft, and drawn thicker than they are
         Bound("contact", 0.01, "m"),  # a hand or foot that slips so far is seen to slip
         Bound("grasp", 0.005, "m"),  # grasped objects and hands are conspicuous
+        Bound("grasp rotation", 5.0, "degrees"),  # of a body in a hand that holds it firmly
         Bound("hover", 0.01, "m"),  # as contact, of one that is to rest on whatever is below it
         Bound("aloft", 0.02, "m"),  # a home pose of a robot may be some millimetres above the floor
         Bound("float", 0.05, "m"),  # as much as feet in captured walks are above the ground between steps

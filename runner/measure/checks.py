@@ -14,6 +14,8 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.contacts import Contact
+from dynsplines.solver.contacts.thresholds import Thresholds
+from dynsplines.solver.curve.spline import Path
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
@@ -34,6 +36,7 @@ from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import FAR, heights
 from dynsplines.solver.surface.points import Point, placed, places_of
 
+from ..motion import samples_at
 from .bounds import BOUNDS, SPEED_SHARE, WHIP_SHARE
 from .depths import bunches, colliding, depths, overlaps
 
@@ -342,6 +345,26 @@ def slips(grasps: Sequence[Contact], starts: Sequence[Array], fixed: Fixed) -> C
     return Check.each(
         "grasp", rows, hits, np.array([fixed.places[grasp.point.link] & fixed.places[grasp.on] for grasp in grasps])
     )
+
+
+def turns(contacts: Sequence[Contact], path: Path, fixed: Fixed) -> Check:
+    """Return the check of bodies that rotate in a grasp, by the contacts of points beside it."""
+    figure, text = fixed.figure, "{} rotates by {{}} in the grasp of {}"
+    names = [(figure.body_name(contact.on), contact.point.name) for contact in contacts]
+    rows = [row_of("grasp rotation", hand, text.format(body, hand)) for body, hand in names]
+    starts = [slipped(samples_at(figure, path, np.array([contact.first])), contact) for contact in contacts]
+
+    def hits(samples: Samples) -> Hits:
+        out = np.zeros((len(contacts), samples.count))
+        for i, (contact, start) in enumerate(zip(contacts, starts, strict=True)):
+            place = contact.place(samples.t) if contact.is_placed else start
+            away = np.linalg.norm(slipped(samples, contact) - place, axis=0)
+            out[i] = contact.during(samples.t) * np.degrees(away / Thresholds.of(figure).object_arm)
+        return Hits.of(out)
+
+    both = [fixed.places[contact.point.link] & fixed.places[contact.on] for contact in contacts]
+    _, groups = np.unique([f"{hand} {body}" for body, hand in names], return_inverse=True)
+    return Check.each("grasp rotation", rows, hits, np.array(both), groups)
 
 
 def misses(targets: Sequence[Contact]) -> Check:

@@ -157,6 +157,8 @@ def _checks(
             for grasp in context.schedule.grasps
         ]
         yield checks.slips(context.schedule.grasps, starts, fixed)
+    if context.schedule.turns:
+        yield checks.turns(context.schedule.turns, path_of(timeline), fixed)
     soles = frozenset(point.name for point in context.points)
     yield checks.penetrations(_obstacle_contacts(clip, parts), soles, feet, fixed)
     rests = [rest for part in parts if isinstance(part, Attachment) for rest in part.resting]

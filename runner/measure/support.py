@@ -30,7 +30,7 @@ from .measurement import Measurement
 
 RATE = 60.0  # [1/s] samples of the motion
 WINDOW = 0.3  # [s] interval of an adult over which amounts are averaged
-SLOW = 0.1  # [m/s] horizontal speed of the centre of mass of an adult below which it must be over the feet
+SLOW = 0.05  # [m/s] horizontal speed of the centre of mass of an adult below which it must be over the feet
 DIRECTIONS = 64  # number of horizontal directions in which the support of the feet is compared with the centre of mass
 
 Excess = tuple[Row, float, float, int | None]  # a row, its amount, the time [s], the index of a keyframe that causes it
@@ -62,13 +62,13 @@ def _of_tree(
     figure, t, limits = motion.clip.figure, samples.t, Thresholds.of(motion.clip.figure)
     centres, radii = places_of(points, samples)
     height, up = height_over(motion.clip.context.surfaces, centres, radii)
-    touches = height < limits.clear
+    touches: Mask = np.asarray(height < limits.clear)
     contacts = [
         Contact(points[i], t[first], t[end - 1], surface=Plane("ground", np.zeros(3), up[:, i, (first + end) // 2]))
         for i in range(len(points))
         for first, end in runs(touches[i])
     ]
-    air = [(t[first], t[end - 1]) for first, end in runs(~touches.any(axis=0))]
+    air = [(t[first], t[end - 1]) for first, end in runs(np.asarray(~touches.any(axis=0)))]
     wrench = RootWrench(samples, root)
     missing = Support.of(figure, root, contacts, air).stiff.rest(samples, wrench)
     size, speed = Size.of(figure), np.linalg.norm(np.gradient(wrench.centre[:2], t, axis=1), axis=0)

@@ -34,6 +34,7 @@ class ContactSchedule:
         points: The sole points, or the points of the option `points` of `collision`.
         surfaces: The floor and the obstacles.
         contacts: The contacts that the clip specifies, with the surroundings and with links that it grasps.
+        turns: The contacts that hold the rotation of grasped bodies, of points beside the grasps.
         targets: Contacts of an instant, which the search has to reach. A foot with a target elsewhere does not stand.
         specified_footings: The contacts that can support the figure; None: inferred from stances.
         specified_flights: The intervals [s] in which nothing supports the figure; None: inferred from keyframes.
@@ -46,6 +47,7 @@ class ContactSchedule:
     points: tuple[Point, ...] = ()
     surfaces: tuple[Surface, ...] = ()
     contacts: tuple[Contact, ...] = ()
+    turns: tuple[Contact, ...] = ()
     targets: tuple[Contact, ...] = ()
     specified_footings: tuple[Contact, ...] | None = None
     specified_flights: tuple[Interval, ...] | None = None

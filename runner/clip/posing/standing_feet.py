@@ -230,7 +230,8 @@ class _KnownPositions:
 
     def __init__(self, schedule: ContactSchedule) -> None:
         self.figure, self.timeline, self.limits = schedule.figure, schedule.keys, Thresholds.of(schedule.figure)
-        self.soles, self.contacts, self.grasps = schedule.points, schedule.on_ground, schedule.grasps
+        self.soles, self.contacts = schedule.points, schedule.on_ground
+        self.grasps, self.turns = schedule.grasps, schedule.turns
         rests = [contact.point for contact in self.contacts if contact.is_placed]
         self.points = self.soles
         for point in rests:
@@ -271,11 +272,15 @@ class _KnownPositions:
         ]
 
     def holding(self, k: int) -> list[PointGoal]:
-        """Return goals of sites that hold a known spot at keyframe k, unless it determines both bodies."""
+        """Return goals of sites that hold a known spot at keyframe k, unless it determines both bodies.
+
+        A body follows the rotation of a hand, whereas a hand follows only the position of a body.
+        """
         t, is_known, goals = self.timeline.times[k], self.timeline.known[k : k + 1], list[PointGoal]()
-        for grasp in self.grasps:
+        for grasp in (*self.grasps, *self.turns):
             ends = (grasp.point, Point(grasp.point.name, grasp.on, np.zeros(3)))
-            if grasp.is_placed and grasp.covers(t) and not placed(self.figure, is_known, ends).all():
+            hand, body = placed(self.figure, is_known, ends)[:, 0]
+            if grasp.is_placed and grasp.covers(t) and not (body and (hand or grasp in self.turns)):
                 position = grasp.place(np.array([t]))[:, 0]
                 goals.append(PointGoal.of(self.figure, grasp.point, position, grasp.on))
         return goals

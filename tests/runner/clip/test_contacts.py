@@ -20,6 +20,7 @@ from dynsplines.clip.text import written
 from dynsplines.errors import UserError
 from dynsplines.measure.report import report
 from dynsplines.measure.violation import violations
+from dynsplines.solver import quaternion as quat
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.spline import path_of
@@ -375,6 +376,24 @@ def test_a_crate_that_keyframes_leave_free_goes_with_the_hands():
     clip = recordings.from_text(SCENE + grasps + keyframe(0.0, 'others = "rest"', AT) + "".join(rows), name="hands")
     for hand, y in (("left_hand", 0.17), ("right_hand", -0.17)):
         np.testing.assert_allclose(place(clip, clip.keys[2].state, hand), [0, y, 0], atol=1e-5)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("rotation", "is_rigid"), [("", True), ('rotation = "free"\n', False)])
+def test_a_crate_in_one_hand_turns_with_it_unless_its_rotation_is_free(rotation, is_rigid):
+    up = STANDING, "sites.left_hand = [0.2, 0.45, 1.5]"
+    rows = keyframe(0.6, STANDING, AT, HANDS), keyframe(1.2, *up), keyframe(1.4, *up)
+    grasp = HOLD.format(hand="left", start=0.6, end=1.4) + rotation
+    clip = recordings.from_text(SCENE + grasp + keyframe(0.0, 'others = "rest"', AT) + "".join(rows), name="one hand")
+    motion = dynsplines.inbetween(clip)
+    turns = []
+    for qpos in motion.at(np.linspace(0.6, 1.4, 40)):
+        data = kinematics(clip.figure.model, qpos)
+        hand, crate = (data.body(name).xmat.reshape(3, 3) for name in ("left_forearm", "crate"))
+        turns.append(quat.from_matrix(hand.T @ crate))
+    largest = np.degrees(max(quat.angle_between(turns[0], each) for each in turns))
+    assert (largest < 3) == is_rigid
+    assert "grasp rotation" not in {each.kind for each in motion.violations}
 
 
 @pytest.mark.slow
