@@ -5,12 +5,23 @@ from __future__ import annotations
 from collections import OrderedDict
 from collections.abc import Callable, Hashable
 from dataclasses import fields, is_dataclass
+from functools import wraps
 from threading import Lock
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, Protocol, TypeVar
 
 import numpy as np
 
 Answer = TypeVar("Answer")
+
+
+class HasDigest(Protocol):
+    """An object with a hash of its content."""
+
+    @property
+    def digest(self) -> bytes: ...
+
+
+Content = TypeVar("Content", bound=HasDigest)
 
 
 class Cache(Generic[Answer]):
@@ -50,3 +61,18 @@ def cache_key(value: Any) -> Hashable:
     if is_dataclass(value) and not isinstance(value, type):
         return type(value), *(cache_key(getattr(value, item.name)) for item in fields(value))
     return value
+
+
+def cached_by_content(most: int) -> Callable[[Callable[[Content], Answer]], Callable[[Content], Answer]]:
+    """Cache the last results of a function of one argument, also for other arguments with the same content."""
+
+    def decorated(compute: Callable[[Content], Answer]) -> Callable[[Content], Answer]:
+        cache = Cache[Answer](most)
+
+        @wraps(compute)
+        def cached(argument: Content) -> Answer:
+            return cache.get(argument.digest, lambda: compute(argument))
+
+        return cached
+
+    return decorated

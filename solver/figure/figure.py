@@ -12,6 +12,7 @@ is added to it. Link 0 is the world.
 
 from __future__ import annotations
 
+import hashlib
 from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import cached_property, lru_cache
@@ -145,6 +146,13 @@ class Figure:
     def width(self) -> int:
         """N = nq, the number of entries of a state."""
         return int(self.model.nq)
+
+    @cached_property
+    def digest(self) -> bytes:
+        """A hash that is equal for figures with the same model and coordinates."""
+        content = np.zeros(mujoco.mj_sizeModel(self.model), np.uint8)
+        mujoco.mj_saveModel(self.model, None, content)
+        return hashlib.sha256(content.tobytes()).digest() + self.coordinates.encode()
 
     @cached_property
     def root(self) -> Root | None:

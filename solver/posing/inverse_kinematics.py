@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
-from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -17,7 +16,7 @@ from .pose_search import Posed, PoseSearch
 
 STARTS = 12  # [1] largest number of starting poses
 ALIKE = 2e-3  # [1] rough poses whose costs differ by no more than this share are taken to be the same
-MOST_REMEMBERED = 1000  # [1] largest number of cached poses of a figure
+MOST_CACHED = 1000  # [1] largest number of cached poses
 
 
 def posed(
@@ -50,7 +49,7 @@ def posed(
     return Posed(there, fixed, missed, tried)
 
 
-_poses: WeakKeyDictionary[Figure, Cache[Posed]] = WeakKeyDictionary()
+_poses = Cache[Posed](MOST_CACHED)
 
 
 def _known(
@@ -67,9 +66,8 @@ def _known(
     on are set to the rest pose, so that they do not change the cache key. Editing a clip repeats most of its poses."""
     goal_key = reached(figure, goals)
     home, free = np.where(goal_key, home, figure.model.qpos0), free & goal_key
-    key = cache_key((home, free, goals, bends, beyond, starts, preferred))
-    poses = _poses.setdefault(figure, Cache(MOST_REMEMBERED))
-    return poses.get(
+    key = cache_key((figure.digest, home, free, goals, bends, beyond, starts, preferred))
+    return _poses.get(
         key, lambda: _posed(PoseSearch(figure, home, free, goals, bends, beyond, preferred=preferred), starts)
     )
 

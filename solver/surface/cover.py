@@ -11,13 +11,13 @@ of a grid.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
 
 import mujoco
 import numpy as np
 
 from .. import quaternion as quat
 from ..array import Array, Index
+from ..cache import cached_by_content
 from ..figure.figure import Figure
 from ..figure.model import geom_name
 from ..figure.size import Size
@@ -45,13 +45,13 @@ CLOSE = 0.001  # [m] minimum spacing of spheres' centres
 Spheres = tuple[Array, Array]
 
 
-@lru_cache(maxsize=2)  # editing a clip needs them repeatedly
+@cached_by_content(16)  # editing a clip needs them repeatedly
 def covering_points(figure: Figure) -> tuple[Point, ...]:
     """Return spheres that fill the solid geoms of the figure's links, without those inside others of their link."""
     return _filled(figure, movers(figure.model))
 
 
-@lru_cache(maxsize=2)
+@cached_by_content(16)
 def wide_points(figure: Figure) -> tuple[Point, ...]:
     """Return spheres that fill the boxes, cylinders and meshes into which an edge may enter between the corners.
 
@@ -101,9 +101,12 @@ def _filled(figure: Figure, geoms: Sequence[int], gap: float = GAP) -> tuple[Poi
 def _visible(centres: Array, radii: Array) -> list[int]:
     """Return the spheres that are not inside a larger one, within a tolerance."""
     outer: list[int] = []
+    places, limits = np.empty_like(centres), np.empty_like(radii)  # of the spheres in `outer`
     for i in np.argsort(-radii, kind="stable"):
-        apart = np.linalg.norm(centres[outer] - centres[i], axis=1)
-        if not np.any(apart + radii[i] <= radii[outer] + HIDDEN):
+        count = len(outer)
+        apart = np.linalg.norm(places[:count] - centres[i], axis=1)
+        if not np.any(apart + radii[i] <= limits[:count]):
+            places[count], limits[count] = centres[i], radii[i] + HIDDEN
             outer.append(int(i))
     return sorted(outer)
 

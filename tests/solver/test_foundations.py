@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 import pytest
-from figures import figure_of
+from figures import TINY, figure_of
 from gradients import taylor_slope
 from hypothesis import given, settings
 from hypothesis import strategies as st
@@ -20,7 +20,7 @@ from dynsplines.clip import load as clips
 from dynsplines.solver import compiled
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.cache import Cache, cache_key
+from dynsplines.solver.cache import Cache, cache_key, cached_by_content
 from dynsplines.solver.cone import projection, unsupplied
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.inbetween import one_thread
@@ -196,6 +196,15 @@ def test_content_is_the_same_where_every_bit_is(a, b, one, other):
     assert cache_key((1.0, 2.0)) != cache_key([1.0, 2.0])
 
 
+def test_a_function_of_a_figure_is_evaluated_again_only_for_other_models_and_coordinates():
+    evaluated = []
+    cached = cached_by_content(3)(lambda figure: evaluated.append(figure))
+    figures = [figure_of(TINY), figure_of(TINY), figure_of(TINY.replace("mass=", "friction='.3' mass=")), human()]
+    for figure in [*figures, figure_of(TINY, "joint"), figure_of(TINY)]:
+        cached(figure)
+    assert evaluated[:3] == [figures[0], *figures[2:]] and len(evaluated) == 5
+
+
 def test_a_pose_is_searched_once_for_a_figure_and_depends_on_what_its_goals_do_alone(monkeypatch):
     figure, rng = human(), np.random.default_rng(1)
     data = kinematics(figure.model)
@@ -209,13 +218,15 @@ def test_a_pose_is_searched_once_for_a_figure_and_depends_on_what_its_goals_do_a
         columns = quaternion_columns(link)
         if columns is not None and not reached(figure, goals)[columns].any():
             other[columns] = quat.normalised(rng.normal(size=4))
-    fresh = posed(human(), other, free, goals)
+    with monkeypatch.context() as patch:
+        patch.setattr(inverse_kinematics, "_poses", Cache(9))
+        fresh = posed(figure, other, free, goals)
 
     def never(*_: object) -> None:
         pytest.fail("searched again")
 
     monkeypatch.setattr(inverse_kinematics, "_posed", never)
-    again = posed(figure, other, free, goals)
+    again = posed(human(), other, free, goals)
     own = reached(figure, goals)
     assert np.array_equal(again.qpos, fresh.qpos)
     assert np.array_equal(again.qpos[own], first.qpos[own])

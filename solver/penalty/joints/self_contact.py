@@ -13,13 +13,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
+from functools import cached_property
 
 import mujoco
 import numpy as np
 
 from ... import quaternion as quat
 from ...array import Array, Index
+from ...cache import cached_by_content
 from ...curve.frame import Timeline
 from ...figure.algebra import applied, cross, dot, turned
 from ...figure.figure import Figure
@@ -242,7 +243,7 @@ def nearest_on_segments(d: Array, u: Array, v: Array, h: Array, g: Array) -> tup
     return s, t, d + s * u - t * v
 
 
-@lru_cache(maxsize=2)  # editing a clip needs them repeatedly
+@cached_by_content(16)  # editing a clip needs them repeatedly
 def _shapes(figure: Figure) -> tuple[tuple[Bar, ...], Index]:
     """Return the bars of a figure, and the pairs of them that can collide, (2, n)."""
     every = [bar for geom in movers(figure.model) for bar in _bars(figure, geom)]
