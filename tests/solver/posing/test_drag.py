@@ -8,6 +8,7 @@ import pytest
 from figures import figure_of
 from oracles import kinematics
 from scipy.optimize import minimize
+from scipy.spatial import ConvexHull
 from texts import read_data
 
 from dynsplines import models
@@ -104,6 +105,19 @@ def test_derivatives_are_differences(human, rng):
                 (value(kinematics(human.model, ends[0])) - value(kinematics(human.model, ends[1]))) / (2 * STEP)
             )
         np.testing.assert_allclose(rows(kinematics(human.model, qpos)), np.transpose(differences), atol=1e-7)
+
+
+def test_a_support_polygon_is_the_convex_hull_made_smaller(rng):
+    for count, digits in [(3, 9), (8, 9), (30, 9), (30, 1)]:  # with one digit, many are equal or in line
+        points = (0.2 * rng.normal(size=(count, 3))).round(digits)
+        polygon, hull = SupportPolygon.of(1, points, share=0.7), ConvexHull(points[:, :2])
+        assert polygon is not None
+        corners = points[hull.vertices, :2]
+        smaller = ConvexHull(corners.mean(axis=0) + 0.7 * (corners - corners.mean(axis=0)))
+        found = np.column_stack([polygon.normals, -polygon.distances])
+        np.testing.assert_allclose(sorted(found.tolist()), sorted(smaller.equations.tolist()), atol=1e-12)
+    line = np.linspace(0, 1, 5)[:, None] * [1, 2, 0]
+    assert SupportPolygon.of(1, line) is None and SupportPolygon.of(1, points[:2]) is None
 
 
 def test_a_restart_that_gains_little_leaves_the_pose_where_it_is(arm, rng):
