@@ -10,7 +10,7 @@ import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from functools import cache, cached_property
+from functools import cache, cached_property, lru_cache
 from pathlib import Path
 from typing import Any
 
@@ -62,6 +62,16 @@ def solved(name: str) -> Solved:
 def unsolved(name: str) -> Saved:
     """The raw motion of a shipped clip, without a report."""
     return solving.unsolved(recordings.load(name)).motion
+
+
+def follow() -> None:
+    """From here on recordings that are shipped clips are solved once for all tests of a run."""
+
+    @lru_cache
+    def shared(name: str) -> Saved:
+        return solved(name).motion
+
+    recordings._shipped = shared
 
 
 def _cached(problem: Clip, progress: Progress, solve: Callable[[Clip, Progress], Solved]) -> Solved:
