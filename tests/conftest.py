@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 # isort: off
-import environment  # noqa: F401 - before all that is ours
+import environment  # before all that is ours
 # isort: on
 
 import gc
-from collections.abc import Generator
+from collections.abc import Generator, Iterator
+from contextlib import nullcontext
 from pathlib import Path
+from typing import Any
 
-import drawing
 import figures
 import numpy as np
 import problems
 import pytest
 import shipped
 from figures import FIGURES, figure_named
-from processes import quiet
+from processes import Command, commanded, quiet
 
 from dynsplines import motion, solving
 from dynsplines.clip import load as clip
@@ -27,6 +28,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solving import Solved
 
 shipped.open_folder()
+shipped.follow()
 figures.share()
 
 
@@ -54,7 +56,7 @@ def figure(request: pytest.FixtureRequest) -> Figure:
 @pytest.fixture(scope="session")
 def graphics() -> Graphics:
     """What this machine draws with."""
-    return drawing.GRAPHICS
+    return environment.GRAPHICS
 
 
 @pytest.fixture
@@ -81,3 +83,27 @@ def motion_file(saved: Saved, tmp_path_factory: pytest.TempPathFactory) -> Path:
     path = tmp_path_factory.mktemp("motion") / "tiny.npz"
     motion.save(saved, path)
     return path
+
+
+@pytest.fixture
+def command(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
+    """The command `dynsplines`, run in the process of the tests in the present folder."""
+    return commanded(monkeypatch, capsys)
+
+
+@pytest.fixture(scope="session")
+def dask_cluster() -> Iterator[Any]:
+    """A Dask worker in the process of the tests, in place of processes that start in seconds."""
+    distributed = pytest.importorskip("distributed")
+    with distributed.LocalCluster(
+        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None, silence_logs=50
+    ) as cluster:
+        yield cluster
+
+
+@pytest.fixture
+def in_process(dask_cluster: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let every batch of a test use the one worker of this process."""
+    from dynsplines.batch import cluster
+
+    monkeypatch.setattr(cluster, "_local", lambda _: nullcontext(dask_cluster))

@@ -21,7 +21,7 @@ import numpy as np
 import pytest
 from PIL import Image
 from problems import CLIP, FIGURE, HINGE, changed, written
-from processes import Command, Done, commanded, refusal
+from processes import Command, Done, refusal
 from typer.main import get_command
 
 from dynsplines import cli, models, motion, solving
@@ -34,13 +34,13 @@ COMMANDS: dict[str, Any] = get_command(cli.app).commands  # type: ignore[attr-de
 
 
 @pytest.fixture
-def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Command:
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, command: Command) -> Command:
     """Runs the command in an empty folder with the tiny clip in it."""
     monkeypatch.setattr(graphics, "_draws", lambda _: False)  # software
     monkeypatch.setenv("MUJOCO_GL", "disable")  # so that it is put back
     monkeypatch.chdir(tmp_path)
     written(tmp_path)
-    return commanded(monkeypatch, capsys)
+    return command
 
 
 @pytest.fixture

@@ -14,7 +14,7 @@ import mujoco
 import numpy as np
 import pytest
 from problems import CLIP, changed, written
-from processes import commanded
+from processes import Command
 
 from dynsplines import Keyframe, build, solving
 from dynsplines.batch.inputs import sources
@@ -26,17 +26,15 @@ Ended = Callable[..., tuple[int, str]]
 
 
 @pytest.fixture
-def ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Ended:
+def ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, command: Command) -> Ended:
     """Exit code and last line of the command, run in an empty folder with the tiny clip in it."""
     monkeypatch.setenv("MUJOCO_GL", "disable")
     monkeypatch.setenv("DYNSPLINES_DEBUG", "")  # so that it is put back
     monkeypatch.chdir(tmp_path)
     written(tmp_path)
 
-    run = commanded(monkeypatch, capsys)
-
     def ended(*words: str) -> tuple[int, str]:
-        done = run(*words)
+        done = command(*words)
         assert done.code > 0
         assert "Traceback" not in done.err
         return done.code, done.last

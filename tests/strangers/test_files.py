@@ -12,7 +12,7 @@ import mujoco
 import numpy as np
 import pytest
 from figures import stl
-from processes import commanded
+from processes import Command
 
 import dynsplines
 from dynsplines import cli, motion, solving
@@ -37,16 +37,14 @@ Run = Callable[..., tuple[int, str]]
 
 
 @pytest.fixture
-def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Run:
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, command: Command) -> Run:
     """The command in a folder of its own, below the test's: its exit code and its last line on stderr."""
     (tmp_path / "here").mkdir(exist_ok=True)
     monkeypatch.chdir(tmp_path / "here")
     monkeypatch.setenv("MUJOCO_GL", "disable")  # so that it is put back
 
-    here = commanded(monkeypatch, capsys)
-
     def run(*words: object) -> tuple[int, str]:
-        done = here(*words)
+        done = command(*words)
         return done.code, done.last
 
     return run

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
-import drawing
+import environment
 import numpy as np
 import pytest
 from processes import quiet
@@ -90,6 +90,6 @@ def test_a_model_by_others_becomes_a_clip_that_is_solved_and_drawn_without_an_ed
     motion.save(saved, tmp_path / "its.npz")
     again = motion.load(tmp_path / "its.npz")
     assert again.scene.assets == problem.scene.assets
-    (picture,) = images(again, Look(96, 64, only="after", at=0.5), drawing.GRAPHICS)
+    (picture,) = images(again, Look(96, 64, only="after", at=0.5), environment.GRAPHICS)
     assert picture.shape == (64, 96, 3)
     assert np.ptp(picture) > 50

@@ -1,11 +1,14 @@
-"""The environment of the tests, imported before NumPy: one thread, cached bytecode, default signals."""
+"""The environment of the tests, imported before NumPy and MuJoCo: one thread, bytecode, signals, renderer."""
 
 from __future__ import annotations
 
+import json
 import os
 import signal
 import sys
+from dataclasses import asdict
 
+from dynsplines.picture.graphics import Graphics, choose
 from dynsplines.system import threads
 
 # Tests solve as the command does: on one thread. Imported before anything that imports NumPy; processes inherit it.
@@ -26,3 +29,11 @@ if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 if hasattr(signal, "SIGHUP") and signal.getsignal(signal.SIGHUP) is signal.SIG_IGN:
     signal.signal(signal.SIGHUP, lambda *_: None)
+
+
+# The renderer of these tests. The first process tries OpenGL, the others inherit the result.
+
+CHOSEN = "DYNSPLINES_TESTS_GRAPHICS"
+if CHOSEN not in os.environ:
+    os.environ[CHOSEN] = json.dumps(asdict(choose()))
+GRAPHICS = Graphics(**json.loads(os.environ[CHOSEN]))

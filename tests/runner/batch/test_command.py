@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 from problems import written
-from processes import commanded, refusal
+from processes import Command, refusal
 from texts import read_cases
 
 import dynsplines.batch
@@ -18,16 +18,14 @@ Refused = Callable[..., str]
 
 
 @pytest.fixture
-def refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> Refused:
+def refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, command: Command) -> Refused:
     """Runs the command beside the tiny clip and gives its one line."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("MUJOCO_GL", "disable")  # so that it is put back
     written(tmp_path)
     (tmp_path / "other").mkdir()
     written(tmp_path / "other", name="Tiny.toml")
-
-    run = commanded(monkeypatch, capsys)
-    return lambda *words: refusal(run("batch", *words))
+    return lambda *words: refusal(command("batch", *words))
 
 
 @pytest.mark.parametrize(("words", "line"), read_cases("batch_words.toml"))

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 import shipped
-from processes import commanded, quiet, refusal
+from processes import Command, quiet, refusal
 from texts import read_cases
 
 pytest.importorskip("distributed")
@@ -84,8 +84,8 @@ def test_each_is_cleaned_once_and_one_that_is_torn_stops_nothing(
 
 @pytest.mark.parametrize(("words", "line"), read_cases("batch_of_recordings.toml"))
 def test_what_does_not_go_together_is_reported(
-    folder: Path, words: tuple[str, ...], line: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    folder: Path, words: tuple[str, ...], line: str, monkeypatch: pytest.MonkeyPatch, command: Command
 ) -> None:
     monkeypatch.chdir(folder)
     monkeypatch.setenv("MUJOCO_GL", "disable")
-    assert line in refusal(commanded(monkeypatch, capsys)("batch", "walk.bvh", *words))
+    assert line in refusal(command("batch", "walk.bvh", *words))

@@ -10,7 +10,7 @@ import pytest
 from figures import figure_of, link_named
 from oracles import kinematics
 from problems import HINGE
-from processes import commanded, quiet
+from processes import quiet
 from rekeyed import with_keys
 
 from dynsplines import inbetween, recordings, solving
@@ -302,12 +302,11 @@ def test_a_place_without_a_pose_is_as_near_as_it_comes_where_that_is_wanted():
 
 
 @pytest.mark.slow
-def test_keyframes_are_drawn_as_near_as_they_come(tmp_path: Path, monkeypatch, capsys):
+def test_keyframes_are_drawn_as_near_as_they_come(tmp_path: Path, monkeypatch, command):
     far = second('others = "rest"\nsites.left_hand = [3, 0, 1]\n')
     (tmp_path / "far.toml").write_text(far, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
-    run = commanded(monkeypatch, capsys)
-    done = run("render", "far.toml", "--only", "keys", "-o", "far.png", "--size", "96x64")
+    done = command("render", "far.toml", "--only", "keys", "-o", "far.png", "--size", "96x64")
     assert not done.code and (tmp_path / "far.png").is_file()
     note = " ".join(done.err.split())
     assert "no pose found that puts site 'left_hand' at (3, 0, 1)" in note and "drawn as near as it comes" in note

@@ -10,7 +10,6 @@ import pytest
 import shipped
 from oracles import kinematics
 from paper.penetration import penetration
-from processes import commanded
 
 import dynsplines
 from dynsplines import Keyframe, build, motion, recordings, solving
@@ -60,12 +59,11 @@ def bodies(saved_figure, path, times: np.ndarray) -> tuple[np.ndarray, np.ndarra
 
 
 @pytest.mark.slow
-def test_a_reach_is_exact_and_changes_nothing_beyond_its_blend(folder, saved, tmp_path, monkeypatch, capsys):
+def test_a_reach_is_exact_and_changes_nothing_beyond_its_blend(folder, saved, tmp_path, monkeypatch, command):
     """Solved by the command, from another folder."""
     text = REACH.format(said="blend = 0.4", time=1.75)
     (folder / "reach.toml").write_text(text, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
-    command = commanded(monkeypatch, capsys)
     done = command("solve", folder / "reach.toml", "-o", "reach.npz")
     assert done.code == 0, done.err
     assert command("export", "reach.npz", "-o", "reach.bvh").code == 0

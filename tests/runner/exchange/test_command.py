@@ -4,7 +4,7 @@ from pathlib import Path
 
 import motions
 import pytest
-from processes import commanded, refusal
+from processes import refusal
 from texts import read_cases
 
 from dynsplines import motion
@@ -12,13 +12,12 @@ from dynsplines.exchange import formats
 
 
 @pytest.fixture
-def run(tmp_path, monkeypatch, capsys):
+def run(tmp_path, monkeypatch, command):
     """Runs the command in a folder with a robot's motion in it."""
     monkeypatch.chdir(tmp_path)
     (tmp_path / "robot.xml").write_text(motions.ROBOT)
     motion.save(motions.motion_of("robot.xml"), tmp_path / "wild.npz")
-
-    return commanded(monkeypatch, capsys)
+    return command
 
 
 @pytest.mark.slow

@@ -38,6 +38,12 @@ def robot(robot_file: Path) -> Saved:
 
 
 @pytest.fixture(scope="module")
+def human() -> Saved:
+    """A motion without any symmetry."""
+    return motions.motion_of("human")
+
+
+@pytest.fixture(scope="module")
 def at(robot: Saved) -> Sampled:
     return motions.samples(robot)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import drawing
+import environment
 import mujoco
 import numpy as np
 import pytest
@@ -67,7 +67,7 @@ def test_a_motion_file_needs_no_other_files(model):
     again = motion.load(target)
     assert again.scene == found.scene
     assert again.figure.model.nmesh == 3
-    (picture,) = images(again, Look(96, 64, only="after", at=0.3), drawing.GRAPHICS)
+    (picture,) = images(again, Look(96, 64, only="after", at=0.3), environment.GRAPHICS)
     assert np.ptp(picture) > 50
 
 

@@ -8,7 +8,7 @@ import crew
 import figures
 import mujoco
 import pytest
-from processes import Command, commanded
+from processes import Command
 from texts import read_data
 
 from dynsplines import Keyframe, build, inbetween
@@ -26,12 +26,12 @@ CLIP = read_data("warned.toml")
 
 
 @pytest.fixture
-def run(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path) -> Command:
+def run(monkeypatch: pytest.MonkeyPatch, command: Command, tmp_path: Path) -> Command:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(load, "scene_and_figure", figures.COMPOSED)  # MuJoCo warns while a figure is built
     Path("arm.xml").write_text(SINGULAR)
     Path("clip.toml").write_text(CLIP)
-    return commanded(monkeypatch, capsys)
+    return command
 
 
 def notes(text: str) -> list[str]:
