@@ -225,3 +225,28 @@ def test_the_site_is_built_without_a_warning(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     page = (tmp_path / "tutorial" / "index.html").read_text(encoding="utf-8")
     assert "keys.png" in page and (tmp_path / "renders" / "tutorial" / "keys.png").is_file()
+
+
+TRUST = ROOT / "docs" / "trust.md"
+TEST_LINK = re.compile(r"\[([\w/]+)\]\((\.\./tests/[\w/]+\.py)\)")
+
+
+def guarantees() -> list[list[str]]:
+    """The cells of every row of the page's tables, without their heads."""
+    lines = [line.strip("|").split("|") for line in TRUST.read_text(encoding="utf-8").splitlines() if line[:1] == "|"]
+    return [
+        [cell.strip() for cell in cells] for cells in lines if cells[-1].strip() != "tests" and "---" not in cells[0]
+    ]
+
+
+def test_every_guarantee_and_every_fault_has_tests():
+    rows = guarantees()
+    assert len(rows) > 35
+    for guarantee, *links_cell in rows:
+        assert len(links_cell) == 1, guarantee
+        links = TEST_LINK.findall(links_cell[0])
+        assert links, guarantee
+        for name, place in links:
+            file = (TRUST.parent / place).resolve()
+            assert place == f"../tests/{name}.py"
+            assert re.search(r"^def test_", file.read_text(encoding="utf-8"), re.MULTILINE), place

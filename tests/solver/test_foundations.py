@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import json
+import os
+import subprocess
+import sys
 from dataclasses import dataclass
 
 import numpy as np
@@ -27,6 +31,7 @@ from dynsplines.solver.inbetween import one_thread
 from dynsplines.solver.posing import inverse_kinematics, posed, reached
 from dynsplines.solver.refine.subdivision import midpoints, split
 from dynsplines.solver.search.quadratic import Layout, Model
+from dynsplines.system.threads import THREADS
 
 component = st.floats(-2, 2, allow_nan=False).map(lambda x: round(x, 6))
 
@@ -293,3 +298,30 @@ def test_linear_algebra_has_one_thread_inside_and_as_many_as_before_afterwards()
     with pytest.raises(KeyError), one_thread():
         raise KeyError
     assert threads() == before
+
+
+BUSY = """
+import json
+from dynsplines import load
+from dynsplines.solver import Settings, inbetween
+from threadpoolctl import threadpool_info
+
+def threads():
+    return [library["num_threads"] for library in threadpool_info() if library["user_api"] == "blas"]
+
+clip, seen, before = load("tumble"), [], threads()
+inbetween(clip.with_problem(settings=Settings(max_evaluations=2)).problem, improved=lambda _: seen.append(threads()))
+print(json.dumps([before, seen, threads()]))
+"""
+
+
+@pytest.mark.slow
+def test_a_search_in_a_program_of_the_user_has_one_thread_and_gives_the_others_back() -> None:
+    environment = {name: value for name, value in os.environ.items() if name not in THREADS}
+    environment["OPENBLAS_NUM_THREADS"] = "2"
+    done = subprocess.run([sys.executable, "-c", BUSY], env=environment, capture_output=True, text=True, check=True)
+    before, seen, after = json.loads(done.stdout)
+    if not before or set(before) == {1}:
+        pytest.skip("linear algebra has one thread here anyway")
+    assert seen and {count for counts in seen for count in counts} == {1}
+    assert after == before
