@@ -152,7 +152,7 @@ class Figure:
         """A hash that is equal for figures with the same model and coordinates."""
         content = np.zeros(mujoco.mj_sizeModel(self.model), np.uint8)
         mujoco.mj_saveModel(self.model, None, content)
-        return hashlib.sha256(content.tobytes()).digest() + self.coordinates.encode()
+        return hashlib.sha256(content.data).digest() + self.coordinates.encode()
 
     @cached_property
     def root(self) -> Root | None:
