@@ -524,7 +524,9 @@ def batch(
     cleaning = option.cleaning_source(
         clean=clean_all, robot=onto, figure=figure, map_file=map_file, kind=kind, scene=scene, max_displacement=within
     )
-    options = batches.Options(listed, workers, cluster, to, fps, limit_time, measure, retry_failed, cleaning, within)
+    options = batches.BatchOptions(
+        listed, workers, cluster, to, fps, limit_time, measure, retry_failed, cleaning, within
+    )
     with terminal.Progress() as progress:
         tally = batches.run(clips or [], output, progress, options)
     if tally.failed:

@@ -25,7 +25,7 @@ from .curve.spline import path_of
 from .objective import Discretised, Evaluation, Objective, segment_integrals
 from .penalty import Role
 from .problem import Problem, Settings, guide_of
-from .refine.parts import Part, Window, edited, is_long, windows
+from .refine.parts import SearchPart, Window, edited, is_long, windows
 from .refine.subdivision import CRITERIA, midpoints, split
 from .search.descent import minimised, optimiser_of
 from .search.minimum import NEGLIGIBLE, Optimiser, Stop
@@ -147,7 +147,7 @@ class _Loop:
         self.best: Callable[[], Timeline] | None = None
         self.stop = Stop.CONVERGED
         self.optimiser = self.new_optimiser()
-        self.part: Part | None = None
+        self.part: SearchPart | None = None
         self.last: dict[str, float] = {}
 
     @property
@@ -184,7 +184,7 @@ class _Loop:
         """Return the nearest minimum from a timeline, over the whole clip or only near the edited intervals."""
         segments, budget = len(raw.frames) - 1, self.settings.frames
 
-        def nearest(part: Part, window: Window) -> Timeline:
+        def nearest(part: SearchPart, window: Window) -> Timeline:
             count, least = window.end - window.begin, part.timeline.variable_count
             limit = None if budget is None else max(least, budget * count // segments)
             return self.run(part.timeline, count, limit)[-1][0]
@@ -200,7 +200,7 @@ class _Loop:
         """Return the whole clip after solving its windows in order."""
         segments, budget = len(raw.frames) - 1, self.settings.frames
 
-        def best(part: Part, window: Window) -> Timeline:
+        def best(part: SearchPart, window: Window) -> Timeline:
             count, limit = window.last - window.first, budget
             if budget is not None:
                 others = part.whole.variable_count - part.timeline.variable_count
@@ -215,7 +215,7 @@ class _Loop:
         timeline: Timeline,
         parts: Sequence[Window],
         ends: str,
-        search: Callable[[Part, Window], Timeline],
+        search: Callable[[SearchPart, Window], Timeline],
     ) -> Timeline:
         """Return the whole timeline after a search of parts in order.
 
@@ -231,7 +231,7 @@ class _Loop:
         for window in parts:
             path = path_of(timeline)
             terms[changed] = segment_integrals(self.objective, path, raw.times[changed.start : changed.stop + 1])
-            self.part = Part.of(path, timeline, raw.times, window, ends, terms)
+            self.part = SearchPart.of(path, timeline, raw.times, window, ends, terms)
             self.optimiser = self.new_optimiser()
             timeline, changed = self.part.put_back(search(self.part, window)), slice(window.begin, window.end)
             if self.stop is Stop.INTERRUPTED:
@@ -386,7 +386,7 @@ class _Loop:
         return np.sort(middles[order]), promise
 
 
-def _built(part: Part | None, problem: Discretised, x: Array) -> Timeline:
+def _built(part: SearchPart | None, problem: Discretised, x: Array) -> Timeline:
     """Return the whole clip with the searched part at the unknowns x (n,)."""
     solved = problem.timeline.with_rows(problem.unknowns.rows(x))
     return solved if part is None else part.put_back(solved)

@@ -15,16 +15,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import missing_package
-from .task import Options
+from .task import BatchOptions
 
 if TYPE_CHECKING:
     from ..system.progress import Progress
     from .tally import Tally
 
-__all__ = ["Options", "run"]
+__all__ = ["BatchOptions", "run"]
 
 
-def run(words: list[str], folder: Path, progress: Progress, options: Options) -> Tally:
+def run(words: list[str], folder: Path, progress: Progress, options: BatchOptions) -> Tally:
     """Solve every clip that the words name into a folder. Raises UserError if Dask is not installed."""
     try:
         from . import dispatch

@@ -20,7 +20,7 @@ from ..errors import UserError, one_line
 from ..system.progress import Progress
 from ..system.scratch import scratch
 from ..system.workers import cores, ctrl_c_blocked
-from .task import Options
+from .task import BatchOptions
 
 PATIENCE_SECONDS = 10  # [s] time limit of connecting and of closing a client
 SETTINGS = {
@@ -35,7 +35,7 @@ atexit.unregister(close_clusters)  # after Ctrl-C it would print errors of worke
 
 
 @contextmanager
-def connected(options: Options, progress: Progress) -> Iterator[Client]:
+def connected(options: BatchOptions, progress: Progress) -> Iterator[Client]:
     """Yield a client of the workers. Raises UserError if there are none."""
     address = options.cluster
     with (

@@ -18,18 +18,18 @@ from ..system.output import Replacement, clear_below
 from ..system.progress import Progress
 from ..system.workers import AHEAD
 from . import cluster, solving
-from .inputs import Contents, Source, sources, task_of
+from .inputs import Contents, InputSource, sources, task_of
 from .manifest import Entry, Manifest, check_below, digest_of
 from .solving import SolveTask
 from .tally import Tally
-from .task import Options, Outcome, Result
+from .task import BatchOptions, Outcome, Result
 
 READING_EVERY = 500  # clips per line of progress
 ENDED = "each worker that tried to solve it ended: a crash, or too little memory"
 
 
 def run(
-    words: list[str], folder: Path, options: Options, progress: Progress, *, solve_task: SolveTask = solving.solved
+    words: list[str], folder: Path, options: BatchOptions, progress: Progress, *, solve_task: SolveTask = solving.solved
 ) -> Tally:
     """Solve every clip that the words name into a folder, or resume a batch there.
 
@@ -57,18 +57,18 @@ def run(
 class Batch:
     """The clips that are waiting and those that are running."""
 
-    def __init__(self, manifest: Manifest, options: Options, progress: Progress, solve_task: SolveTask) -> None:
+    def __init__(self, manifest: Manifest, options: BatchOptions, progress: Progress, solve_task: SolveTask) -> None:
         self.manifest, self.options, self.progress, self.solve_task = manifest, options, progress, solve_task
         self.folder = manifest.path.parent
         self.figures: dict[Path, Contents] = {}
-        self.waiting: deque[Source] = deque()
-        self.running: dict[Any, tuple[Source, str]] = {}  # clips and the hashes of their inputs, by Dask's futures
+        self.waiting: deque[InputSource] = deque()
+        self.running: dict[Any, tuple[InputSource, str]] = {}  # clips and the hashes of their inputs, by Dask's futures
         self.ended: Counter[str] = Counter()  # the number of clips of this run by their state
         done = (entry for entry in manifest.entries.values() if entry.state == "done")
         self.written = {name: value for entry in done for name, value in entry.files.items()}  # hashes of files
         self.total, self.begin = 0, time.monotonic()
 
-    def plan(self, clips: list[Source]) -> None:
+    def plan(self, clips: list[InputSource]) -> None:
         """Queue every clip that is new, changed, not done, or whose output is missing.
 
         Raises UserError if the outputs of two clips have the same name, except for case, which some disks ignore.
@@ -129,7 +129,7 @@ class Batch:
             futures.append(future)
         return futures
 
-    def _finish(self, source: Source, digest: str, outcome: Outcome) -> None:
+    def _finish(self, source: InputSource, digest: str, outcome: Outcome) -> None:
         """Write the files of a solved clip, and record its result."""
         files = {(source.name.parent / name).as_posix(): content for name, content in outcome.files.items()}
         hashes = {path: digest_of(content) for path, content in files.items()}

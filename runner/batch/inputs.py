@@ -16,15 +16,15 @@ from ..clip.parse import files_read
 from ..errors import UserError, unknown
 from ..exchange import formats
 from ..scene.file_access import paths_read
-from .task import Options, Task
+from .task import BatchOptions, Task
 
 ENDINGS = (".toml", ".xml")
 Contents = dict[Path, bytes]  # of files
-DEFAULTS = Options()
+DEFAULTS = BatchOptions()
 
 
 @dataclass(frozen=True)
-class Source:
+class InputSource:
     """A clip to solve, or a recording to clean.
 
     Attributes:
@@ -45,7 +45,7 @@ class Source:
             return self.path.as_posix()
 
 
-def sources(words: Iterable[str], listed: str | None = None, *, recordings: bool = False) -> list[Source]:
+def sources(words: Iterable[str], listed: str | None = None, *, recordings: bool = False) -> list[InputSource]:
     """Return the clips that names, files, folders and patterns denote, in order and without duplicates.
 
     Raises UserError for words that denote nothing.
@@ -55,7 +55,7 @@ def sources(words: Iterable[str], listed: str | None = None, *, recordings: bool
         recordings: Whether they denote recordings. Folders then contribute files with the extension of a motion or
             format.
     """
-    unique: dict[object, Source] = {}
+    unique: dict[object, InputSource] = {}
     for word in (*words, *(_lines(listed) if listed else ())):
         for source in _named(word, recordings):
             path = str(source.path or source.name)
@@ -69,7 +69,7 @@ def sources(words: Iterable[str], listed: str | None = None, *, recordings: bool
     return list(unique.values())
 
 
-def task_of(source: Source, figures: dict[Path, Contents], options: Options = DEFAULTS) -> Task:
+def task_of(source: InputSource, figures: dict[Path, Contents], options: BatchOptions = DEFAULTS) -> Task:
     """Return a clip with all files to which it refers. The worker reports missing ones.
 
     Raises OSError, and UserError for a model that refers to files outside its folder.
@@ -117,11 +117,11 @@ def _lines(listed: str) -> list[str]:
     return [line for line in lines if line and not line.startswith("#")]
 
 
-def _named(word: str, recordings: bool) -> Iterator[Source]:
+def _named(word: str, recordings: bool) -> Iterator[InputSource]:
     """Yield a shipped clip, a file, or files in a folder or of a pattern with the extension of a clip or recording."""
     path = Path(word)
     if not recordings and word in models.clips():
-        yield Source(None, PurePosixPath(word))
+        yield InputSource(None, PurePosixPath(word))
     elif path.is_file():
         if not recordings and path.suffix.lower() not in ENDINGS:
             kinds = "a .toml file, an MJCF .xml with keyframes, or a shipped name"
@@ -142,9 +142,9 @@ def _named(word: str, recordings: bool) -> Iterator[Source]:
         raise UserError(f"no file '{word}'" if is_file else unknown("clip", word, models.clips()))
 
 
-def _source(file: Path, root: Path, recordings: bool) -> Source:
+def _source(file: Path, root: Path, recordings: bool) -> InputSource:
     stem = formats.stem(file) if recordings else file.stem
-    return Source(_absolute(file), PurePosixPath(file.relative_to(root)).with_name(stem))
+    return InputSource(_absolute(file), PurePosixPath(file.relative_to(root)).with_name(stem))
 
 
 def _is_input(file: Path, endings: Collection[str], recordings: bool) -> bool:

@@ -26,7 +26,7 @@ def program() -> str:
 
 
 @dataclass(frozen=True)
-class Options:
+class BatchOptions:
     """The options of the command, in its units, with their defaults as None. Raises UserError for invalid ones.
 
     Attributes:
@@ -78,7 +78,7 @@ class Task:
     clip: str
     files: Mapping[str, bytes]
     others: Mapping[str, str] = field(default_factory=dict)
-    options: Options = Options()
+    options: BatchOptions = BatchOptions()
     output: str = ""
     allow_outside: bool = False
     program: str = field(default_factory=program)

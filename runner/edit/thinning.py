@@ -17,7 +17,7 @@ from dynsplines import models
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.edit.thin import Bound, Recorded, refined, thin
+from dynsplines.solver.edit.thin import DeviationBound, Recorded, refined, thin
 
 from .. import motion, recordings, solving
 from ..clip import text as clip_text
@@ -87,7 +87,7 @@ def thinned(
     def solved(keys: Sequence[Frame]) -> Timeline:
         return solving.solve(of_motion(replace(saved, keys=tuple(keys))), progress).motion.timeline
 
-    loosely = replace(recorded, bound=Bound(LOOSE * distance, LOOSE * angle))
+    loosely = replace(recorded, bound=DeviationBound(LOOSE * distance, LOOSE * angle))
     if solve:
         instants, timeline = refined(recorded, thin(loosely, report)[0], solved, report)
     else:
@@ -108,7 +108,7 @@ def recorded_of(saved: Saved, distance: float, angle: float) -> Recorded:
     qpos = figure.to_qpos(path_of(saved.timeline).at(times))
     back = around(saved)
     travel, turn = back.travel, radians(back.turn)
-    return Recorded(figure, times, qpos, Bound(distance, angle), saved.timeline.ends, travel, turn)
+    return Recorded(figure, times, qpos, DeviationBound(distance, angle), saved.timeline.ends, travel, turn)
 
 
 def _instants(saved: Saved, keys: Array) -> Array:

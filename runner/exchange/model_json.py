@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from dynsplines.solver.array import Array
 
-from ..scene.triangles import Piece, half_extent, is_still, picture_repeat, pieces, png, triangles
+from ..scene.triangles import MeshPiece, half_extent, is_still, picture_repeat, pieces, png, triangles
 from .skeleton import hierarchy
 
 KINDS = {
@@ -51,7 +51,7 @@ def _short(array: Array) -> list[float]:
 
 
 def _piece(
-    model: mujoco.MjModel, piece: Piece, reach: float, meshes: dict[int, int], pictures: dict[int, int]
+    model: mujoco.MjModel, piece: MeshPiece, reach: float, meshes: dict[int, int], pictures: dict[int, int]
 ) -> dict[str, Any]:
     """Return a geom in its body's axes; a mesh or texture that it uses first is added to `meshes` or `pictures`."""
     out: dict[str, Any] = {
@@ -70,6 +70,6 @@ def _piece(
     return out
 
 
-def _mesh(model: mujoco.MjModel, piece: Piece) -> dict[str, str]:
+def _mesh(model: mujoco.MjModel, piece: MeshPiece) -> dict[str, str]:
     mesh = triangles(model, piece)
     return {"points": packed(mesh.points), "normals": packed(mesh.normals), "faces": packed(mesh.faces, "<u4")}

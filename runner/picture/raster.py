@@ -39,7 +39,7 @@ SUNK = 0.02  # [m] depth of a foot in the ground up to which it is shaded
 OFF_EDGES = 1e-6  # [1] of a texture, so that rounding does not decide about pixels on the edge of a texel
 
 
-class View(NamedTuple):
+class Projection(NamedTuple):
     """The inputs of a picture.
 
     By triangle: normals at its corners (m, 3, 3) and its geom (m,). By geom: colour (k, 3), emission (k,), and whether
@@ -90,14 +90,14 @@ class Raster:
         image[edge] = colour[len(inner) :].reshape(len(SAMPLES), len(edge), 3).mean(axis=0)
         return np.rint(image.clip(0, 1) * 255).astype(np.uint8).reshape(self._height, self._width, 3)
 
-    def _view(self) -> View:
+    def _view(self) -> Projection:
         geoms = [geom for geom in self.scene.geoms[: self.scene.ngeom] if geom.type in DRAWN and geom.rgba[3] > 0]
         eye, (points, normals, geom) = self._eye(), self._surface(geoms)
         colour = np.array([g.rgba[:3] * self._tint(g.matid) for g in geoms], np.float32).reshape(-1, 3)
         emission = np.array([g.emission for g in geoms], np.float32)
         is_still = np.array([g.category == mujoco.mjtCatBit.mjCAT_STATIC for g in geoms], bool)
         lowest = HeightMap(points[~is_still[geom]])
-        return View(eye, Faces(eye, points), normals, geom, lowest, geoms, colour, emission, is_still)
+        return Projection(eye, Faces(eye, points), normals, geom, lowest, geoms, colour, emission, is_still)
 
     def _eye(self) -> Eye:
         """Return the camera of the scene, midway between its two stereo cameras."""
@@ -137,7 +137,7 @@ class Raster:
             out += light.ambient + light.diffuse * reached[:, None]
         return out
 
-    def _colour(self, view: View, x: Array, y: Array, face: Ints, closeness: Array) -> Floats:
+    def _colour(self, view: Projection, x: Array, y: Array, face: Ints, closeness: Array) -> Floats:
         """Return colours at pixels (n, 3), of the visible face, or of the sky where its index is negative."""
         rays = view.eye.rays(x, y)
         length = np.linalg.norm(rays, axis=1)

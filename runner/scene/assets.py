@@ -18,7 +18,7 @@ import mujoco
 from ..errors import UserError
 from ..system import mujoco_warnings, size_limit
 from . import file_access
-from .file_access import FOLDERS, Model, elements, is_there
+from .file_access import FOLDERS, ModelFile, elements, is_there
 from .mujoco_versions import mesh_folder, texture_folder
 
 mujoco_warnings.install()  # here, because all code that uses MuJoCo imports this module
@@ -94,7 +94,7 @@ def taken_along(spec: mujoco.MjSpec) -> Assets:
     return assets
 
 
-def check_places(spec: mujoco.MjSpec, models: Sequence[Model]) -> None:
+def check_places(spec: mujoco.MjSpec, models: Sequence[ModelFile]) -> None:
     """Raise UserError for files outside the model's folder, and complete the paths of files of attached models.
 
     `models` are the model itself and those that it attaches.

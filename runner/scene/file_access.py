@@ -67,7 +67,7 @@ def lies_in(place: Path, folder: Path) -> bool:
 
 
 @dataclass
-class Model:
+class ModelFile:
     """A model and its references; texts: the model's file, included files, and the files of its flexible bodies."""
 
     folder: Path
@@ -81,9 +81,9 @@ def is_there(path: Path) -> bool:
     return os.path.isfile(path)  # noqa: PTH113
 
 
-def models_in(path: Path) -> list[Model]:
+def models_in(path: Path) -> list[ModelFile]:
     """Return a model and the models that it attaches. Raises UserError for text outside its folder."""
-    models = [Model(path.parent)]
+    models = [ModelFile(path.parent)]
     _walk(path, models[0], models, path.parent, {path})
     return models
 
@@ -107,7 +107,7 @@ def paths_read(path: Path) -> list[Path]:
     return sorted({Path(os.path.normpath(place)) for place in paths})
 
 
-def _walk(path: Path, model: Model, attached: list[Model], home: Path, visited: set[Path]) -> None:
+def _walk(path: Path, model: ModelFile, attached: list[ModelFile], home: Path, visited: set[Path]) -> None:
     """Collect the files of a text and of all included text in `model`, and the attached models in `attached`."""
     model.texts.add(path)
     for tag, attrs in list(elements(path.read_bytes().decode("utf-8-sig", errors="replace"))):
@@ -131,7 +131,7 @@ def _walk(path: Path, model: Model, attached: list[Model], home: Path, visited: 
                 continue
             visited.add(there[0])
             if tag == "model":
-                attached.append(Model(there[0].parent))
+                attached.append(ModelFile(there[0].parent))
             _walk(there[0], attached[-1] if tag == "model" else model, attached, home, visited)
 
 

@@ -23,7 +23,7 @@ PLAIN = np.float32(0.5)  # MuJoCo's default grey; geoms of this colour have that
 
 
 @dataclass(frozen=True)
-class Piece:
+class MeshPiece:
     """A visible geom.
 
     Attributes:
@@ -64,19 +64,19 @@ class Triangles:
     texture: Array | None = None
 
 
-def pieces(model: mujoco.MjModel) -> list[Piece]:
+def pieces(model: mujoco.MjModel) -> list[MeshPiece]:
     """Return every visible geom, in the model's order."""
     shown = [g for g in range(model.ngeom) if model.geom_group[g] < HIDDEN_GROUP]
     all_pieces = [piece_of(model, geom) for geom in shown]
     return [piece for piece in all_pieces if piece.colour[3] > 0]
 
 
-def is_still(model: mujoco.MjModel, piece: Piece) -> bool:
+def is_still(model: mujoco.MjModel, piece: MeshPiece) -> bool:
     """Return whether a piece belongs to the static scene, not to a figure."""
     return bool(model.body_weldid[piece.body] == 0)
 
 
-def piece_of(model: mujoco.MjModel, geom: int) -> Piece:
+def piece_of(model: mujoco.MjModel, geom: int) -> MeshPiece:
     """Return a geom, visible or not."""
     material = int(model.geom_matid[geom])
     colour = np.array(model.geom_rgba[geom], float)
@@ -93,7 +93,7 @@ def piece_of(model: mujoco.MjModel, geom: int) -> Piece:
                 picture = texture
             else:
                 colour[:3] *= texels(model, texture).mean(axis=(0, 1)) / 255
-    return Piece(
+    return MeshPiece(
         model.geom(geom).name or f"geom{geom}", geom, int(model.geom_bodyid[geom]), kind, model.geom_size[geom].copy(),
         model.geom_pos[geom].copy(), model.geom_quat[geom].copy(), np.clip(colour, 0, 1), gloss, picture,
     )  # fmt: skip
@@ -121,7 +121,7 @@ def png(model: mujoco.MjModel, texture: int) -> bytes:
     return stream.getvalue()
 
 
-def triangles(model: mujoco.MjModel, piece: Piece, reach: float = 20.0) -> Triangles:
+def triangles(model: mujoco.MjModel, piece: MeshPiece, reach: float = 20.0) -> Triangles:
     """Return a piece as triangles. An infinite plane extends `reach` [m] from its middle."""
     size = piece.size
     match piece.kind:
@@ -145,12 +145,12 @@ def triangles(model: mujoco.MjModel, piece: Piece, reach: float = 20.0) -> Trian
             raise UserError(f"geom '{piece.name}' is of MuJoCo's type {kind}, which has no triangles here")
 
 
-def half_extent(piece: Piece, reach: float) -> Array:
+def half_extent(piece: MeshPiece, reach: float) -> Array:
     """Return the half size of a plane, (2,) [m]."""
     return np.where(piece.size[:2] > 0, piece.size[:2], reach)
 
 
-def picture_repeat(model: mujoco.MjModel, piece: Piece, half: Array) -> Array:
+def picture_repeat(model: mujoco.MjModel, piece: MeshPiece, half: Array) -> Array:
     """Return the number of texture repetitions per metre, (2,).
 
     MuJoCo stretches a texture over the whole plane, or over one metre if it is uniform.
@@ -162,7 +162,7 @@ def picture_repeat(model: mujoco.MjModel, piece: Piece, half: Array) -> Array:
     return repeat / (2 * np.where(piece.size[:2] > 0, half, 1.0))
 
 
-def _plane(model: mujoco.MjModel, piece: Piece, reach: float) -> Triangles:
+def _plane(model: mujoco.MjModel, piece: MeshPiece, reach: float) -> Triangles:
     half = half_extent(piece, reach)
     points = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]]) * np.append(half, 0.0)
     texture = None

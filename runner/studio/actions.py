@@ -22,7 +22,7 @@ AT = 1e-6  # [s] distance up to which a time is that of a keyframe
 
 
 @dataclass
-class _Drag:
+class _DragAction:
     """A drag of a point, or a rotation of a joint.
 
     Attributes:
@@ -48,7 +48,7 @@ class Actions:
         self._clipboard: list[TomlTable] = []
         self._prepared: tuple[bytes, Poser] | None = None  # the poser of a pickled figure
         self._preparing = threading.Lock()
-        self._drag: _Drag | None = None
+        self._drag: _DragAction | None = None
 
     def prepare(self) -> None:
         """Create the poser in the background, so that the first drag does not wait."""
@@ -81,7 +81,7 @@ class Actions:
         table = table_of(self.session.document.text, self.session.document.place)
         return Poser(figure, table.penalty, np.reshape(np.array(whole, float), (-1, figure.width)))
 
-    async def _same_poser(self, drag: _Drag) -> Poser:
+    async def _same_poser(self, drag: _DragAction) -> Poser:
         """Return the poser of the present figure. Raises UserError if an edit has changed the figure during a drag."""
         poser = await self.poser()
         if len(drag.home) != poser.figure.width:
@@ -102,7 +102,7 @@ class Actions:
         poser = await self.poser()
         home = self.at(time, poser)
         grip = await asyncio.to_thread(poser.gripped, home, int(body), offset, plant=plant, alone=alone)
-        self._drag = _Drag(int(body), home, home, grip=grip)
+        self._drag = _DragAction(int(body), home, home, grip=grip)
         return ""
 
     async def drag(self, *, position: Sequence[float]) -> Message:
@@ -123,7 +123,7 @@ class Actions:
         if drag is None or drag.turned != turned:
             home = self.at(time, poser)
             body = next((int(link.body) for link in poser.figure.links[1:] if link.name == joint), 0)
-            drag = self._drag = _Drag(body, home, home, turned=turned)
+            drag = self._drag = _DragAction(body, home, home, turned=turned)
         drag.pose = (await self._same_poser(drag)).turned(drag.home, joint, turn)
         return _bodies(poser, drag.pose)
 
@@ -138,7 +138,9 @@ class Actions:
         edit = self._edit_of_drag(drag, await self._same_poser(drag), time, partial=partial)
         return "" if edit is None else await self.session.edit(*edit)
 
-    def _edit_of_drag(self, drag: _Drag, poser: Poser, time: float, *, partial: bool) -> tuple[str, Message] | None:
+    def _edit_of_drag(
+        self, drag: _DragAction, poser: Poser, time: float, *, partial: bool
+    ) -> tuple[str, Message] | None:
         """Return the edit, as arguments of `Session.edit`, that ends a drag; None if nothing has moved."""
         home, last, index = drag.home, drag.pose, self.key_at(time)
         entries = poser.keyframe_entries(last, home)

@@ -29,7 +29,7 @@ ENDING = re.compile(r"(?:^[ \t]*(?:#[^\n]*)?\n?)*\Z", re.MULTILINE)  # empty lin
 
 
 @dataclass(eq=False)
-class Block:
+class TextBlock:
     """A header and the text below it.
 
     Attributes:
@@ -67,7 +67,7 @@ class Block:
 class Blocks:
     """A whole text: the part before the first header, then block after block."""
 
-    blocks: list[Block] = field(default_factory=list)
+    blocks: list[TextBlock] = field(default_factory=list)
 
     @classmethod
     def of(cls, text: str, where: str) -> Blocks:
@@ -104,7 +104,7 @@ class Blocks:
     def as_string(self) -> str:
         return "".join(block.written() for block in self.blocks)
 
-    def rows(self, *path: str) -> list[Block]:
+    def rows(self, *path: str) -> list[TextBlock]:
         """Return the [[...]] tables of a path."""
         return [block for block in self.blocks if block.is_row and block.path == path]
 
@@ -134,14 +134,14 @@ class Blocks:
         else:
             self.remove(block)
 
-    def insert(self, at: int, block: Block) -> None:
+    def insert(self, at: int, block: TextBlock) -> None:
         """Insert a block before another one, with an empty line on either side."""
         before = self.blocks[at - 1] if at else None
         if before is not None and not (text := before.written()).endswith("\n\n") and text:
             before.ending += "\n" if text.endswith("\n") else "\n\n"
         self.blocks.insert(at, block)
 
-    def remove(self, block: Block) -> None:
+    def remove(self, block: TextBlock) -> None:
         """Remove a block, except a comment directly before the next block."""
         at = self.blocks.index(block)
         _, _, remark = ("\n" + block.ending).rpartition("\n\n")
@@ -150,10 +150,10 @@ class Blocks:
         del self.blocks[at]
 
 
-def _block(path: tuple[str, ...], is_row: bool, text: str) -> Block:
+def _block(path: tuple[str, ...], is_row: bool, text: str) -> TextBlock:
     ending = ENDING.search(text)
     cut = len(text) if ending is None else ending.start()
-    return Block(path, is_row, text[:cut], text[cut:])
+    return TextBlock(path, is_row, text[:cut], text[cut:])
 
 
 def row(blocks: Blocks, *at: Any) -> Any:
@@ -161,7 +161,7 @@ def row(blocks: Blocks, *at: Any) -> Any:
     return _row_block(blocks, at).table
 
 
-def _row_block(blocks: Blocks, at: tuple[Any, ...]) -> Block:
+def _row_block(blocks: Blocks, at: tuple[Any, ...]) -> TextBlock:
     *path, index = at
     rows = blocks.rows(*path)
     if not isinstance(index, int) or isinstance(index, bool) or not 0 <= index < len(rows):
@@ -240,7 +240,7 @@ def add(blocks: Blocks, path: tuple[str, ...], entries: Mapping[str, Any], index
     table: Table = tomlkit.table()
     fill(table, entries)
     name = ".".join(item_key(key) for key in path)
-    block = Block(path, True, f"[[{name}]]\n{table.as_string()}", "\n")
+    block = TextBlock(path, True, f"[[{name}]]\n{table.as_string()}", "\n")
     rows = blocks.rows(*path)
     if rows and (index is None or index >= len(rows)):
         at = blocks.blocks.index(rows[-1]) + 1

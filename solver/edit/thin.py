@@ -37,7 +37,7 @@ SHARE = 0.5  # [1] deviation relative to the worst, from which segments get a ke
 
 
 @dataclass(frozen=True)
-class Bound:
+class DeviationBound:
     """The error bound: distance [m] of a body's origin or site, angle [rad] of a link."""
 
     distance: float
@@ -70,7 +70,7 @@ class Recorded:
     figure: Figure
     times: Array
     qpos: Array
-    bound: Bound
+    bound: DeviationBound
     ends: str = "free"
     travel: ArrayLike | None = None
     turn: float | None = None

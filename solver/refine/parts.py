@@ -70,7 +70,7 @@ def edited(raw: Timeline, between: Sequence[tuple[float, float]]) -> list[Window
 
 
 @dataclass(frozen=True, eq=False)
-class Part:
+class SearchPart:
     """A part of a timeline as a separate clip.
 
     Attributes:
@@ -90,7 +90,7 @@ class Part:
     outside_terms: Array
 
     @classmethod
-    def of(cls, whole: Path, timeline: Timeline, keys: Array, window: Window, ends: str, terms: Array) -> Part:
+    def of(cls, whole: Path, timeline: Timeline, keys: Array, window: Window, ends: str, terms: Array) -> SearchPart:
         """Return a part of a timeline.
 
         Args:

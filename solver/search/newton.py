@@ -22,7 +22,7 @@ from ..array import Array
 from ..objective import Discretised, Evaluation
 from .minimum import MOST_EVALUATIONS, NEGLIGIBLE, TOLERANCE, Improved, Minimum, Stop, StopSearch
 from .nlopt_methods import NONE, is_practical, minimise
-from .quadratic import Layout, Model, Proposal
+from .quadratic import Layout, Proposal, QuadraticModel
 
 FIRST_DAMPING = 1.0  # in units of E's curvature in y''
 MIN_DAMPING, MAX_DAMPING = 1e-6, 1e9  # from a full Newton step to a negligible one
@@ -177,12 +177,12 @@ class Search:
         size = min(max(self.value, NEGLIGIBLE * self.first), self.problem.objective.heavy)
         return decrease <= tolerance * size
 
-    def model(self) -> Model:
-        model = Model(self.layout, self.x, self.gradient, self.scale)
+    def model(self) -> QuadraticModel:
+        model = QuadraticModel(self.layout, self.x, self.gradient, self.scale)
         self.scale = model.scale
         return model
 
-    def step(self, model: Model, tolerance: float) -> tuple[Proposal, Stop | None]:
+    def step(self, model: QuadraticModel, tolerance: float) -> tuple[Proposal, Stop | None]:
         """Take the model's step, damped until E falls.
 
         Returns:

@@ -402,7 +402,7 @@ class Proposal(NamedTuple):
     factor: Array | None
 
 
-class Model:
+class QuadraticModel:
     """The model m(δ) at one path.
 
     Attributes:

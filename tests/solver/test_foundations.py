@@ -30,7 +30,7 @@ from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.inbetween import one_thread
 from dynsplines.solver.posing import inverse_kinematics, posed, reached
 from dynsplines.solver.refine.subdivision import midpoints, split
-from dynsplines.solver.search.quadratic import Layout, Model
+from dynsplines.solver.search.quadratic import Layout, QuadraticModel
 from dynsplines.system.threads import THREADS
 
 component = st.floats(-2, 2, allow_nan=False).map(lambda x: round(x, 6))
@@ -251,7 +251,7 @@ def test_a_model_by_the_kernel_is_numpys(name, monkeypatch):
     models, steps = [], []
     for kernel in (compiled.kernel, None):
         monkeypatch.setattr(compiled, "kernel", kernel)
-        models.append(Model(Layout(discretised), x, gradient))
+        models.append(QuadraticModel(Layout(discretised), x, gradient))
         steps.append(models[-1].minimise(models[-1].scale))
     lower = models[1].layout.factor(models[1].curvature)
     assert lower is not None

@@ -44,7 +44,7 @@ from dynsplines.solver.penalty import (
 from dynsplines.solver.penalty.block import Dense
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA
-from dynsplines.solver.search.quadratic import Layout, Model
+from dynsplines.solver.search.quadratic import Layout, QuadraticModel
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
 
@@ -321,7 +321,7 @@ def test_equal_tension_multiplies_the_weights(same, rng):
     steps = []
     for problem in (tense.on(timeline), weighted.on(timeline)):
         x = problem.unknowns.start + 0.1
-        steps.append(Model(Layout(problem), x, problem(x).gradient).minimise(0.1)[0])
+        steps.append(QuadraticModel(Layout(problem), x, problem(x).gradient).minimise(0.1)[0])
     np.testing.assert_allclose(*steps, rtol=1e-9)
 
 

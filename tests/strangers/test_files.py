@@ -18,7 +18,7 @@ import dynsplines
 from dynsplines import cli, motion, solving
 from dynsplines.batch import inputs
 from dynsplines.batch import solving as batch_solving
-from dynsplines.batch.inputs import Source
+from dynsplines.batch.inputs import InputSource
 from dynsplines.batch.manifest import Manifest, check_below
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
@@ -191,9 +191,9 @@ def test_models_and_batches_read_nothing_outside_a_models_folder_unless_they_may
     with pytest.raises(UserError, match="outside its folder"):
         dynsplines.load(path)
     with pytest.raises(UserError, match=r"secret.*outside its folder"):
-        inputs.task_of(Source(path, PurePosixPath("it")), {})
+        inputs.task_of(InputSource(path, PurePosixPath("it")), {})
     with file_access.allowed():
-        packed = inputs.task_of(Source(path, PurePosixPath("it")), {}).files
+        packed = inputs.task_of(InputSource(path, PurePosixPath("it")), {}).files
     assert any("secret" in name or "link" in name for name in packed)
     if way not in ("odd", "submodel"):  # which are no models that MuJoCo reads
         assert dynsplines.load(path, allow_outside=True).figure.model.nmesh == 1
@@ -239,7 +239,7 @@ def test_every_command_that_reads_models_has_the_option():
 def test_a_batch_that_may_read_outside_solves_elsewhere_too(tmp_path: Path):
     path = outsiders(tmp_path / "here")["up"]
     with file_access.allowed():
-        files = inputs.task_of(Source(path, PurePosixPath("it")), {})
+        files = inputs.task_of(InputSource(path, PurePosixPath("it")), {})
     (tmp_path / "there").mkdir()
     done = batch_solving.solved(replace(files, output="it.npz", allow_outside=True), tmp_path / "there")
     (tmp_path / "it.npz").write_bytes(done.files["it.npz"])

@@ -31,7 +31,7 @@ from dynsplines.solver.penalty import (
 )
 from dynsplines.solver.penalty.block import one_sided_residuals
 from dynsplines.solver.penalty.curvature import Curvature, OneSidedResiduals
-from dynsplines.solver.search.quadratic import POINTS, Layout, Model
+from dynsplines.solver.search.quadratic import POINTS, Layout, QuadraticModel
 from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point, places_of
 
@@ -96,7 +96,7 @@ def assert_dense(
 ) -> None:
     """That a step is the dense one, with damping by a share of the model's unit."""
     gradient = problem(x).gradient
-    model = Model(Layout(problem), x, gradient)
+    model = QuadraticModel(Layout(problem), x, gradient)
     hessian = dense_hessian(problem, names, x) + share * model.scale * flat_energy(problem)
     expected = -np.linalg.solve(hessian, gradient)
     step, promised, _ = model.minimise(share * model.scale)

@@ -24,7 +24,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
 from ...motion import Sampled
-from ...scene.triangles import Piece, Triangles, joined, linear, pieces, png, triangles
+from ...scene.triangles import MeshPiece, Triangles, joined, linear, pieces, png, triangles
 from ..skeleton import hierarchy
 
 FLOAT, UNSIGNED_INT = 5126, 5125  # component types
@@ -125,7 +125,7 @@ def _meshes(document: _Document, model: mujoco.MjModel, names: list[str], reach:
     return meshes
 
 
-def _placed(piece: Piece, part: Triangles) -> Triangles:
+def _placed(piece: MeshPiece, part: Triangles) -> Triangles:
     """Transform from the geom's axes to its body's."""
     points = quat.rotated(piece.rotation, part.points) + piece.position
     return Triangles(points, quat.rotated(piece.rotation, part.normals), part.faces, part.texture)
@@ -141,7 +141,7 @@ def _primitive(document: _Document, part: Triangles, material: int) -> dict[str,
     return {"attributes": attributes, "indices": document.indices(part.faces), "material": material}
 
 
-def _material(document: _Document, model: mujoco.MjModel, piece: Piece) -> int:
+def _material(document: _Document, model: mujoco.MjModel, piece: MeshPiece) -> int:
     """Add a material; colours of models are sRGB and become linear, as the format requires."""
     look: dict[str, Any] = {
         "baseColorFactor": [*linear(piece.colour[:3]).tolist(), float(piece.colour[3])],

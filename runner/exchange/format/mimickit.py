@@ -36,7 +36,7 @@ CLAMP, WRAP = 0, 1  # values of loop_mode
 
 
 @dataclass(frozen=True)
-class Part:
+class MimicPart:
     """The joint of one body: its columns in qpos (an angle, a quaternion, or three angles in `order`).
 
     rest  angles in qpos at rest (`ref` of MJCF), where MimicKit's are zero
@@ -65,7 +65,7 @@ class Part:
         return rotation if self.order is None else euler_angles(rotation[:, None], self.order)[:, 0] + self.rest
 
 
-def parts(model: mujoco.MjModel) -> tuple[int, list[Part]]:
+def parts(model: mujoco.MjModel) -> tuple[int, list[MimicPart]]:
     """Return the root's first column and the joints of the other bodies; raises UserError for joints MimicKit lacks."""
     kinds = model.jnt_type.tolist()
     if kinds.count(JointKind.FREE) != 1:
@@ -83,19 +83,19 @@ def parts(model: mujoco.MjModel) -> tuple[int, list[Part]]:
     return int(model.jnt_qposadr[kinds.index(JointKind.FREE)]), out
 
 
-def _part(model: mujoco.MjModel, joints: list[int], name: str) -> Part:
+def _part(model: mujoco.MjModel, joints: list[int], name: str) -> MimicPart:
     types = [int(model.jnt_type[joint]) for joint in joints]
     columns = [int(model.jnt_qposadr[joint]) for joint in joints]
     if types == [JointKind.BALL]:
-        return Part([columns[0] + n for n in range(4)])
+        return MimicPart([columns[0] + n for n in range(4)])
     rest = tuple(model.qpos0[columns].tolist())
     if types == [JointKind.HINGE]:
-        return Part(columns, rest=rest)
+        return MimicPart(columns, rest=rest)
     if types == [JointKind.HINGE] * 3:
         axes = [model.jnt_axis[joint] for joint in joints]
         order = "".join("xyz"[int(np.argmax(axis))] for axis in axes)
         if sorted(order) == list("xyz") and all(axis.max() > 1 - ROUNDING for axis in axes):
-            return Part(columns, order, rest)
+            return MimicPart(columns, order, rest)
     raise UserError(
         f"the format 'mimickit' has one ball joint, one hinge, or three about x, y and z a body; '{name}' has others"
     )

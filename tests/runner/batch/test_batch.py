@@ -26,7 +26,7 @@ from dynsplines import motion
 from dynsplines.batch import dispatch
 from dynsplines.batch.manifest import ENTRY, Entry, Manifest
 from dynsplines.batch.tally import Tally
-from dynsplines.batch.task import Options
+from dynsplines.batch.task import BatchOptions
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX limits and signals")
 
@@ -338,7 +338,7 @@ def test_a_mesh_comes_with_the_model_and_another_figures_is_not_written_over_it(
         (clips / f"{number}.toml").write_text(text, encoding="utf-8")
 
     def run(name: str = "") -> Tally:
-        return dispatch.run([str(clips / name)], out, Options(workers=1, to="mjcf"), quiet())
+        return dispatch.run([str(clips / name)], out, BatchOptions(workers=1, to="mjcf"), quiet())
 
     tally = run()
     (failed,) = tally.failed

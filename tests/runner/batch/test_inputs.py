@@ -12,8 +12,8 @@ from problems import CLIP, FIGURE, changed, written
 from texts import read_cases
 
 from dynsplines.batch import solving
-from dynsplines.batch.inputs import Source, sources, task_of
-from dynsplines.batch.task import Options
+from dynsplines.batch.inputs import InputSource, sources, task_of
+from dynsplines.batch.task import BatchOptions
 from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.motion import load
@@ -33,7 +33,7 @@ def tree(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def names(found: list[Source]) -> list[str]:
+def names(found: list[InputSource]) -> list[str]:
     return [str(source.name) for source in found]
 
 
@@ -75,12 +75,12 @@ def test_a_clip_takes_its_figure_along(tmp_path: Path):
     path = tmp_path / "clips" / "tiny.toml"
     path.write_text(changed('"tiny.xml"', '"../figures/tiny.xml"'), encoding="utf-8")
     figures: dict[Path, dict[Path, bytes]] = {}
-    files = task_of(Source(path, PurePosixPath("tiny")), figures)
+    files = task_of(InputSource(path, PurePosixPath("tiny")), figures)
     assert files.clip == "clips/tiny.toml"
     assert sorted(files.files) == ["clips/tiny.toml", "figures/tiny.xml"]
     assert not files.others
     path.write_text(changed('"tiny.xml"', f'"{(tmp_path / "figures/tiny.xml").as_posix()}"'), encoding="utf-8")
-    files = task_of(Source(path, PurePosixPath("tiny")), figures)
+    files = task_of(InputSource(path, PurePosixPath("tiny")), figures)
     assert files.others == {"figure": "figures/tiny.xml"}
 
 
@@ -94,7 +94,7 @@ def test_a_model_takes_along_what_it_includes_and_refers_to(tmp_path: Path):
     }.items():
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(data, encoding="utf-8")
-    files = task_of(Source(tmp_path / "model.xml", PurePosixPath("model")), {})
+    files = task_of(InputSource(tmp_path / "model.xml", PurePosixPath("model")), {})
     assert sorted(files.files) == ["meshes/a.stl", "model.xml", "parts/more.xml", "right.png"]
 
 
@@ -102,15 +102,15 @@ def test_a_clip_that_is_wrong_or_lacks_its_figure_goes_as_it_is(tmp_path: Path):
     for text in ("not toml [", changed("tiny.xml", "absent.xml"), 'figure = "human"'):
         path = tmp_path / "a.toml"
         path.write_text(text, encoding="utf-8")
-        assert task_of(Source(path, PurePosixPath("a")), {}).files == {"a.toml": text.encode()}
+        assert task_of(InputSource(path, PurePosixPath("a")), {}).files == {"a.toml": text.encode()}
 
 
 def test_the_digest_changes_with_clip_figure_and_options_alone(tmp_path: Path):
     path = written(tmp_path)
-    source = Source(path, PurePosixPath("tiny"))
+    source = InputSource(path, PurePosixPath("tiny"))
     first = task_of(source, {}).digest
     assert first == task_of(source, {}).digest
-    assert first != task_of(source, {}, Options(to="csv")).digest
+    assert first != task_of(source, {}, BatchOptions(to="csv")).digest
     figure = tmp_path / "tiny.xml"
     figure.write_text(figure.read_text(encoding="utf-8").replace('mass="4"', 'mass="5"'), encoding="utf-8")
     second = task_of(source, {}).digest
@@ -124,7 +124,7 @@ def test_elsewhere_a_clip_is_solved_as_it_is_here(tmp_path: Path):
     there.mkdir()
     figure = here / "tiny.xml"
     path = written(here, changed('"tiny.xml"', f'"{figure.as_posix()}"'))
-    files = task_of(Source(path, PurePosixPath("tiny")), {})
+    files = task_of(InputSource(path, PurePosixPath("tiny")), {})
     problem = clip.load(str(path))
     figure.unlink()
     path.unlink()
@@ -141,7 +141,8 @@ def test_elsewhere_a_clip_is_solved_as_it_is_here(tmp_path: Path):
 def test_a_worker_with_another_version_is_rejected(tmp_path: Path):
     with pytest.raises(UserError, match=r"the worker has dynamic-splines .*, not 0\.0\.7"):
         solving.solved(
-            replace(task_of(Source(None, PurePosixPath("stairs")), {}), output="stairs.npz", program="0.0.7"), tmp_path
+            replace(task_of(InputSource(None, PurePosixPath("stairs")), {}), output="stairs.npz", program="0.0.7"),
+            tmp_path,
         )
 
 
@@ -159,13 +160,13 @@ def test_a_clip_takes_along_the_recording_that_it_follows(tmp_path: Path):
     there.mkdir()
     written(tmp_path)
     path = tmp_path / "tiny.toml"
-    product = solving.solved(replace(task_of(Source(path, PurePosixPath("tiny")), {}), output="tiny.npz"), there)
+    product = solving.solved(replace(task_of(InputSource(path, PurePosixPath("tiny")), {}), output="tiny.npz"), there)
     (tmp_path / "own.npz").write_bytes(product.files["tiny.npz"])
     (tmp_path / "through.toml").write_text(FOLLOWING.format("tiny.toml"), encoding="utf-8")
     clip_file, digests = tmp_path / "following.toml", []
     for recording, along in {"own.npz": ["own.npz"], "through.toml": ["through.toml", "tiny.toml"]}.items():
         clip_file.write_text(FOLLOWING.format(recording), encoding="utf-8")
-        files = task_of(Source(clip_file, PurePosixPath("following")), {})
+        files = task_of(InputSource(clip_file, PurePosixPath("following")), {})
         assert sorted(files.files) == sorted(["following.toml", "tiny.xml", *along])
         elsewhere = tmp_path / f"elsewhere {recording}"
         elsewhere.mkdir()
@@ -174,7 +175,7 @@ def test_a_clip_takes_along_the_recording_that_it_follows(tmp_path: Path):
         assert load(tmp_path / "made.npz").keys[-1].time == pytest.approx(0.41)
         digests.append(files.digest)
     path.write_text(changed("[0.3, 0, 1]", "[0.31, 0, 1]"), encoding="utf-8")
-    assert task_of(Source(clip_file, PurePosixPath("following")), {}).digest not in digests
+    assert task_of(InputSource(clip_file, PurePosixPath("following")), {}).digest not in digests
 
 
 def test_a_recording_that_lies_elsewhere_or_follows_itself_does_not_go_along(tmp_path: Path):
@@ -184,7 +185,7 @@ def test_a_recording_that_lies_elsewhere_or_follows_itself_does_not_go_along(tmp
     (tmp_path / "secret.npz").write_bytes(b"secret")
     for recording in ("../secret.npz", "following.toml", "absent.npz"):
         (inner / "following.toml").write_text(FOLLOWING.format(recording), encoding="utf-8")
-        files = task_of(Source(inner / "following.toml", PurePosixPath("following")), {})
+        files = task_of(InputSource(inner / "following.toml", PurePosixPath("following")), {})
         assert sorted(files.files) == ["following.toml", "tiny.xml"]
 
 
@@ -195,7 +196,7 @@ def test_what_a_format_writes_next_to_its_file_comes_back(tmp_path: Path):
     asset = '<asset><mesh name="part" file="part.obj"/></asset>'
     (tmp_path / "tiny.xml").write_text(changed("<worldbody>", f"{asset}<worldbody>", FIGURE), encoding="utf-8")
     (tmp_path / "part.obj").write_text(mesh, encoding="utf-8")
-    task = task_of(Source(clip, PurePosixPath("tiny")), {}, Options(to="mjcf"))
+    task = task_of(InputSource(clip, PurePosixPath("tiny")), {}, BatchOptions(to="mjcf"))
     made = solving.solved(replace(task, output="tiny.keys.xml"), there)
     assert list(made.files) == ["tiny.keys.xml", "part.obj"]
     assert made.files["part.obj"].decode() == mesh

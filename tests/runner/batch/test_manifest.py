@@ -17,7 +17,7 @@ from dynsplines.batch.dispatch import Batch
 from dynsplines.batch.inputs import sources, task_of
 from dynsplines.batch.manifest import Entry, Manifest, digest_of
 from dynsplines.batch.solving import solved
-from dynsplines.batch.task import Options
+from dynsplines.batch.task import BatchOptions
 from dynsplines.errors import UserError
 
 WALK = Entry(clip="walk", source="../clips/walk.toml", state="failed", input="abc", error="too 'long'")
@@ -61,14 +61,14 @@ def out(tmp_path: Path) -> Path:
     return tmp_path / "out"
 
 
-def left(out: Path, options: Options = Options()) -> list[str]:  # noqa: B008
+def left(out: Path, options: BatchOptions = BatchOptions()) -> list[str]:  # noqa: B008
     """The clips that a command has left to do, by a program that starts anew."""
     batch = Batch(Manifest.of(out), options, quiet(), solved)
     batch.plan(sources([str(out.parent / "tiny.toml"), str(out.parent / "other.toml")]))
     return [str(source.name) for source in batch.waiting]
 
 
-def end(out: Path, name: str, error: str = "", options: Options = Options()) -> None:  # noqa: B008
+def end(out: Path, name: str, error: str = "", options: BatchOptions = BatchOptions()) -> None:  # noqa: B008
     """A clip's end is written down."""
     (out / f"{name}.csv").write_bytes(b"data")
     (source,) = sources([str(out.parent / f"{name}.toml")])
@@ -93,7 +93,7 @@ def test_a_clip_a_figure_or_an_option_that_changes_is_done_again(out: Path):
     end(out, "tiny")
     end(out, "other")
     assert left(out) == []
-    assert left(out, Options(report=True)) == left(out, Options(fps=7.0)) == ["tiny", "other"]
+    assert left(out, BatchOptions(report=True)) == left(out, BatchOptions(fps=7.0)) == ["tiny", "other"]
     (out.parent / "tiny.toml").write_text(CLIP.replace("fps = 20", "fps = 21"), encoding="utf-8")
     assert left(out) == ["tiny"]
     end(out, "tiny")
@@ -105,7 +105,7 @@ def test_what_failed_is_done_again_on_request(out: Path):
     end(out, "other")
     end(out, "tiny", error="it did not work")
     assert left(out) == []
-    assert left(out, Options(retry_failed=True)) == ["tiny"]
+    assert left(out, BatchOptions(retry_failed=True)) == ["tiny"]
     manifest = Manifest.of(out)
     manifest.record(replace(manifest.entries["tiny"], input=""))  # as of a clip whose workers ended
     assert left(out) == ["tiny"]

@@ -16,7 +16,7 @@ from dynsplines import UserError, load_motion
 from dynsplines.batch.dispatch import run
 from dynsplines.batch.inputs import sources, task_of
 from dynsplines.batch.manifest import Manifest
-from dynsplines.batch.task import Options
+from dynsplines.batch.task import BatchOptions
 from dynsplines.clean.command import Source
 from dynsplines.exchange import formats
 
@@ -49,14 +49,14 @@ def test_all_that_is_requested_goes_along_and_counts(folder: Path, tmp_path: Pat
     scene.write_text("[scene]\n", encoding="utf-8")
     (source,) = sources([str(folder / "walk.bvh")], recordings=True)
     asked = Source(Path(), "human", scene=scene)
-    options = Options(cleaning=asked)
+    options = BatchOptions(cleaning=asked)
     files = task_of(source, {}, options)
     assert files.others.keys() == {"scene"}
     assert files.files[files.others["scene"]] == scene.read_bytes()
     assert files.files[files.clip] == (folder / "walk.bvh").read_bytes()
     before = files.digest
     assert before == task_of(source, {}, options).digest
-    assert before != task_of(source, {}, Options(cleaning=asked, max_displacement=0.02)).digest
+    assert before != task_of(source, {}, BatchOptions(cleaning=asked, max_displacement=0.02)).digest
     scene.write_text("[scene]\n# another\n", encoding="utf-8")
     assert before != task_of(source, {}, options).digest
 
@@ -66,7 +66,7 @@ def test_each_is_cleaned_once_and_one_that_is_torn_stops_nothing(
     in_process: None, folder: Path, tmp_path: Path
 ) -> None:
     shutil.copytree(folder, tmp_path / "in")
-    options = Options(workers=1, cleaning=Source(Path(), "human"))
+    options = BatchOptions(workers=1, cleaning=Source(Path(), "human"))
     into = tmp_path / "in" / "out"  # below what is read, which it is no part of
     tally = run([str(tmp_path / "in")], into, options, quiet())
     assert (tally.solved, [entry.clip for entry in tally.failed]) == (2, ["torn"])

@@ -13,7 +13,7 @@ from texts import read_data
 
 from dynsplines import Keyframe, build, inbetween
 from dynsplines.batch import solving
-from dynsplines.batch.task import Options, Task
+from dynsplines.batch.task import BatchOptions, Task
 from dynsplines.clip import load
 from dynsplines.system import mujoco_warnings
 from dynsplines.system.workers import in_order
@@ -77,7 +77,7 @@ def test_workers_pass_theirs_on_and_the_process_reports_each_kind_once(run: Comm
 def test_a_batch_has_it_among_the_notes_of_a_clip(run: Command, tmp_path: Path):
     folder = tmp_path / "work"
     folder.mkdir()
-    files, options = {"clip.toml": CLIP.encode(), "arm.xml": SINGULAR.encode()}, Options(to="locomujoco")
+    files, options = {"clip.toml": CLIP.encode(), "arm.xml": SINGULAR.encode()}, BatchOptions(to="locomujoco")
     product = solving.solved(Task("clip.toml", files, options=options, output="clip.loco.npz"), folder)
     assert [note[:24] for note in product.notes if "MuJoCo" in note] == ["MuJoCo: Inertia matrix i"]
     assert not Path("MUJOCO_LOG.TXT").exists()

@@ -14,10 +14,10 @@ from oracles import kinematics
 from scipy.interpolate import CubicSpline
 
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.edit.thin import Bound, Recorded, refined, thin
+from dynsplines.solver.edit.thin import DeviationBound, Recorded, refined, thin
 from dynsplines.solver.figure.figure import Figure
 
-WIDE = Bound(0.08, np.radians(10))
+WIDE = DeviationBound(0.08, np.radians(10))
 
 
 def recording(figure: Figure, seed: int, count: int = 14, bends: int = 5) -> tuple[np.ndarray, np.ndarray]:
@@ -75,7 +75,7 @@ def fewest(recorded: Recorded, below: int) -> int:
 def test_the_bound_holds_by_mujocos_kinematics(name, seed, count, metres, degrees):
     figure = of(name)
     times, qpos = recording(figure, seed, count)
-    instants, timeline = thin(Recorded(figure, times, qpos, Bound(metres, np.radians(degrees))))
+    instants, timeline = thin(Recorded(figure, times, qpos, DeviationBound(metres, np.radians(degrees))))
     distance, angle = apart_by_mujoco(figure, times, qpos, timeline)
     assert distance <= metres * (1 + 1e-6) + 1e-12
     assert angle <= np.radians(degrees) * (1 + 1e-6) + 1e-7
@@ -88,7 +88,7 @@ def test_a_straight_motion_thins_to_two_keyframes():
     qpos = np.tile(figure.model.qpos0, (50, 1))
     qpos[:, 0] += 1.5 * times
     qpos[:, 7] += 0.4 * times  # a hinge
-    assert thin(Recorded(figure, times, qpos, Bound(1e-6, 1e-6)))[0] == (0, 49)
+    assert thin(Recorded(figure, times, qpos, DeviationBound(1e-6, 1e-6)))[0] == (0, 49)
 
 
 def test_the_worst_is_reported_with_its_name_and_instant():
@@ -130,7 +130,7 @@ def test_a_single_joints_motion_has_at_most_one_keyframe_more_than_the_fewest(se
     """All choices, one by one; and without any one of its keyframes the bound does not hold."""
     figure, rng, times = (figure_of(SWAY), np.random.default_rng(seed), np.linspace(0, 1, 9))
     bends = CubicSpline(np.linspace(0, 1, 5), rng.normal(size=5), bc_type="clamped" if ends == "clamped" else "natural")
-    recorded = Recorded(figure, times, bends(times)[:, None], Bound(0.15, 1.0), ends)
+    recorded = Recorded(figure, times, bends(times)[:, None], DeviationBound(0.15, 1.0), ends)
     told: list[str] = []
     kept, _ = thin(recorded, told.append)
     assert holds(recorded, kept)

@@ -30,7 +30,7 @@ from dynsplines.solver.penalty import (
     UnitMagnitude,
 )
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.parts import AHEAD, BEHIND, KEPT, Part, Window, edited, is_long, windows
+from dynsplines.solver.refine.parts import AHEAD, BEHIND, KEPT, SearchPart, Window, edited, is_long, windows
 from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface.points import Point
@@ -160,9 +160,9 @@ def test_ctrl_c_anywhere_in_the_middle_returns_a_whole_motion_no_worse_than_the_
     assert values[-1] < 0.7 * values[0]
 
 
-def part_of(timeline: Timeline, raw: Timeline, window: Window) -> Part:
+def part_of(timeline: Timeline, raw: Timeline, window: Window) -> SearchPart:
     terms = np.arange(3.0 * SEGMENTS).reshape(SEGMENTS, 3)
-    part = Part.of(path_of(timeline), timeline, raw.times, window, raw.ends, terms)
+    part = SearchPart.of(path_of(timeline), timeline, raw.times, window, raw.ends, terms)
     elsewhere = [k for k in range(SEGMENTS) if not window.begin <= k < window.end]
     np.testing.assert_allclose(part.outside_terms, terms[elsewhere].sum(axis=0))
     return part

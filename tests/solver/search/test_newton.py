@@ -11,7 +11,7 @@ from dynsplines.solver.objective import Evaluation, Objective
 from dynsplines.solver.search.descent import minimised
 from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.search.newton import FIRST_DAMPING, GaussNewton
-from dynsplines.solver.search.quadratic import Model, Proposal
+from dynsplines.solver.search.quadratic import Proposal, QuadraticModel
 
 
 @pytest.mark.slow
@@ -112,14 +112,14 @@ def test_newtons_steps_alone_are_called_none_and_unknown_names_are_refused(rng):
 @pytest.mark.parametrize("failures", [2, 10_000])
 def test_a_curvature_that_has_no_factor_is_damped_until_it_has_one_and_is_no_minimum(rng, monkeypatch, failures):
     count = []
-    minimised = Model.minimise
+    minimised = QuadraticModel.minimise
 
     def failing(self, damping):
         count.append(damping)
         found = minimised(self, damping)
         return found if len(count) > failures else Proposal(np.zeros_like(found.step), 0.0, None)
 
-    monkeypatch.setattr(Model, "minimise", failing)
+    monkeypatch.setattr(QuadraticModel, "minimise", failing)
     problem = problem_of(rng)
     found = GaussNewton()(Watched(problem), tolerance=1e-10)
     assert np.all(np.diff(count[: min(failures, len(count))]) > 0)

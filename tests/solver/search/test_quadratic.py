@@ -29,7 +29,7 @@ from dynsplines.solver.figure.size import Size
 from dynsplines.solver.objective import Discretised, Objective
 from dynsplines.solver.penalty import Collision, Penalty
 from dynsplines.solver.penalty.block import Block
-from dynsplines.solver.search.quadratic import Layout, Model, line_minimum
+from dynsplines.solver.search.quadratic import Layout, QuadraticModel, line_minimum
 from dynsplines.solver.surface.points import Point
 
 ENDS = ["free", "clamped", "clamped end", "periodic"]
@@ -63,13 +63,13 @@ def test_a_model_made_of_few_spans_at_once_is_the_same(rng, ends, monkeypatch):
     figure = figure_of(TINY)
     problem, x = smooth_problem(tiny_clip(rng, ends, "world"), figure, rng)
     gradient, spans = problem(x).gradient, problem.spline.times.size - 1
-    step, promised, _ = Model(Layout(problem), x, gradient).minimise(0.1)
+    step, promised, _ = QuadraticModel(Layout(problem), x, gradient).minimise(0.1)
     monkeypatch.setattr("dynsplines.solver.search.quadratic.SPAN_ENTRIES", 0)
     for at_once in (1, 2, 4, spans - 1, spans, spans + 1):
         monkeypatch.setattr("dynsplines.solver.search.quadratic.SPANS_AT_ONCE", at_once)
         layout = Layout(problem)
         assert len(layout.pieces) == -(-spans // at_once)
-        again, promised_again, _ = Model(layout, x, gradient).minimise(0.1)
+        again, promised_again, _ = QuadraticModel(layout, x, gradient).minimise(0.1)
         np.testing.assert_allclose(again, step, rtol=1e-7, atol=1e-9)
         np.testing.assert_allclose(promised_again, promised, rtol=1e-9)
 
@@ -79,7 +79,7 @@ def test_damping_adds_the_flat_energy_of_the_step(rng, ends):
     figure = figure_of(TINY)
     problem, x = smooth_problem(tiny_clip(rng, ends, "world"), figure, rng)
     gradient, flat = problem(x).gradient, flat_energy(problem)
-    hessian, model = dense_hessian(problem, SMOOTH, x), Model(Layout(problem), x, gradient)
+    hessian, model = dense_hessian(problem, SMOOTH, x), QuadraticModel(Layout(problem), x, gradient)
     promises = [np.inf]
     for damping in np.array([0.0, 0.01, 0.1, 1, 10]) * model.scale:
         step, promised, _ = model.minimise(damping)
@@ -93,7 +93,7 @@ def test_damping_adds_the_flat_energy_of_the_step(rng, ends):
 def test_a_model_that_has_no_minimum_promises_nothing(rng):
     figure = figure_of(TINY)
     problem, x = smooth_problem(tiny_clip(rng, "free", "world"), figure, rng)
-    model = Model(Layout(problem), x, problem(x).gradient)
+    model = QuadraticModel(Layout(problem), x, problem(x).gradient)
     model.curvature *= -1
     step, promised, _ = model.minimise(0.0)
     assert step.shape == x.shape
@@ -175,7 +175,7 @@ def test_with_one_sided_residuals_the_step_minimises_the_convex_model(rng, ends,
     after = dense.value + dense.rows @ best
     assert np.count_nonzero((after > 0) != (dense.value > 0)) > 0  # what counts changes within the step
     monkeypatch.setattr("dynsplines.solver.search.quadratic.SETTLED", 1e-14)
-    model = Model(Layout(problem), x, problem(x).gradient)
+    model = QuadraticModel(Layout(problem), x, problem(x).gradient)
     step, promised, _ = model.minimise(0.0)
     np.testing.assert_allclose(dense(step)[0], least, rtol=0, atol=1e-4 * (before - least))
     np.testing.assert_allclose(promised, before - least, rtol=1e-3)
