@@ -9,10 +9,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from operator import itemgetter
 
 import numpy as np
 
+from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.contacts import Contact, ContactSchedule
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
@@ -30,6 +32,9 @@ from dynsplines.solver.tolerances import ROUNDING
 from ..errors import UserError, unknown
 from .posing.places import Places, sole_points
 from .table import ContactTable, GraspTable
+
+TURN = 0.1  # [1] weight of the points that hold a rotation, relative to the site of the grasp
+FINE = float(np.radians(5))  # [rad] rotation over which the way of a point is taken to be straight
 
 
 def schedule_of(
@@ -270,13 +275,24 @@ def _grasped(figure: Figure, keys: Timeline, grasp: Contact, name: str) -> Conta
 def rotation_points(figure: Figure, keys: Timeline, grasp: Contact) -> Iterator[Contact]:
     """Yield the contacts of two points beside the site of a grasp, which hold the rotation of the body.
 
-    Between keyframes that specify the rotation of the site's link and of the body, it changes from one to the next.
+    Between keyframes that specify the rotation of the site's link and of the body, it changes at a constant rate.
     """
+    setting, spots, _ = _grasp_places(figure, keys, grasp)
+    links = Samples.still(figure, keys.states[setting]).links
+    hands, bodies = (links.Q[:, link].T for link in (grasp.point.link, grasp.on))
+    turns = quat.product(quat.inverse(bodies), hands)  # of the hand in the axes of the body
+    knots = [(float(keys.times[k]), spots[:, k], turn) for k, turn in zip(setting.tolist(), turns, strict=True)]
+    dense = knots[:1]
+    for (first, spot, turn), (last, end, end_turn) in pairwise(knots):
+        whole = quat.rotation_vector(quat.product(end_turn, quat.inverse(turn)))
+        count = max(1, int(np.ceil(np.linalg.norm(whole) / FINE)))
+        for share in (np.arange(count) + 1) / count:
+            turning = quat.product(quat.from_rotation_vector(share * whole), turn)
+            dense.append((first + share * (last - first), spot + share * (end - spot), turning))
     for axis in Thresholds.of(figure).object_arm * np.eye(3)[:2]:
         beside = replace(grasp.point, position=grasp.point.position + axis)
-        turn = Contact(beside, grasp.first, grasp.last, grasp.on)
-        setting, places, _ = _grasp_places(figure, keys, turn)
-        yield _placed(turn, [(float(keys.times[k]), places[:, k].copy()) for k in setting.tolist()])
+        places = [(time, spot + quat.rotated(turn, axis)) for time, spot, turn in dense]
+        yield _placed(Contact(beside, grasp.first, grasp.last, grasp.on, weight=TURN), places)
 
 
 def _is_alone(grasp: Contact, grasps: Sequence[Contact]) -> bool:

@@ -276,14 +276,15 @@ class _KnownPositions:
 
         A body follows the rotation of a hand, whereas a hand follows only the position of a body.
         """
-        t, is_known, goals = self.timeline.times[k], self.timeline.known[k : k + 1], list[PointGoal]()
-        for grasp in (*self.grasps, *self.turns):
-            ends = (grasp.point, Point(grasp.point.name, grasp.on, np.zeros(3)))
-            hand, body = placed(self.figure, is_known, ends)[:, 0]
-            if grasp.is_placed and grasp.covers(t) and not (body and (hand or grasp in self.turns)):
-                position = grasp.place(np.array([t]))[:, 0]
-                goals.append(PointGoal.of(self.figure, grasp.point, position, grasp.on))
-        return goals
+        return [goal for grasp in (*self.grasps, *self.turns) if (goal := self._holding(grasp, k)) is not None]
+
+    def _holding(self, grasp: Contact, k: int) -> PointGoal | None:
+        t, is_known = self.timeline.times[k], self.timeline.known[k : k + 1]
+        ends = (grasp.point, Point(grasp.point.name, grasp.on, np.zeros(3)))
+        hand, body = placed(self.figure, is_known, ends)[:, 0]
+        if not grasp.is_placed or not grasp.covers(t) or (body and (hand or grasp in self.turns)):
+            return None
+        return PointGoal.of(self.figure, grasp.point, grasp.place(np.array([t]))[:, 0], grasp.on)
 
     def _neighbours(self, i: int, k: int) -> tuple[int | None, int | None]:
         """Return the nearest keyframes before and after k, also of other periods, that give the position of point i."""
