@@ -72,7 +72,7 @@ def contacts(
     surfaces  if a keyframe has a point inside one of these, the point rises as `collision` requires
     """
     places = Places(figure, soles)
-    found: list[Contact] = []
+    specified: list[Contact] = []
     for i, table in enumerate(tables):
         name = f"{where}: contact {i + 1} ('{table.point}')"
         point = places.named_point(table.point, name)
@@ -80,9 +80,11 @@ def contacts(
         _check_times(table, same, keys, name, "a point rests in one place at a time")
         target = None if table.position is None else np.array(table.position, float)
         contact = Contact(point, table.start, table.end, specified=target)
-        found.append(_placed(contact, _spots(figure, keys, contact, name, surfaces)))
-    _check_bodies([piece for contact in found for piece in contact.pieces()], where, Thresholds.of(figure).near_surface)
-    return tuple(found)
+        specified.append(_placed(contact, _spots(figure, keys, contact, name, surfaces)))
+    _check_bodies(
+        [piece for contact in specified for piece in contact.pieces()], where, Thresholds.of(figure).near_surface
+    )
+    return tuple(specified)
 
 
 def _placed(contact: Contact, spots: Sequence[tuple[float, Array]]) -> Contact:
@@ -265,11 +267,13 @@ def _grasped(figure: Figure, keys: Timeline, grasp: Contact, name: str) -> Conta
         if short <= limits.out_of_reach:
             # without slack a stretched limb whips there and back
             spots[t], slack[t] = places[:, k].copy(), short * (short > limits.tiny)
-    held = _placed(grasp, sorted(spots.items(), key=itemgetter(0)))
+    loosely = _placed(grasp, sorted(spots.items(), key=itemgetter(0)))
     if not any(slack.values()):
-        return held
+        return loosely
     times = np.unique([grasp.first, *spots, grasp.last])
-    return replace(held, times=times, places=held.place(times).T, slack=np.array([slack.get(t, 0.0) for t in times]))
+    return replace(
+        loosely, times=times, places=loosely.place(times).T, slack=np.array([slack.get(t, 0.0) for t in times])
+    )
 
 
 def rotation_points(figure: Figure, keys: Timeline, grasp: Contact) -> Iterator[Contact]:
@@ -297,7 +301,7 @@ def rotation_points(figure: Figure, keys: Timeline, grasp: Contact) -> Iterator[
 
 def _is_alone(grasp: Contact, grasps: Sequence[Contact]) -> bool:
     """Return whether no other site holds the same body at the same time. Several hold it by their positions."""
-    others = (each for each in grasps if each is not grasp and each.on == grasp.on)
+    others = (other for other in grasps if other is not grasp and other.on == grasp.on)
     return not any(other.meets(grasp.first, grasp.last) for other in others)
 
 

@@ -124,7 +124,7 @@ class Context:
         is_arm = not self.points and has_fixed_base(self.figure.model)
         feet, inferred = (
             {point.link for point in self.points},
-            (*schedule.stances, *(each for each in schedule.on_ground if each.is_placed)),
+            (*schedule.stances, *(contact for contact in schedule.on_ground if contact.is_placed)),
         )
         planted = (
             {stance.point.link for stance in inferred if stance.first <= keys.times[0]},

@@ -348,7 +348,7 @@ def slips(grasps: Sequence[Contact], starts: Sequence[Array], fixed: Fixed) -> C
 
 
 def turns(contacts: Sequence[Contact], path: Path, fixed: Fixed) -> Check:
-    """Return the check of bodies that rotate in a grasp, by the contacts of points beside it."""
+    """Return the check of bodies that rotate in a grasp, by the contacts of points next to the site."""
     figure, text = fixed.figure, "{} rotates by {{}} in the grasp of {}"
     names = [(figure.body_name(contact.on), contact.point.name) for contact in contacts]
     rows = [row_of("grasp rotation", hand, text.format(body, hand)) for body, hand in names]

@@ -112,8 +112,8 @@ def _averaged(amount: Array, t: Array, window: float) -> Array:
 
 
 def _is_explained(motion: Measurement, samples: Samples, clear: float) -> Mask:
-    """Return at which samples (S,) a specified contact away from the ground may carry the figure, or a hand that it
-    holds."""
+    """Return at which samples (S,) a specified contact away from the ground may carry the figure, or the hand of
+    another figure."""
     contacts = motion.clip.context.schedule.contacts
     if not contacts:
         return np.zeros(samples.count, bool)

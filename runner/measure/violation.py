@@ -77,15 +77,18 @@ def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Vio
     violations += _drifts(motion)
     on_ground = list(floating_and_sliding(motion))
     aloft = {row.name for row, *_ in on_ground if row.kind in ("aloft", "float")}
-    for row, amount, time, key in (*on_ground, *(each for each in unsupported(motion) if each[0].name not in aloft)):
+    for row, amount, time, key in (
+        *on_ground,
+        *(excess for excess in unsupported(motion) if excess[0].name not in aloft),
+    ):
         violations.append(_as_violation(row, amount, time, 0 if key is None else int(motion.numbers[key])))
     if stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS):
         row = row_of("search", stop.name.lower(), f"the search ended early: {stop.value}")
         violations.append(_as_violation(row, row.bound, None))
     scale = Size.of(motion.clip.figure).enlargement  # of bounds of lengths, as in models in centimetres
     if scale > 1:
-        scaled = (replace(each, bound=scale * each.bound) if each.unit == "m" else each for each in violations)
-        violations = [each for each in scaled if each.unit != "m" or each.severity > 1]
+        lengths = [replace(v, bound=scale * v.bound) for v in violations if v.unit == "m"]
+        violations = [v for v in violations if v.unit != "m"] + [v for v in lengths if v.severity > 1]
     return tuple(sorted(violations, key=lambda violation: -violation.severity))
 
 

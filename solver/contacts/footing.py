@@ -29,8 +29,8 @@ def footings(soles: KeyframePoints, standing: Sequence[Contact], body: Sequence[
     """
     feet = set(soles.links.tolist())
     spots = soles.with_points((*soles.points, *(point for point in body if point.link in feet)))
-    begin, end = np.array([each.first for each in standing]), np.array([each.last for each in standing])
-    links = np.array([each.point.link for each in standing])
+    begin, end = np.array([(contact.first, contact.last) for contact in standing]).reshape(-1, 2).T
+    links = np.array([contact.point.link for contact in standing], np.intp)
     result = []
     for k, first, last in spots.segments():
         for link in np.unique(links[(begin <= first) & (last <= end)]).tolist():

@@ -152,8 +152,8 @@ class Attachment(Penalty):
         rolls = np.array([rest.rolls for rest in self.resting], bool)[which]
         foot = offset - radius * rolls * up
         velocity = links.x_d[:, link, at] + cross(links.omega[:, link, at], foot)
-        when, each, axes = along_axes(at, link)
-        moved = of_velocity(samples, when, each, np.tile(foot, 3), axes, turning=np.tile(offset, 3))
+        when, link_of_axis, axes = along_axes(at, link)
+        moved = of_velocity(samples, when, link_of_axis, np.tile(foot, 3), axes, turning=np.tile(offset, 3))
         yield Block(when, velocity.ravel(), (moved,), Thresholds.of(samples.figure).settling ** 2)
 
     @cached_property
@@ -214,7 +214,7 @@ class _Pieces(NamedTuple):
         places = [piece.places for piece in pieces if piece.places is not None]
         spots, landed = (np.array([place[end] for place in places]).reshape(-1, 3).T for end in (0, -1))
         slacks = [np.zeros(1) if piece.slack is None else piece.slack for piece in pieces]
-        slack, then = (np.array([each[end] for each in slacks], float) for end in (0, -1))
+        slack, then = (np.array([values[end] for values in slacks], float) for end in (0, -1))
         others = np.array([piece.on for piece in pieces], np.intp)
         links, points, _ = arrays_of([piece.point for piece in pieces])
         return cls(
