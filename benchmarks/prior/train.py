@@ -1,6 +1,6 @@
 """Train the networks of the soft constraint `prior` on recordings of people, with PyTorch on two threads.
 
-    python benchmarks/prior/train.py RECORDINGS.npz [-o models/prior.npz] [--steps 6000] [--networks 2] [--width 448]
+    python benchmarks/prior/train.py RECORDINGS.npz [-o models/prior.npz] [--steps 1500] [--networks 2] [--width 448]
 
 RECORDINGS.npz contains clips at 30 frames per second of twelve bodies with ball joints in the order of `people.PARTS`:
 `start` (C + 1,) the first frame of every clip; `root` (F, 3) the pelvis and `q` (F, 12, 4) the rotations of the bodies
@@ -235,7 +235,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("recordings", type=Path)
     parser.add_argument("-o", "--output", type=Path, default=Path(__file__).parents[2] / "models" / "prior.npz")
-    parser.add_argument("--steps", type=int, default=6000)
+    parser.add_argument("--steps", type=int, default=1500)
     parser.add_argument("--networks", type=int, default=2)
     parser.add_argument("--width", type=int, default=448)
     parser.add_argument("--depth", type=int, default=3)

@@ -25,7 +25,7 @@ BRIEF, SHORT, LONG, ENDLESS = 0.2, 0.3, 1.5, 2.5  # [s] durations of segments be
 STANDS = 0.8  # [1] smallest height of the hips above the ankles at rest, relative to the length of a leg
 SOLE = 0.06  # [1] height of the ankles above the ground in the recordings, relative to the length of a leg
 REACH, TOE = 0.95, 0.16  # [1] lengths of a forearm relative to an upper arm, and of a foot relative to a leg
-WORTH = 2e-3  # [rad⁻² s⁴] value that costs as much as angular accelerations of quaternions of 1 s⁻²
+WORTH = 3e-3  # [rad⁻² s⁴] value that costs as much as angular accelerations of quaternions of 1 s⁻²
 DOWN = np.array([0.0, 0, -1])
 
 
