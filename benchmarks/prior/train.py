@@ -24,7 +24,6 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.penalty.motion import people
 
 RATE = 30.0  # [1/s]
-MIRRORED = [0, 1, 4, 5, 2, 3, 9, 10, 11, 6, 7, 8]
 SHORTEST, LONGEST = 5, 45  # frames per segment
 AT_ONCE, PHASES = 256, 2  # segments of a batch; pairs of frames of each segment
 RATE_OF_LEARNING, DECAY, DROPOUT, AVERAGED = 1.2e-3, 0.02, 0.1, 0.998
@@ -36,14 +35,14 @@ class Recordings:
 
     def __init__(self, path: Path) -> None:
         data = np.load(path)
-        sides, flip = np.array([1.0, -1, 1]), np.array([1.0, -1, 1, -1])
+        sides, flip, other = people.SIDES, np.array([1.0, -1, 1, -1]), people.MIRRORED
         start = data["start"]
-        turns = np.concatenate([data["q"], data["q"][:, MIRRORED] * flip]).astype(float)
+        turns = np.concatenate([data["q"], data["q"][:, other] * flip]).astype(float)
         for part, parent in enumerate(people.PARENTS):
             if part:
                 turns[:, part] = quat.product(turns[:, parent], turns[:, part])
         self.turns = quat.normalised(turns)
-        self.offsets = np.concatenate([data["off"], data["off"][:, MIRRORED] * sides]).astype(float)
+        self.offsets = np.concatenate([data["off"], data["off"][:, other] * sides]).astype(float)
         tips = np.concatenate([data["wrist"], data["toe"]], axis=1).astype(float)
         self.tips = np.concatenate([tips, tips[:, [1, 0, 3, 2]] * sides])
         self.first = np.concatenate([start[:-1], start[:-1] + start[-1]])

@@ -9,7 +9,7 @@ network chooses a share. All lengths are relative to the length of a leg.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -24,6 +24,8 @@ PARTS = (
 PARENTS = (-1, 0, 1, 2, 1, 4, 0, 6, 7, 0, 9, 10)
 TIPS = (3, 5, 8, 11)  # parts that end in wrists and toes
 ANKLES = (8, 11)
+MIRRORED = [0, 1, 4, 5, 2, 3, 9, 10, 11, 6, 7, 8]  # the part on the other side
+SIDES = np.array([1.0, -1, 1])  # factors of positions in the mirror image; those of rotation vectors are −SIDES
 MODES = 6  # number of sines, of half a period and its multiples per segment
 OUTPUTS = 3 * MODES + 3  # of each part and of the hips: amplitudes, shares of two tangents, logarithm of a variance
 SOFT = 0.2  # [s] added to durations whose inverse is an input
@@ -59,6 +61,13 @@ class Segments:
         """The rotation of the pelvis in keyframe a about the vertical, (B, 4)."""
         w, z = self.turns[:, 1, 0, 0], self.turns[:, 1, 0, 3]
         return quat.from_rotation_vector(2 * np.arctan2(z, w)[:, None] * np.array([0.0, 0, 1]))
+
+    @cached_property
+    def mirrored(self) -> Segments:
+        """The mirror images, with left and right exchanged."""
+        turns = self.turns[:, :, MIRRORED] * [1.0, -1, 1, -1]
+        offsets, tips = self.offsets[:, MIRRORED] * SIDES, self.tips[:, [1, 0, 3, 2]] * SIDES
+        return replace(self, hips=self.hips * SIDES, turns=turns, offsets=offsets, tips=tips)
 
     @cached_property
     def steps(self) -> tuple[Array, Array]:
@@ -154,20 +163,25 @@ def outputs_of(weights: Weights, features: Array) -> Array:
 
 
 def predicted(networks: Sequence[Weights], segments: Segments, u: Array) -> tuple[Array, Array, Array]:
-    """Return what several networks predict on average.
+    """Return what several networks predict on average, for the segments and their mirror images.
 
     Args:
         u: Phases in the segments, (B, P), from 0 to 1.
 
     Returns:
         Hips (B, P, 3), orientations of the parts (B, P, 12, 4), and variances (B, 13) of each part's rotation [rad²]
-        and of the hips' displacement: those that the networks expect, and those among the networks.
+        and of the hips' displacement: those that the networks expect, and those among the predictions.
     """
-    outputs = [outputs_of(weights, segments.features) for weights in networks]
-    each = np.array([segments.differences(output, u) for output in outputs])
-    apart = np.sum(each.var(axis=0), axis=-1).max(axis=1)
-    expected = np.mean([np.exp(output[..., -1]) for output in outputs], axis=0)
-    return *segments.poses(each.mean(axis=0), u), expected + apart
+    differences, variances = [], []
+    other_side = [*MIRRORED, 12]
+    back = np.array([-SIDES] * 12 + [SIDES])
+    for weights in networks:
+        outputs, images = (outputs_of(weights, each.features) for each in (segments, segments.mirrored))
+        mirrored = segments.mirrored.differences(images, u)[:, :, other_side] * back
+        differences += [segments.differences(outputs, u), mirrored]
+        variances += [np.exp(outputs[..., -1]), np.exp(images[:, other_side, -1])]
+    apart = np.sum(np.var(differences, axis=0), axis=-1).max(axis=1)
+    return *segments.poses(np.mean(differences, axis=0), u), np.mean(variances, axis=0) + apart
 
 
 def neighbours(count: int) -> tuple[Index, Mask]:

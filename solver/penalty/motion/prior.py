@@ -184,6 +184,8 @@ class Prior(Penalty):
         weights = trust[:, None] / (13 * variances)
         by_entry = [np.repeat(weights[:, 12:] / person.leg**2, 3, axis=1), np.repeat(4 * weights[:, :12], 4, axis=1)]
         values = np.concatenate([positions, rotations.reshape(count, PHASES, 48)], axis=2)
+        known = keys.known[:, person.position]
+        by_entry[0] *= known[:-1] & known[1:]  # a free root is not where the search starts
         weights = np.concatenate(by_entry, axis=1)
         return cls(keys.times, person.position, person.links, person.quaternions, values, weights)
 

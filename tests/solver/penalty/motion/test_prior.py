@@ -18,6 +18,7 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Prior
+from dynsplines.solver.penalty.motion import people
 
 
 @pytest.fixture(scope="module")
@@ -79,6 +80,20 @@ def test_keyframes_moved_and_turned_about_the_vertical_have_the_same_prediction(
     expected[..., 3:] = quat.product(turn, rotations).reshape(*expected.shape[:2], 48)
     up_to_sign(moved.predicted, expected, atol=1e-8)
     np.testing.assert_allclose(moved.weights, prior.weights, rtol=1e-6)
+
+
+def test_mirrored_keyframes_have_the_mirrored_prediction(walk: Clip) -> None:
+    person, keys = walk.context.person, walk.context.keys
+    other = people.MIRRORED
+    states = keys.states.copy()
+    states[:, person.position] *= people.SIDES
+    states[:, person.quaternions] = states[:, person.quaternions[other]] * [1, -1, 1, -1]
+    prior, mirrored = prior_of(walk), prior_of(walk, timeline(keys, keys.times, states))
+    expected = prior.predicted.copy()
+    expected[..., :3] *= people.SIDES
+    rotations = expected[..., 3:].reshape(*expected.shape[:2], 12, 4)[:, :, other] * [1, -1, 1, -1]
+    expected[..., 3:] = rotations.reshape(*expected.shape[:2], 48)
+    up_to_sign(mirrored.predicted, expected, atol=1e-8)
 
 
 def test_a_figure_that_rests_with_raised_arms_has_the_same_posture(walk: Clip) -> None:
