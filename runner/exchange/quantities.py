@@ -40,6 +40,7 @@ from ..motion import Sampled, samples_at
 Columns = dict[str, Array]
 ALL = "all"
 AXES = "xyz"
+PASSIVE = 1e4  # [1] weight of joints without a motor, whose torques the constraints have to supply
 LARGE = 0.01  # fraction of the largest torque above which constraint forces are reported
 EQUALITIES_AND_LIMITS = int(mujoco.mjtDisableBit.mjDSBL_EQUALITY | mujoco.mjtDisableBit.mjDSBL_LIMIT)
 CONSTRAINT_NOTE = (
@@ -159,7 +160,13 @@ class Forces:
 
     @cached_property
     def torques(self) -> Array:
-        """(T, nv) MuJoCo's qfrc_inverse minus the ground reactions; at a free root, the remaining wrench."""
+        """(T, nv) MuJoCo's qfrc_inverse minus the ground reactions, from the motors; at a free root, the remaining
+        wrench."""
+        return motor_torques(self.sampled.model, self.sampled.qpos, self._joint_torques)
+
+    @property
+    def _joint_torques(self) -> Array:
+        """(T, nv) the same, as if every joint had a motor."""
         out = self.inverse.copy()
         reactions, model = self._reactions, self.sampled.model
         if self.support is None or reactions is None:
@@ -176,6 +183,43 @@ class Forces:
             mujoco.mj_jac(model, data, jacobian, None, reactions.place[:, i], bodies[reactions.footing[i]])
             out[t] -= reactions.force[:, i] @ jacobian
         return np.where(self.has_known_support[:, None], out, np.nan)
+
+
+def motor_torques(model: mujoco.MjModel, qpos: Array, torques: Array) -> Array:
+    """Return the torques (T, nv) of joints with motors, which also move those without one through equality constraints.
+
+    Args:
+        qpos: The poses, (T, nq).
+        torques: The torques t that the motion needs at every joint, (T, nv). They are B u + Jᵀ λ with the motors'
+            torques u and the forces λ of the constraints. Of several λ, the one with the smallest motor torques is
+            returned. If no constraint moves a joint, or an actuator is not on a joint, they are returned unchanged.
+    """
+    is_on_joint = model.actuator_trntype == int(mujoco.mjtTrn.mjTRN_JOINT)
+    if not model.neq or not model.nu or not is_on_joint.all():
+        return torques
+    driven = np.isin(model.dof_jntid, model.actuator_trnid[:, 0])
+    is_free = model.jnt_type[model.dof_jntid] == int(mujoco.mjtJoint.mjJNT_FREE)
+    data, out = mujoco.MjData(model), torques.copy()
+    for t in np.flatnonzero(np.isfinite(torques).all(axis=1)):
+        set_qpos(model, data, qpos[t])
+        mujoco.mj_makeConstraint(model, data)
+        rows = _equality_rows(model, data)
+        passive = ~driven & ~is_free & (rows != 0).any(axis=0)
+        if passive.any():
+            weight = np.where(passive, PASSIVE, 1.0) * ~is_free
+            multipliers = np.linalg.lstsq((weight * rows).T, weight * torques[t], rcond=None)[0]
+            out[t] -= np.where(is_free, 0.0, multipliers @ rows)
+    return out
+
+
+def _equality_rows(model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+    """Return the Jacobian (n, nv) of the active equality constraints."""
+    jacobian = np.zeros((data.nefc, model.nv))
+    if mujoco.mj_isSparse(model):
+        mujoco.mju_sparse2dense(jacobian, data.efc_J, data.efc_J_rownnz, data.efc_J_rowadr, data.efc_J_colind)
+    else:
+        jacobian[:] = data.efc_J.reshape(data.nefc, model.nv)
+    return jacobian[data.efc_type == int(mujoco.mjtConstraint.mjCNSTR_EQUALITY)]
 
 
 def velocities(forces: Forces) -> Columns:

@@ -148,3 +148,26 @@ def test_groups_are_named_with_commas():
     assert quantities.named("torques,all") == (quantities.ALL,) and quantities.named("") == ()
     with pytest.raises(UserError, match="no column group 'forces'"):
         quantities.named("velocities,forces")
+
+
+LINKAGE = """<mujoco><compiler autolimits="true"/><worldbody>
+<body name="crank"><joint name="crank" axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 0 0 -.2"/>
+  <body name="rod" pos="0 0 -.2"><joint name="rod" axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 .5 0 0"/>
+  </body></body>
+<body name="rocker" pos=".5 0 0"><joint name="rocker" axis="0 1 0"/>
+  <geom type="capsule" size=".02" fromto="0 0 0 0 0 -.2"/></body></worldbody>
+<equality><connect body1="rod" body2="rocker" anchor=".5 0 0"/></equality>
+<actuator><motor joint="crank"/></actuator></mujoco>"""
+
+
+def test_a_motor_supplies_the_torques_of_a_linkage_that_it_moves():
+    """Of a parallelogram, by the principle of virtual work: its rod translates, and the rocker turns as the crank."""
+    model = mujoco.MjModel.from_xml_string(LINKAGE)
+    angles = np.linspace(-0.8, 0.8, 7)
+    qpos = np.column_stack([angles, -angles, angles])
+    needed = np.random.default_rng(3).normal(size=(7, 3))
+    torques = quantities.motor_torques(model, qpos, needed)
+    np.testing.assert_allclose(torques[:, 0], needed @ [1, -1, 1], atol=1e-5)
+    np.testing.assert_allclose(torques[:, 1:], 0, atol=1e-5)
+    model.actuator_trntype[:] = int(mujoco.mjtTrn.mjTRN_TENDON)
+    np.testing.assert_array_equal(quantities.motor_torques(model, qpos, needed), needed)
