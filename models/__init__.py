@@ -6,6 +6,8 @@ TOML file in `maps` is a bone map of a figure, for retargeting recordings to it.
 predict how people move, see `prior.md`.
 """
 
+from __future__ import annotations
+
 import difflib
 import re
 from collections.abc import Iterable
@@ -13,8 +15,10 @@ from functools import cache
 from importlib.resources import as_file, files
 from importlib.resources.abc import Traversable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
-import numpy as np
+if TYPE_CHECKING:
+    import numpy as np
 
 STAGE = "stage"
 
@@ -93,6 +97,8 @@ def prior() -> tuple[dict[str, np.ndarray], ...]:
 
     Rows of matrices are integers of 8 bits in the file, each with a scale.
     """
+    import numpy as np  # only here, because the commands that need no network start faster without
+
     networks: dict[str, dict[str, np.ndarray]] = {}
     with as_file(files(__name__) / "prior.npz") as path, np.load(path) as arrays:
         for key in [key for key in arrays.files if not key.endswith(".scale")]:

@@ -31,7 +31,7 @@ from dynsplines.solving import motion_of
 
 pytestmark = pytest.mark.slow
 TEXT = models.clip_text("run_and_step")
-PERTURBED = max(1, int(os.environ.get("DYNSPLINES_FUZZ", 0)))  # clips
+PERTURBED = max(2, int(os.environ.get("DYNSPLINES_FUZZ", 0)))  # clips
 TOUCH, REACH = 0.005, 0.05  # [m]
 FEET = ("foot", "sole", "shoe", "toe", "heel", "vamp", "ankle", "collar")
 
