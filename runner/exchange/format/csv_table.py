@@ -193,7 +193,7 @@ def _number(cell: str) -> float | None:
 
 def _is_numeric(line: str, separator: str) -> bool:
     cells = _cells(line, separator)
-    return any(cells) and all(_number(cell) is not None for cell in cells)
+    return any(cells) and None not in [_number(cell) for cell in cells]
 
 
 def _lines(path: Path) -> tuple[list[tuple[int, str]], str | None]:
