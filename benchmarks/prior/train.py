@@ -15,6 +15,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 from pathlib import Path
 from time import perf_counter
+from typing import Any
 
 import numpy as np
 import torch
@@ -190,7 +191,7 @@ class Training:
             group["lr"] = rate
         each = losses(self.network(example["features"]), example)
         self.optimiser.zero_grad()
-        sum(LOSS[name] * loss for name, loss in each.items()).backward()
+        torch.stack([LOSS[name] * loss for name, loss in each.items()]).sum().backward()
         nn.utils.clip_grad_norm_(self.network.parameters(), 1.0)
         self.optimiser.step()
         share = min(AVERAGED, step / (step + 20))
@@ -239,12 +240,13 @@ def main() -> None:
     parser.add_argument("--width", type=int, default=448)
     parser.add_argument("--depth", type=int, default=3)
     parser.add_argument("--threads", type=int, default=2)
-    given = parser.parse_args()
-    torch.set_num_threads(given.threads)
-    recordings = Recordings(given.recordings)
-    networks = trained(recordings, given.networks, given.steps, given.width, given.depth)
-    np.savez_compressed(given.output, **quantised(networks))
-    print(f"{given.output}: {given.output.stat().st_size / 1e6:.2f} MB")
+    options = parser.parse_args()
+    torch.set_num_threads(options.threads)
+    recordings = Recordings(options.recordings)
+    networks = trained(recordings, options.networks, options.steps, options.width, options.depth)
+    arrays: dict[str, Any] = quantised(networks)
+    np.savez_compressed(options.output, **arrays)
+    print(f"{options.output}: {options.output.stat().st_size / 1e6:.2f} MB")
 
 
 if __name__ == "__main__":

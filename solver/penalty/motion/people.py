@@ -87,7 +87,7 @@ class Segments:
         floor = np.asarray(self.on_floor, float)[:, None]
         parts = turned, quat.rotated(back[:, None], ends), hips, self.steps[0]
         others = heights.reshape(count, -1) * floor, floor, self.is_known, self.gaps, 1 / (self.gaps + SOFT)
-        return np.concatenate([*(part.reshape(count, -1) for part in parts), *others], axis=1)
+        return np.concatenate([*(part.reshape(count, -1) for part in parts), *others], axis=1, dtype=float)
 
     @cached_property
     def bends(self) -> Array:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -23,7 +24,7 @@ POSES = {
 }
 
 
-def of(figure: str, span: float = 0.7, **more: object) -> Clip:
+def of(figure: str, span: float = 0.7, **more: Any) -> Clip:
     return build(figure, [Keyframe(0, others="rest"), Keyframe(span, others="rest")], **more)
 
 
@@ -71,7 +72,7 @@ def test_keyframes_stay_exact_and_the_motion_approaches_the_prediction():
     np.testing.assert_allclose(
         with_prior.at(clip.context.keys.times), without.at(clip.context.keys.times), rtol=0, atol=1e-9
     )
-    times = np.linspace(*prior.times[[0, -1]], 50)
+    times = np.linspace(prior.times[0], prior.times[-1], 50)
     costs = [
         prior.evaluate(Samples.still(clip.figure, clip.figure.to_state(motion.at(times)), times)).mean()
         for motion in (with_prior, without)

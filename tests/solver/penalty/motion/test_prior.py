@@ -19,6 +19,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Prior
 from dynsplines.solver.penalty.motion import people
+from dynsplines.solver.penalty.motion.prior import Person
 
 
 @pytest.fixture(scope="module")
@@ -40,14 +41,19 @@ def prior_of(clip: Clip, keys: Timeline | None = None) -> Prior:
     return Prior.of(person, clip.context.keys if keys is None else keys, models.prior(), 0.0)
 
 
+def walker(clip: Clip) -> Person:
+    assert clip.context.person is not None
+    return clip.context.person
+
+
 def values(prior: Prior, states: Array) -> Array:
     return states[:, np.concatenate([prior.positions, prior.quaternions.ravel()])]
 
 
-def up_to_sign(a: Array, b: Array, **tolerance: float) -> None:
-    np.testing.assert_allclose(a[..., :3], b[..., :3], **tolerance)
+def up_to_sign(a: Array, b: Array, atol: float) -> None:
+    np.testing.assert_allclose(a[..., :3], b[..., :3], atol=atol)
     p, q = (x[..., 3:].reshape(*x.shape[:-1], -1, 4) for x in (a, b))
-    np.testing.assert_allclose(np.abs(np.sum(p * q, axis=-1)), 1, **tolerance)
+    np.testing.assert_allclose(np.abs(np.sum(p * q, axis=-1)), 1, atol=atol)
 
 
 def test_the_prediction_meets_the_keyframes(walk: Clip) -> None:
@@ -68,7 +74,7 @@ def test_the_value_is_zero_along_the_prediction(walk: Clip) -> None:
 
 
 def test_keyframes_moved_and_turned_about_the_vertical_have_the_same_prediction(walk: Clip) -> None:
-    person, keys = walk.context.person, walk.context.keys
+    person, keys = walker(walk), walk.context.keys
     turn, shift = quat.from_rotation_vector(np.array([0, 0, 2.0])), np.array([3.0, -1, 0])
     states = keys.states.copy()
     states[:, person.position] = quat.rotated(turn, states[:, person.position]) + shift
@@ -83,7 +89,7 @@ def test_keyframes_moved_and_turned_about_the_vertical_have_the_same_prediction(
 
 
 def test_mirrored_keyframes_have_the_mirrored_prediction(walk: Clip) -> None:
-    person, keys = walk.context.person, walk.context.keys
+    person, keys = walker(walk), walk.context.keys
     other = people.MIRRORED
     states = keys.states.copy()
     states[:, person.position] *= people.SIDES
@@ -129,7 +135,7 @@ def test_trust_is_zero_between_keyframes_close_in_time_or_very_far_apart(walk: C
 def test_a_loop_is_predicted_across_its_seam(walk: Clip) -> None:
     """A loop has the same prediction as in the middle of its repetitions."""
     loop = load("walk_loop")
-    keys, person = loop.context.keys, loop.context.person
+    keys, person = loop.context.keys, walker(loop)
     assert keys.ends == "periodic"
     length = keys.times[-1] - keys.times[0]
     repeated = np.concatenate([keys.states[:-1] + k * (keys.states[-1] - keys.states[0]) for k in range(3)])
