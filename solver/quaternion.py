@@ -18,6 +18,7 @@ from .array import Array
 _PRODUCT = np.zeros((16, 4))
 _PRODUCT[[0, 1, 4, 2, 8, 3, 12, 11, 13, 6], [0, 1, 1, 2, 2, 3, 3, 1, 2, 3]] = 1
 _PRODUCT[[5, 10, 15, 14, 7, 9], [0, 0, 0, 1, 2, 3]] = -1
+OPPOSITE = -0.999999  # [1] cosine of the angle from which two directions count as opposite
 TINY = 1e-9  # [1] length of a unit quaternion's vector part below which its angle is twice this length
 
 
@@ -91,6 +92,16 @@ def rotation_vector(q: ArrayLike) -> Array:
 def angle_between(p: ArrayLike, q: ArrayLike) -> Array:
     """Return the angle [rad] of the rotation from p to q, in [0, π]; p and q (..., 4) of any length."""
     return np.linalg.norm(rotation_vector(product(inverse(p), q)), axis=-1)
+
+
+def swing(start: Array, end: Array, otherwise: Array) -> Array:
+    """Return the shortest rotation (4,) of one direction (3,) to another; about `otherwise` if they are opposite."""
+    start, end = start / np.linalg.norm(start), end / np.linalg.norm(end)
+    cosine = float(start @ end)
+    if cosine < OPPOSITE:
+        across = otherwise - (otherwise @ start) * start
+        return from_rotation_vector(np.pi * across / np.linalg.norm(across))
+    return normalised(np.append(1 + cosine, np.cross(start, end)))
 
 
 def aligned(track: ArrayLike) -> Array:

@@ -72,13 +72,12 @@ class Recordings:
         a = self.first[clip] + (rng.random(count) * (self.length[clip] - gap)).astype(int)
         b, end = a + gap, self.first[clip] + self.length[clip]
         before, after = a - beside(gap), b + beside(gap)
-        known = [before >= self.first[clip], after < end]
-        known = np.stack(known, axis=1) & (rng.random((count, 2)) > 0.08)
-        keys = np.stack([np.where(known[:, 0], before, a), a, b, np.where(known[:, 1], after, b)], axis=1)
+        is_known = np.stack([before >= self.first[clip], after < end], axis=1) & (rng.random((count, 2)) > 0.08)
+        keys = np.stack([np.where(is_known[:, 0], before, a), a, b, np.where(is_known[:, 1], after, b)], axis=1)
         gaps = np.diff(keys, axis=1) / RATE * rng.uniform(0.8, 1.25, (count, 1))
         on_floor = rng.random(count) > 0.25
         segments = people.Segments(
-            self.hips[keys], self.turns[keys], self.offsets[clip], self.tips[clip], gaps, known, on_floor
+            self.hips[keys], self.turns[keys], self.offsets[clip], self.tips[clip], gaps, is_known, on_floor
         )
         first = (rng.random((count, PHASES)) * gap[:, None]).astype(int)
         frames = np.stack([first, first + 1], axis=2).reshape(count, -1)
@@ -189,15 +188,15 @@ class Training:
         rate = RATE_OF_LEARNING * min(1, (step + 1) / 200) * (0.5 * (1 + np.cos(np.pi * progress)) + 0.005)
         for group in self.optimiser.param_groups:
             group["lr"] = rate
-        each = losses(self.network(example["features"]), example)
+        by_name = losses(self.network(example["features"]), example)
         self.optimiser.zero_grad()
-        torch.stack([LOSS[name] * loss for name, loss in each.items()]).sum().backward()
+        torch.stack([LOSS[name] * loss for name, loss in by_name.items()]).sum().backward()
         nn.utils.clip_grad_norm_(self.network.parameters(), 1.0)
         self.optimiser.step()
         share = min(AVERAGED, step / (step + 20))
         for name, value in self.network.state_dict().items():
             self.averages[name].lerp_(value, 1 - share)
-        return {name: loss.item() for name, loss in each.items()}
+        return {name: loss.item() for name, loss in by_name.items()}
 
 
 def trained(recordings: Recordings, networks: int, steps: int, width: int, depth: int) -> list[dict[str, np.ndarray]]:
@@ -210,7 +209,7 @@ def trained(recordings: Recordings, networks: int, steps: int, width: int, depth
     for step, example in zip(range(steps), examples, strict=False):
         history += [training.step(example, step / steps, step) for training in trainings]
         if (step + 1) % 300 == 0:
-            means = {name: round(float(np.mean([each[name] for each in history])), 4) for name in LOSS}
+            means = {name: round(float(np.mean([step_losses[name] for step_losses in history])), 4) for name in LOSS}
             print(f"step {step + 1}  {perf_counter() - began:.0f} s  {means}", flush=True)
             history = []
     return [{name: value.numpy() for name, value in training.averages.items()} for training in trainings]

@@ -74,8 +74,7 @@ def _levelled(recorded: Track, stances: Sequence[Contact], link: int) -> Track:
         start, end = normal * np.sign(normal @ up), up
     if start @ end < np.cos(MOST):
         return recorded
-    turn = quat.normalised(np.append(1 + start @ end, np.cross(start, end)))
-    return recorded.turned(columns, turn)
+    return recorded.turned(columns, quat.swing(start, end, up))
 
 
 def _runs(figure: Figure, states: Array) -> Iterator[Samples]:

@@ -76,7 +76,7 @@ class _Standing:
         above = f"{role.partition('_')[0]}_{HANGS_ON.get(role.partition('_')[2], '')}"
         if above not in self.roles:
             return np.array([1.0, 0, 0, 0])
-        return swing(self.bone(role), self.bone(above), np.array([0.0, 1, 0]))
+        return quat.swing(self.bone(role), self.bone(above), np.array([0.0, 1, 0]))
 
     @cached_property
     def bracketed(self) -> list[str]:
@@ -284,15 +284,6 @@ def _frame(first: Array, second: Array) -> Array:
     return np.stack([x, y, np.cross(x, y)], axis=-1)
 
 
-def swing(start: Array, end: Array, otherwise: Array) -> Array:
-    """Return the shortest rotation (4,) of one direction to another; about `otherwise` if they are opposite."""
-    start, end = unit(start), unit(end)
-    axis, cosine = np.cross(start, end), float(start @ end)
-    if cosine < -0.999999:
-        return quat.from_rotation_vector(np.pi * unit(_across(otherwise, start)))
-    return quat.normalised(np.append(1 + cosine, axis))
-
-
 def _heading(left: Array) -> Array:
     """Return the rotation (4,) about the vertical that takes y, a figure's left, to a direction."""
     return quat.from_rotation_vector(np.array([0, 0, np.arctan2(-left[0], left[1])]))
@@ -315,7 +306,7 @@ def _upright(captured: CapturedSkeleton, standing: _Standing, shared: list[str])
         if part == "foot":  # soles are level in both; only their headings may differ
             mine, theirs = mine * [1, 1, 0], theirs * [1, 1, 0]
         if min(np.linalg.norm(mine), np.linalg.norm(theirs)) > 1e-3:
-            out[role] = quat.product(swing(mine, theirs, quat.rotated(facing, np.array([1.0, 0, 0]))), straight)
+            out[role] = quat.product(quat.swing(mine, theirs, quat.rotated(facing, np.array([1.0, 0, 0]))), straight)
     for side in SIDES:  # in line with the forearm in both
         if {f"{side}_hand", f"{side}_forearm"} <= out.keys():
             out[f"{side}_hand"] = out[f"{side}_forearm"]

@@ -176,7 +176,7 @@ def predicted(networks: Sequence[Weights], segments: Segments, u: Array) -> tupl
     other_side = [*MIRRORED, 12]
     back = np.array([-SIDES] * 12 + [SIDES])
     for weights in networks:
-        outputs, images = (outputs_of(weights, each.features) for each in (segments, segments.mirrored))
+        outputs, images = outputs_of(weights, segments.features), outputs_of(weights, segments.mirrored.features)
         mirrored = segments.mirrored.differences(images, u)[:, :, other_side] * back
         differences += [segments.differences(outputs, u), mirrored]
         variances += [np.exp(outputs[..., -1]), np.exp(images[:, other_side, -1])]

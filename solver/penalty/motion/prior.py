@@ -26,7 +26,8 @@ STANDS = 0.8  # [1] smallest height of the hips above the ankles at rest, relati
 SOLE = 0.06  # [1] height of the ankles above the ground in the recordings, relative to the length of a leg
 REACH, TOE = 0.95, 0.16  # [1] lengths of a forearm relative to an upper arm, and of a foot relative to a leg
 WORTH = 3e-3  # [rad⁻² s⁴] value that costs as much as angular accelerations of quaternions of 1 s⁻²
-DOWN = np.array([0.0, 0, -1])
+HANGING = (2, 3, 4, 5, 6, 7, 9, 10)  # parts of arms and legs, without feet, which hang in the zero pose
+DOWN, LATERAL = np.array([0.0, 0, -1]), np.array([0.0, 1, 0])
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,20 +72,16 @@ class Person:
         rest = Samples.still(figure, figure.to_state(figure.model.qpos0)[None])
         anchors, centres = rest.links.anchor[:, links, 0].T, rest.links.points(links, tables.centre[:, links])[0]
         in_links = rest.links.rotation[:, :, links, 0].transpose(2, 0, 1)
-        left, middle = anchors[6] - anchors[9], 0.5 * (anchors[6] + anchors[9])
-        heading = quat.from_rotation_vector(np.array([0.0, 0, np.arctan2(-left[0], left[1])]))
+        to_left, middle = anchors[6] - anchors[9], 0.5 * (anchors[6] + anchors[9])
+        heading = quat.from_rotation_vector(np.array([0.0, 0, np.arctan2(-to_left[0], to_left[1])]))
         bones = np.array([anchors[part + 1] - anchors[part] for part in range(11)])
         bones[[3, 5]] = (centres[..., 0].T - anchors)[[3, 5]]
         leg = float(np.linalg.norm(bones[6]) + np.linalg.norm(bones[7]))
         if middle[2] - anchors[[8, 11], 2].max() < STANDS * leg:
             raise ValueError("the figure does not stand in its rest pose")
-        hanging = [part in (2, 3, 4, 5, 6, 7, 9, 10) for part in range(12)]
-        turns = np.array(
-            [
-                quat.product(heading, _swing(quat.rotated(quat.conjugate(heading), bones[part]))) if hangs else heading
-                for part, hangs in enumerate(hanging)
-            ]
-        )
+        turns, back = np.tile(heading, (12, 1)), quat.conjugate(heading)
+        for part in HANGING:
+            turns[part] = quat.product(heading, quat.swing(DOWN, quat.rotated(back, bones[part]), LATERAL))
         origins = anchors.copy()
         origins[0] = middle
         steps = [origins[part] - origins[max(parent, 0)] for part, parent in enumerate(PARENTS)]
@@ -134,15 +131,6 @@ class Person:
         return np.array([0.0, 0.0, ground + self.sole - SOLE * self.leg])
 
 
-def _swing(bone: Array) -> Array:
-    """Return the shortest rotation (4,) of a part that hangs into the direction of a bone (3,)."""
-    along = bone / np.linalg.norm(bone)
-    axis = np.cross(DOWN, along)
-    sine = float(np.linalg.norm(axis))
-    axis = axis / sine if sine else np.array([0.0, 1, 0])
-    return quat.from_rotation_vector(np.arctan2(sine, float(DOWN @ along)) * axis)
-
-
 @dataclass(frozen=True, eq=False)
 class Prior(Penalty):
     """Σ w (x − x̂)² + Σ w |q − q̂|² over predicted positions x̂ and orientations q̂ of links [1].
@@ -184,8 +172,8 @@ class Prior(Penalty):
         weights = trust[:, None] / (13 * variances)
         by_entry = [np.repeat(weights[:, 12:] / person.leg**2, 3, axis=1), np.repeat(4 * weights[:, :12], 4, axis=1)]
         values = np.concatenate([positions, rotations.reshape(count, PHASES, 48)], axis=2)
-        known = keys.known[:, person.position]
-        by_entry[0] *= known[:-1] & known[1:]  # a free root is not where the search starts
+        is_known = keys.known[:, person.position]
+        by_entry[0] *= is_known[:-1] & is_known[1:]  # a free root is not where the search starts
         weights = np.concatenate(by_entry, axis=1)
         return cls(keys.times, person.position, person.links, person.quaternions, values, weights)
 
@@ -225,14 +213,14 @@ def _of_axes(samples: Samples, links: Index, expected: Array, weights: Array) ->
 
 def _segments(person: Person, keys: Timeline, ground: float | None) -> Segments:
     """Return the segments of a timeline. Those at the seam of a loop have neighbours across it."""
-    places, known = neighbours(keys.times.size - 1)
+    places, has_neighbours = neighbours(keys.times.size - 1)
     states, gaps = keys.states[places], np.diff(keys.times[places], axis=1)
     if keys.ends == "periodic":
         seam = Seam.of(person.figure, keys)
         states[0, 0], states[-1, 3] = seam.moved(keys.states[-2], -1), seam.moved(keys.states[1], 1)
-        gaps[0, 0], gaps[-1, 2], known = gaps[-1, 1], gaps[0, 1], np.ones_like(known)
+        gaps[0, 0], gaps[-1, 2], has_neighbours = gaps[-1, 1], gaps[0, 1], np.ones_like(has_neighbours)
     hips, turns = person.posture(states, ground or 0.0)
     count = len(hips)
     offsets, tips = (np.tile(part, (count, 1, 1)) for part in (person.offsets, person.tips))
     on_floor = np.full(count, ground is not None)
-    return Segments(hips, turns, offsets, tips, gaps / Size.of(person.figure).time, known, on_floor)
+    return Segments(hips, turns, offsets, tips, gaps / Size.of(person.figure).time, has_neighbours, on_floor)
