@@ -53,9 +53,10 @@ def schedule_of(
     complete = [frame.state for frame in keys.frames if frame.is_key]
     soles = sole_points(figure, figure.to_qpos(np.reshape(complete, (-1, figure.width))))
     specified = contacts(figure, keys, tables, where, soles, surfaces)
-    grasps = grasps_of(figure, keys, grasp_tables, where, soles)
+    samples = Samples.still(figure, keys.states)
+    grasps = grasps_of(samples, keys, grasp_tables, where, soles)
     firm = [grasp for grasp, table in zip(grasps, grasp_tables, strict=True) if table.rotation != "free"]
-    turns = tuple(turn for grasp in firm if _is_alone(grasp, grasps) for turn in rotation_points(figure, keys, grasp))
+    turns = tuple(turn for grasp in firm if _is_alone(grasp, grasps) for turn in rotation_points(samples, keys, grasp))
     return ContactSchedule(figure, keys, soles, surfaces, (*specified, *grasps), turns)
 
 
@@ -202,9 +203,13 @@ def _check_bodies(contacts: Sequence[Contact], where: str, stretch: float) -> No
 
 
 def grasps_of(
-    figure: Figure, keys: Timeline, tables: Sequence[GraspTable], where: str, soles: Sequence[Point] = ()
+    samples: Samples, keys: Timeline, tables: Sequence[GraspTable], where: str, soles: Sequence[Point] = ()
 ) -> tuple[Contact, ...]:
-    """Return the grasps of a clip's tables; raises UserError that names the invalid table."""
+    """Return the grasps of a clip's tables; raises UserError that names the invalid table.
+
+    samples  the poses of the keyframes
+    """
+    figure = samples.figure
     places, bodies = Places(figure, soles), moving_bodies(figure)
     grasps: list[Contact] = []
     for i, table in enumerate(tables):
@@ -220,7 +225,7 @@ def grasps_of(
         target = None
         if table.position is not None:
             target = figure.point_on_link(bodies[table.body], np.array(table.position, float))[1]
-        grasps.append(_grasped(figure, keys, Contact(point, table.start, table.end, link, specified=target), name))
+        grasps.append(_grasped(samples, keys, Contact(point, table.start, table.end, link, specified=target), name))
     return tuple(grasps)
 
 
@@ -239,10 +244,10 @@ def _no_body(figure: Figure, name: str, bodies: dict[str, int]) -> str:
     return unknown("body", name, bodies)
 
 
-def _grasped(figure: Figure, keys: Timeline, grasp: Contact, name: str) -> Contact:
+def _grasped(samples: Samples, keys: Timeline, grasp: Contact, name: str) -> Contact:
     """Return a grasp with the site's positions on the body, as far as the table and keyframes specify them."""
-    limits = Thresholds.of(figure)
-    setting, places, exact = _grasp_places(figure, keys, grasp)
+    limits = Thresholds.of(samples.figure)
+    setting, places, exact = _grasp_places(samples, keys, grasp)
     target = grasp.specified
 
     def contradicts(k: int, distance: float, first: int | None) -> str:
@@ -276,14 +281,13 @@ def _grasped(figure: Figure, keys: Timeline, grasp: Contact, name: str) -> Conta
     )
 
 
-def rotation_points(figure: Figure, keys: Timeline, grasp: Contact) -> Iterator[Contact]:
+def rotation_points(samples: Samples, keys: Timeline, grasp: Contact) -> Iterator[Contact]:
     """Yield the contacts of two points beside the site of a grasp, which hold the rotation of the body.
 
     Between keyframes that specify the rotation of the site's link and of the body, it changes at a constant rate.
     """
-    setting, spots, _ = _grasp_places(figure, keys, grasp)
-    links = Samples.still(figure, keys.states[setting]).links
-    hands, bodies = (links.Q[:, link].T for link in (grasp.point.link, grasp.on))
+    setting, spots, _ = _grasp_places(samples, keys, grasp)
+    hands, bodies = (samples.links.Q[:, link, setting].T for link in (grasp.point.link, grasp.on))
     turns = quat.product(quat.inverse(bodies), hands)  # of the hand in the axes of the body
     knots = [(float(keys.times[k]), spots[:, k], turn) for k, turn in zip(setting.tolist(), turns, strict=True)]
     dense = knots[:1]
@@ -293,7 +297,7 @@ def rotation_points(figure: Figure, keys: Timeline, grasp: Contact) -> Iterator[
         for share in (np.arange(count) + 1) / count:
             turning = quat.product(quat.from_rotation_vector(share * whole), turn)
             dense.append((first + share * (last - first), spot + share * (end - spot), turning))
-    for axis in Thresholds.of(figure).object_arm * np.eye(3)[:2]:
+    for axis in Thresholds.of(samples.figure).object_arm * np.eye(3)[:2]:
         beside = replace(grasp.point, position=grasp.point.position + axis)
         places = [(time, spot + quat.rotated(turn, axis)) for time, spot, turn in dense]
         yield _placed(Contact(beside, grasp.first, grasp.last, grasp.on, weight=TURN), places)
@@ -305,11 +309,10 @@ def _is_alone(grasp: Contact, grasps: Sequence[Contact]) -> bool:
     return not any(other.meets(grasp.first, grasp.last) for other in others)
 
 
-def _grasp_places(figure: Figure, keys: Timeline, grasp: Contact) -> tuple[Index, Array, Mask]:
+def _grasp_places(samples: Samples, keys: Timeline, grasp: Contact) -> tuple[Index, Array, Mask]:
     """Return the keyframes within a grasp that specify it. These are indices (k,) of keyframes that set both site and
     body, positions (3, K) on the body, and which (K,) are fixed."""
-    samples = Samples.still(figure, keys.states)
     both = [grasp.point, Point(grasp.point.name, grasp.on, np.zeros(3))]
-    is_set, exact = (np.logical_and.reduce(placed(figure, mask, both)) for mask in (keys.known, keys.fixed))
+    is_set, exact = (np.logical_and.reduce(placed(samples.figure, mask, both)) for mask in (keys.known, keys.fixed))
     inside = (keys.times >= grasp.first - ROUNDING) & (keys.times <= grasp.last + ROUNDING)
     return np.flatnonzero(inside & is_set), slipped(samples, grasp), exact

@@ -15,6 +15,7 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.edit import timelines
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.problem import renormalised
 from dynsplines.solver.search.descent import optimised
 
@@ -172,9 +173,10 @@ def _transition(saved: Saved, one: Timeline, two: Timeline, held: Sequence[Grasp
     figure = saved.figure
     ends = (*_complete(figure, one, one.times[-1:]), *_complete(figure, two, two.times[:1]))
     grasps, between = list[GraspTable](), raw_timeline(figure, list(ends))
+    samples = Samples.still(figure, between.states)
     for row in held:
         with suppress(UserError):  # a hand that holds another place
-            grasps_of(figure, between, [row := row.changed(start=ends[0].time, end=ends[1].time)], "join")
+            grasps_of(samples, between, [row := row.changed(start=ends[0].time, end=ends[1].time)], "join")
             grasps.append(row)
     count = max(LEAST_FRAMES, round((ends[1].time - ends[0].time) / FRAME_SECONDS))
     begin = timelines.bridge(figure, one, two, variable=count)
