@@ -283,7 +283,7 @@ def hovering(rests: Sequence[Contact], surfaces: Sequence[Surface], groups: Inde
         for i, rest in enumerate(rests):
             if rest.surface is not None:
                 height[i] = rest.surface.height(places[:, i]) - radii[i]
-        during = np.array([(samples.t >= rest.first) & (samples.t <= rest.last) for rest in rests])
+        during = np.array([rest.during(samples.t) for rest in rests])
         return Hits.of(np.where(during & (height < FAR), height, 0.0))
 
     return Check.each("hover", rows, hits, fixed.places[[point.link for point in points]], groups)
@@ -338,8 +338,7 @@ def slips(grasps: Sequence[Contact], starts: Sequence[Array], fixed: Fixed) -> C
     def hits(samples: Samples) -> Hits:
         out = np.zeros((len(grasps), samples.count))
         for i, (grasp, start) in enumerate(zip(grasps, starts, strict=True)):
-            during = (samples.t >= grasp.first) & (samples.t <= grasp.last)
-            out[i] = during * np.linalg.norm(slipped(samples, grasp) - start[:, None], axis=0)
+            out[i] = grasp.during(samples.t) * np.linalg.norm(slipped(samples, grasp) - start[:, None], axis=0)
         return Hits.of(out)
 
     return Check.each(

@@ -231,6 +231,11 @@ def _groups(rests: Sequence[Contact], feet: Index) -> Index:
     return groups
 
 
+def is_imported(clip: Clip, timeline: Timeline) -> bool:
+    """Return whether a motion is a recording as imported, whose keyframes are its samples."""
+    return not clip.text and timeline.variable_count == 0
+
+
 def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[ContactTarget]:
     """Yield the clip's contacts, and the stances inferred from keyframes, with the numbers of their groups.
 
@@ -244,8 +249,7 @@ def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[ContactTarget]:
         for k, (rest, group) in enumerate(zip(rests, _groups(rests, feet).tolist(), strict=True)):
             rolling = Rolling.of(rest, middle.links.Q[:, rest.point.link, k])
             yield ContactTarget("contact", _target(rest, spots[:, k]), group, rolling)
-    is_recording = not clip.text and timeline.variable_count == 0
-    shortest = Thresholds.of(figure).far_apart if is_recording else 0.0
+    shortest = Thresholds.of(figure).far_apart if is_imported(clip, timeline) else 0.0
     free = [
         stance
         for stance in inferred(clip, timeline)

@@ -25,15 +25,14 @@ from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import Point, body_points, hanging, places_of
 
 from ..motion import even_times, samples_at
-from .checks import Row, row_of
-from .measurement import Measurement
+from .checks import row_of
+from .ground import Excess
+from .measurement import Measurement, is_imported
 
 RATE = 60.0  # [1/s] samples of the motion
 WINDOW = 0.3  # [s] interval of an adult over which amounts are averaged
 SLOW = 0.05  # [m/s] horizontal speed of the centre of mass of an adult below which it must be over the feet
 DIRECTIONS = 64  # number of horizontal directions in which the support of the feet is compared with the centre of mass
-
-Excess = tuple[Row, float, float, int | None]  # a row, its amount, the time [s], the index of a keyframe that causes it
 
 
 def unsupported(motion: Measurement) -> Iterator[Excess]:
@@ -43,8 +42,12 @@ def unsupported(motion: Measurement) -> Iterator[Excess]:
     """
     context, figure, path = motion.clip.context, motion.clip.figure, path_of(motion.timeline)
     window = WINDOW * Size.of(figure).time
-    is_imported = not motion.clip.text and motion.timeline.variable_count == 0
-    if is_imported or not context.surfaces or not np.any(figure.gravity) or np.ptp(path.span) < window:
+    if (
+        is_imported(motion.clip, motion.timeline)
+        or not context.surfaces
+        or not np.any(figure.gravity)
+        or np.ptp(path.span) < window
+    ):
         return
     samples = samples_at(figure, path, even_times(path.span, RATE))
     held_by_loops = {link for loop in closures(figure) for link in (loop.point.link, loop.on)}
