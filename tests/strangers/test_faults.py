@@ -23,7 +23,7 @@ from dynsplines.clip import load as clips
 from dynsplines.system import output
 from dynsplines.system.output import TEMPORARY, Replacement
 
-pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="limits, forks and signals are another matter there")
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="needs Linux limits, forks and signals")
 
 TESTS = Path(__file__).parents[1]
 SUPPORT = TESTS / "support"

@@ -28,7 +28,7 @@ from dynsplines.scene import file_access
 from dynsplines.scene.assets import Scene
 from dynsplines.scene.compose import compose, figure_spec
 
-POSIX = pytest.mark.skipif(os.name == "nt", reason="links are another matter there")
+POSIX = pytest.mark.skipif(os.name == "nt", reason="needs POSIX links")
 MODEL = """<mujoco><compiler meshdir="{folder}"/>{more}<asset>{asset}</asset><worldbody>
   <body name="trunk" pos="0 0 1"><freejoint name="root"/><geom size=".1"/><geom type="mesh" mesh="bone"/></body>
 </worldbody><keyframe><key qpos="0 0 1 1 0 0 0"/><key time="0.6" qpos="0.5 0 1 1 0 0 0"/></keyframe></mujoco>"""

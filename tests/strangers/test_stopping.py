@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from problems import ENDLESS, names, written
 
-pytestmark = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
+pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX signals")
 
 DEFAULT = "import signal, sys; signal.signal(signal.SIGINT, signal.default_int_handler)\n"
 COMMAND = DEFAULT + "sys.argv = sys.argv[1:]; from dynsplines.__main__ import main; main()"

@@ -125,7 +125,7 @@ def test_a_clip_that_cannot_be_read_waits_for_its_turn(out: Path, monkeypatch: p
     assert left(out) == ["tiny", "other"]
 
 
-@pytest.mark.skipif(os.name == "nt", reason="links need rights there")
+@pytest.mark.skipif(os.name == "nt", reason="links need administrator rights on Windows")
 @pytest.mark.parametrize("name", ["../prey", "/dev/zero", "link"])
 def test_a_manifest_makes_a_batch_read_nothing_outside_its_folder(out: Path, name: str):
     (out.parent / "prey").write_bytes(b"data")

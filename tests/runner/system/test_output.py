@@ -21,7 +21,7 @@ from dynsplines.motion import Saved
 from dynsplines.picture import film
 from dynsplines.system.output import Replacement, check_target
 
-POSIX = pytest.mark.skipif(os.name == "nt", reason="modes, links and pipes are another matter there")
+POSIX = pytest.mark.skipif(os.name == "nt", reason="needs POSIX modes, links and pipes")
 RUNNER = Path(motion.__file__).parent
 Write = Callable[[Saved, Path], object]
 

@@ -16,7 +16,7 @@ from problems import names
 from dynsplines.system import scratch as module
 from dynsplines.system.scratch import PREFIX, scratch
 
-POSIX = pytest.mark.skipif(os.name == "nt", reason="no locks there: nothing is removed")
+POSIX = pytest.mark.skipif(os.name == "nt", reason="no file locks on Windows, so nothing is removed")
 HOLDER = """
 import sys
 from dynsplines.system.scratch import scratch

@@ -19,7 +19,7 @@ from crew import Bench
 from dynsplines.errors import UserError
 from dynsplines.system.workers import in_order
 
-POSIX = pytest.mark.skipif(os.name == "nt", reason="signals are another matter there")
+POSIX = pytest.mark.skipif(os.name == "nt", reason="needs POSIX signals")
 
 
 @pytest.fixture(autouse=True)
