@@ -82,7 +82,7 @@ def measured(source: Clip | Saved, progress: Progress) -> Saved:
     from .measure import violation
 
     if not isinstance(source, Saved):
-        return solving.solve(source, progress).measured(progress)
+        return solving.solve(source, progress, measure=True).motion
     if not source.report:
         return solving.Solved.of(source).measured(progress, "not searched: imported")
     if "violations" in source.report:

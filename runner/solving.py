@@ -69,8 +69,12 @@ class Solved:
         return replace(self.motion, report=data | {"stopped because": because})
 
 
-def solve(clip: Clip, progress: Progress) -> Solved:
-    """Solve a clip and report every improvement. Ctrl-C stops the search and returns the best path."""
+def solve(clip: Clip, progress: Progress, *, measure: bool = False) -> Solved:
+    """Solve a clip and report every improvement. Ctrl-C stops the search and returns the best path.
+
+    Args:
+        measure: Add the motion's report. A second Ctrl-C has no effect on it.
+    """
     for note in clip.notes:
         progress.report(f"note: {note}")
 
@@ -88,7 +92,8 @@ def solve(clip: Clip, progress: Progress) -> Solved:
             progress.step("solving", 1.0, note, force=True)
         if solution.stop is Stop.INTERRUPTED:
             progress.report("stopped; the best path so far is kept")
-        return Solved(clip, motion_of(clip, solution, seconds))
+        solved = Solved(clip, motion_of(clip, solution, seconds))
+        return replace(solved, motion=solved.measured(progress)) if measure else solved
 
 
 def motion_of(clip: Clip, solution: Solution, seconds: float | None = None) -> Saved:

@@ -100,9 +100,8 @@ def _solved(task: Task, folder: Path) -> Outcome:
     source, figure = task.clip, task.others.get("figure")
     where = str(folder / source) if Path(source).suffix else source
     problem = recordings.load(where, figure_file=figure and str(folder / figure), fps=task.options.fps)
-    result = solving.solve(problem, silent())
-    saved = result.measured(silent()) if task.options.report else result.motion
-    return replace(_written(saved, task, folder, task.options.fps), violations=tuple(plain(result.violations)))
+    result = solving.solve(problem, silent(), measure=task.options.report)
+    return replace(_written(result.motion, task, folder, task.options.fps), violations=tuple(plain(result.violations)))
 
 
 def _cleaned(task: Task, cleaning: Source, folder: Path) -> Outcome:
