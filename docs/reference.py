@@ -1,19 +1,28 @@
-"""Tables of keys in docs/clip.md, generated from the clip schema by `python docs/reference.py`."""
+"""Generated parts of the pages; `python docs/reference.py` writes them.
+
+The tables of keys and soft constraints are generated from the schema of clips, measured figures from
+benchmarks/results/results.json.
+"""
 
 from __future__ import annotations
 
+import json
 import re
-from collections.abc import Iterator
+import tomllib
+from collections.abc import Callable, Iterator
+from functools import cache
 from pathlib import Path
-from typing import Literal, get_args, get_origin
+from typing import Any, Literal, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
+from dynsplines import models
 from dynsplines.clip import table
 from dynsplines.clip.kinds import KINDS
 
-PAGE = Path(__file__).parent / "clip.md"
-MARKS = "<!-- {}: written by docs/reference.py -->\n\n", "\n<!-- end -->\n"
+ROOT = Path(__file__).parents[1]
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+PART = re.compile(r"(<!-- (\w+): written by docs/reference.py -->\n).*?(<!-- end -->\n)", re.DOTALL)
 HEADINGS = {"the clip": "The top level", "a rotation": "A rotation"}  # of tables without a name in the file
 ROTATION = {
     "rotvec": "axis times angle, in degrees",
@@ -150,7 +159,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "that is more",
             "criterion": 'how the solver finds the intervals into which it inserts frames: "weak" (the default) by '
             'the predicted decrease of the objective, "residual" by the Euler-Lagrange residual; see '
-            "[the method](method.md)",
+            "[the paper](paper.md)",
             "threshold": "the value of the criterion below which no frame is inserted; default 0.001",
             "optimiser": 'the NLopt algorithm that refines the motion at the end: "lbfgs" (the default), "slsqp", '
             '"ccsaq", "tnewton", "var2", or "none"',
@@ -221,14 +230,205 @@ def kinds() -> Iterator[str]:
             yield f"| {first[0]} | {f'`{part.name}`' if part.name else ''} | {weight} | {small} | {first[1]} |"
 
 
+@cache
+def results() -> dict[str, Any]:
+    """The measured figures, by section of the benchmarks."""
+    return json.loads((ROOT / "benchmarks" / "results" / "results.json").read_text(encoding="utf-8"))
+
+
+def row(section: str, *first: object) -> list[Any]:
+    """The row of a section that begins with these cells."""
+    (only,) = [cells for cells in results()[section]["rows"] if cells[: len(first)] == list(first)]
+    return only
+
+
+def seconds(time: float) -> str:
+    """A time [s] with two digits."""
+    return f"{1000 * time:.2g} ms" if time < 0.01 else f"{float(f'{time:.2g}'):g} s"
+
+
+def factor(ratio: float) -> str:
+    """A ratio with two digits."""
+    return f"{float(f'{ratio:.2g}'):g}"
+
+
+def cores() -> str:
+    """The machine of the benchmarks."""
+    return "Measured without a GPU on " + ", ".join(results()["clip"]["machine"].split(", ")[:2])
+
+
+def duration(name: str) -> str:
+    """The duration of a shipped clip."""
+    times = [key["time"] for key in tomllib.loads(models.clip_text(name))["keyframe"]]
+    return f"{times[-1] - times[0]:.2g} s"
+
+
+def speed() -> Iterator[str]:
+    """The figures of the README."""
+    solve, runner = row("clip", "solve, subdivision included"), row("runner39", "ours")
+    ipopt = row("runner39", "CasADi + IPOPT, compiled by gcc -O3")
+    yield f"{cores()}:"
+    yield ""
+    time, length = seconds(solve[1]), duration("run_and_step")
+    yield f"- The clip `run_and_step`, {length} of motion with every soft constraint, takes {time}."
+    yield (
+        f"- A simpler runner takes {seconds(runner[1])} to within 0.5 % of the optimum. CasADi with IPOPT takes "
+        f"{factor(ipopt[2])} times as long."
+    )
+    dense = factor(row("barr", DENSE)[2])
+    yield f"- The method is {dense} times as fast as dense SQP, and {sparse()} times as fast as sparse solvers."
+
+
+DENSE, SPARSE = "SLSQP of SciPy, dense", ("sparse Newton SQP", "IPOPT, exact Hessian")
+
+
+def sparse() -> str:
+    """How many times as fast as sparse solvers the method is."""
+    ratios = sorted(row("barr", solver)[2] for solver in SPARSE)
+    return " to ".join(dict.fromkeys(map(factor, ratios)))
+
+
+def times() -> Iterator[str]:
+    """Times of solving."""
+    yield "| task | time |"
+    yield "|---|---|"
+    solve = row("clip", "solve, subdivision included")
+    yield f"| solve `run_and_step` with every soft constraint | {seconds(solve[1])} |"
+    first = row("clip", "`dynsplines solve`: start to its first line about a path")
+    yield f"| from the start of `dynsplines solve` to the first line of its progress | {seconds(first[1])} |"
+    for count in (480, 1000):
+        _, plays, took, _, _, peak, *_ = row("length", count)
+        yield (f"| solve {plays:.0f} s of running with {count} keyframes | {seconds(took)}, {peak:.0f} MB of memory |")
+    two = row("batch", "two")
+    yield (
+        f"| solve {two[1]} clips with two processes | {two[2]:.0f} s, {two[4]:.1f} times as fast as with one process |"
+    )
+    opengl, rays = results()["rendering"]["rows"]
+    yield (
+        f"| render at {opengl[1]} pixels | {opengl[3]:.1f} frames per second with OpenGL in software, "
+        f"{rays[3]:.1f} without OpenGL |"
+    )
+
+
+def solvers() -> Iterator[str]:
+    """Comparisons with other solvers."""
+    yield "| task | time | other solver | factor |"
+    yield "|---|---|---|---|"
+    task = "a runner with 39 degrees of freedom, to 0.5 % of the optimum"
+    ours = seconds(row("runner39", "ours")[1])
+    for name, solver in (
+        ("CasADi + IPOPT, compiled by gcc -O3", "CasADi with IPOPT, compiled"),
+        ("mujoco.minimize, its own differences", "`mujoco.minimize` with finite differences"),
+        ("mujoco.minimize, coloured Jacobian", "`mujoco.minimize` with a Jacobian written for the task"),
+    ):
+        yield f"| {task} | {ours} | {solver} | {factor(row('runner39', name)[2])} |"
+        task = ours = ""
+    for count in (7, 1000):
+        cells = row("shooting", count, "moderate", "ours, 3 a segment")
+        task = f"a rotating body with {count} keyframes, to 0.01 % of the least energy"
+        yield f"| {task} | {seconds(cells[3] / 1000)} | InterpolatePy, C++ shooting | {factor(1 / cells[4])} |"
+    task, ours = "the problem of Barr et al. 1992, to 0.1 % of the least energy", seconds(row("barr", "ours")[1] / 1000)
+    for solver in (*SPARSE, DENSE):
+        yield f"| {task} | {ours} | {solver} | {factor(row('barr', solver)[2])} |"
+        task = ours = ""
+    yield ""
+    sets = results()["uneven"]["rows"]
+    count, failed = sum(cells[2] for cells in sets), sum(cells[3] for cells in sets)
+    reached = sum(cells[2] - cells[4] for cells in sets)
+    yield "InterpolatePy solves only rotations of one body. If times between keyframes differ by a factor of up to 50,"
+    yield f"it fails on {failed} of {count} sets. dynamic-splines reaches a minimum on {reached}."
+
+
+def quality() -> Iterator[str]:
+    """Comparisons of results."""
+    yield "| measurement | dynamic-splines | RotationSpline | SQUAD or SLERP |"
+    yield "|---|---|---|---|"
+    energies = [row("quaternions", name) for name in ("ours, 3 variable frames a segment", "RotationSpline", "SQUAD")]
+    for column, sets in ((1, "steps of 20 to 90°"), (3, "random rotations")):
+        cells = " | ".join(f"{float(each[column]):.5g}" for each in energies)
+        yield f"| energy of a rotating body / least energy, {sets} | {cells} |"
+    rebuilt = [row("inbetweening", 10, name) for name in ("ours", "RotationSpline", "SLERP")]
+    for column, what, unit in ((4, "error of hands and ankles", "cm"), (6, "sliding of feet on the ground", "cm/s")):
+        cells = " | ".join(f"{each[column]:.2g} {unit}" for each in rebuilt)
+        yield f"| shipped clips rebuilt from every 10th sample: {what} | {cells} |"
+
+
+CLAIMS = (  # verdict, claim, measurement of the benchmarks
+    ("reproduced", "Every iterate meets the keyframes.", ""),
+    (
+        "reproduced",
+        "A path that is stopped early is no worse than the raw spline ([figure 9](#figure-9)).",
+        "",
+    ),
+    (
+        "not reproduced",
+        "With the weights 2 : 5 of the unit and acceleration terms and 1 variable frame per segment, quaternions keep "
+        "unit length to 0.2 % ([figure 9](#figure-9)).",
+        "",
+    ),
+    (
+        "reproduced",
+        "The same with the weights 10 : 1 and 3 variable frames per segment, with nearly the least energy.",
+        "",
+    ),
+    (
+        "in part",
+        "The method is about 100 times as fast as dense SQP on the discretisation of Barr et al. 1992.",
+        "{dense} times",
+    ),
+    ("not reproduced", "The same for sparse solvers.", "{sparse} times"),
+    (
+        "not reproduced",
+        "The Euler-Lagrange residual in its strong form decreases with 0, 1 and 3 variable frames per segment "
+        "([figure 10](#figure-10)).",
+        "",
+    ),
+    ("reproduced", "The same in its weak form, with the intrinsic acceleration term.", ""),
+    (
+        "reproduced",
+        "This residual shows where to insert frames better than the size of the objective, and better than a "
+        "comparison of two resolutions.",
+        "",
+    ),
+    ("reproduced", "The estimate δ · EL (appendix C) shows how much the objective can still decrease.", ""),
+    (
+        "reproduced",
+        "A runner with 39 degrees of freedom takes a few minutes at most ([figure 6](#figure-6)).",
+        "{runner}",
+    ),
+    (
+        "reproduced",
+        "A foot of the runner passes through the step in the raw spline, but not in the solution "
+        "([figures 11 and 12](#figures-11-and-12)).",
+        "",
+    ),
+)
+
+
+def claims() -> Iterator[str]:
+    """The claims of the paper."""
+    runner = seconds(row("clip", "solve, subdivision included")[1])
+    yield "| result | claim of the paper | measured |"
+    yield "|---|---|---|"
+    for verdict, claim, measured in CLAIMS:
+        text = measured.format(dense=factor(row("barr", DENSE)[2]), sparse=sparse(), runner=runner)
+        yield f"| {verdict} | {claim} | {text} |"
+
+
+PARTS: dict[str, Callable[[], Iterator[str]]] = {
+    part.__name__: part for part in (keys, kinds, speed, times, solvers, quality, claims)
+}
+
+
 def written(page: str) -> str:
-    """The page with updated tables."""
-    for name, lines in (("keys", keys()), ("kinds", kinds())):
-        begin, end = MARKS[0].format(name), MARKS[1]
-        text = begin + "\n".join(lines).rstrip() + "\n" + end
-        page = re.sub(re.escape(begin) + ".*?" + re.escape(end), lambda _, text=text: text, page, flags=re.DOTALL)
-    return page
+    """The page with updated parts."""
+
+    def part(match: re.Match[str]) -> str:
+        return match[1] + "\n" + "\n".join(PARTS[match[2]]()).rstrip() + "\n\n" + match[3]
+
+    return PART.sub(part, page)
 
 
 if __name__ == "__main__":
-    PAGE.write_text(written(PAGE.read_text(encoding="utf-8")), encoding="utf-8")
+    for page in PAGES:
+        page.write_text(written(page.read_text(encoding="utf-8")), encoding="utf-8")

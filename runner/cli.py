@@ -137,7 +137,7 @@ def solve(
     allow_outside: option.Outside = False,
 ) -> None:
     """Solve a clip and save the motion as arrays (.npz).
-    At the end, the violations of the motion are listed, the worst one first.
+    An existing file is overwritten. At the end, the violations of the motion are listed, the worst one first.
     Ctrl-C stops solving and saves the best motion so far."""
     target = _target(output, f"{_name(source, model, keys)}.npz", "motion")
     with terminal.Progress() as progress:
@@ -175,7 +175,8 @@ def render(
     allow_outside: option.Outside = False,
 ) -> None:
     """Render a clip or a motion as a video or a picture.
-    The extension of -o selects a video (.mp4, .webm, .gif) or a picture (.png). A clip is solved first."""
+    The extension of -o selects a video (.mp4, .webm, .gif) or a picture (.png). A clip is solved first.
+    An existing file is overwritten."""
     target = output or Path(f"{_name(source, model, keys)}.{'png' if ghosts or at is not None else 'mp4'}")
     width, height = size
     film.check_target(target, width, height)
@@ -375,7 +376,7 @@ def plot(
 ) -> None:
     """Plot the measured faults of a motion over time.
     The chart shows the amount of every kind of violation, divided by its bound, before and after solving.
-    The extension of -o selects .png, .svg or .pdf."""
+    The extension of -o selects .png, .svg or .pdf. An existing file is overwritten."""
     target = output or Path(f"{_name(source, model, keys)}.png")
     outputs.check_target(target, endings=chart.ENDINGS)
     with terminal.Progress() as progress:

@@ -16,7 +16,7 @@ import sys
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
-from types import FunctionType
+from types import FunctionType, ModuleType
 from typing import Any
 
 import griffe
@@ -180,11 +180,16 @@ def test_every_page_is_in_the_index_and_in_the_sites_table_of_contents() -> None
     assert pages == set(re.findall(r"(\w+\.md)$", config, re.MULTILINE))
 
 
-def test_the_reference_is_what_the_schema_specifies(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.fixture
+def reference(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
     monkeypatch.syspath_prepend(str(ROOT / "docs"))
-    reference = importlib.import_module("reference")
-    page = reference.PAGE.read_text(encoding="utf-8")
-    assert reference.written(page) == page
+    return importlib.import_module("reference")
+
+
+def test_generated_parts_are_up_to_date_and_each_is_on_one_page(reference: ModuleType) -> None:
+    pages = [page.read_text(encoding="utf-8") for page in reference.PAGES]
+    assert [reference.written(page) for page in pages] == pages
+    assert sorted(name for page in pages for _, name, _ in reference.PART.findall(page)) == sorted(reference.PARTS)
 
 
 def documented() -> Iterator[str]:
