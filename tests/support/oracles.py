@@ -48,9 +48,10 @@ def mujoco_forces(samples: Samples) -> np.ndarray:
     return np.array(out)
 
 
-def kinematics(model: mujoco.MjModel, qpos: Array | None = None) -> mujoco.MjData:
-    """Return bodies, sites, centres of mass and Jacobians of a pose, by default the model's own, by MuJoCo."""
-    data = mujoco.MjData(model)
+def kinematics(model: mujoco.MjModel, qpos: Array | None = None, data: mujoco.MjData | None = None) -> mujoco.MjData:
+    """Return bodies, sites, centres of mass and Jacobians of a pose, by default the model's own, by MuJoCo, in `data`
+    or in new data, which take a millisecond."""
+    data = mujoco.MjData(model) if data is None else data
     data.qpos[:] = model.qpos0 if qpos is None else qpos
     mujoco.mj_normalizeQuat(model, data.qpos)
     mujoco.mj_kinematics(model, data)
@@ -72,7 +73,8 @@ def inverse_dynamics(model, at, rows=slice(None)):
 
 def tracks(model: mujoco.MjModel, qpos: Array, names: Sequence[str]) -> Array:
     """(T, n, 3) [m]: the places of sites along configurations (T, nq), by MuJoCo."""
-    return np.array([[data.site(name).xpos for name in names] for data in (kinematics(model, row) for row in qpos)])
+    data = mujoco.MjData(model)
+    return np.array([[kinematics(model, row, data).site(name).xpos.copy() for name in names] for row in qpos])
 
 
 def aligned(figure: Figure, qpos: Array, wanted: Array) -> Array:

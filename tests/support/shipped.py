@@ -150,9 +150,10 @@ class Move:
     @cached_property
     def _poses(self) -> tuple[Array, Array, Array]:
         """Sites (T, n, 3), the centre of mass (T, 3) and bodies' upward axes (T, b, 3) at all times."""
+        data = mujoco.MjData(self.scene)
         sites, centre, up = [], [], []
         for qpos in self.qpos:
-            data = kinematics(self.scene, qpos)
+            kinematics(self.scene, qpos, data)
             sites.append(data.site_xpos.copy())
             centre.append(data.subtree_com[1].copy())
             up.append(data.xmat.reshape(-1, 3, 3)[:, :, 2].copy())
