@@ -83,6 +83,7 @@ class Document:
     newline: str = "\n"
     numbered_since: int = 0
     _copy: str | None = None  # unsaved work on the disk, if this document wrote or adopted it
+    _stroke: str | None = None  # of the last edit
     steps: dict[str, list[Step]] = field(default_factory=lambda: {"undo": [], "redo": []})
 
     @property
@@ -132,16 +133,23 @@ class Document:
         """Return the [[keyframe]] tables as plain ones."""
         return parsed(self.text).get("keyframe", [])
 
-    def commit(self, text: str, words: str) -> None:
-        """Set the present text; `words` describe the edit."""
+    def commit(self, text: str, words: str, stroke: str | None = None) -> None:
+        """Set the present text; `words` describe the edit. Consecutive edits of one stroke are undone together."""
         if text == self.text:
             return
-        self.steps["undo"].append((words, self.text))
+        undo = self.steps["undo"]
+        if stroke is None or stroke != self._stroke:
+            undo.append((words, self.text))
+        elif undo[-1][1] == text:  # the stroke has returned to its beginning
+            undo.pop()
+            stroke = None
+        self._stroke = stroke
         self.steps["redo"].clear()
         self._put(text)
 
     def step(self, verb: str) -> None:
         """Undo or redo an edit."""
+        self._stroke = None
         words, text = self.steps[verb].pop()
         self.steps["redo" if verb == "undo" else "undo"].append((words, self.text))
         self._put(text)

@@ -109,10 +109,14 @@ class Session:
     # ---- edits
 
     async def edit(self, name: str, arguments: Message) -> str:
-        """Apply an edit by name. If it raises UserError, nothing has changed."""
+        """Apply an edit by name. If it raises UserError, nothing has changed.
+
+        The argument "stroke", if specified, identifies a run of edits that are undone together.
+        """
         from .edits import EDITS  # imported here, as in `document`
 
         self.check_offer()
+        stroke = arguments.pop("stroke", None)
         if name not in EDITS:
             raise UserError(f"no edit '{name}'; there are: {', '.join(EDITS)}")
         tree = self.document.tree()
@@ -123,7 +127,7 @@ class Session:
         text = tree.as_string()
         if text != self.document.text:
             loaded = await self._validate(text)
-            self.document.commit(text, words)
+            self.document.commit(text, words, stroke)
             words = self._changed(loaded, words)
         return words
 

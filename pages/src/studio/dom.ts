@@ -9,13 +9,50 @@ export const el = <K extends keyof HTMLElementTagNameMap>(
 ): HTMLElementTagNameMap[K] => {
   const made = document.createElement(tag);
   for (const [name, value] of Object.entries(props)) {
-    if (typeof value === "function") made.addEventListener(name.slice(2), value);
+    if (typeof value === "function") Object.assign(made, { [name]: value });
     else if (name === "text") made.textContent = String(value);
     else if (value === true) made.setAttribute(name, "");
     else if (value !== false && value !== undefined) made.setAttribute(name, String(value));
   }
   made.append(...children);
   return made;
+};
+
+const HANDLERS = ["onclick", "onchange", "oninput", "onkeydown", "onpointerdown"] as const;
+
+/** What says that two elements stand for the same: the fields of a form by their names. */
+const identity = (node: Node): string => (node instanceof HTMLElement ? `${node.tagName} ${node.dataset.id ?? node.getAttribute("aria-label") ?? ""}` : node.nodeName);
+
+/** Makes the children of an element like those given. Elements that stand for the same remain, with focus and what is being typed. */
+export const fill = (box: Element, ...children: (Node | string)[]): void => {
+  let at = box.firstChild;
+  for (const each of children) {
+    const made = typeof each === "string" ? document.createTextNode(each) : each;
+    let old = at;
+    while (old && identity(old) !== identity(made)) old = old.nextSibling;
+    if (!old) { box.insertBefore(made, at); continue; }
+    while (at && at !== old) { const { nextSibling } = at; at.remove(); at = nextSibling; }
+    liken(old, made);
+    at = old.nextSibling;
+  }
+  while (at) { const { nextSibling } = at; at.remove(); at = nextSibling; }
+};
+
+const liken = (old: Node, made: Node): void => {
+  if (!(old instanceof HTMLElement) || !(made instanceof HTMLElement)) {
+    if (old.textContent !== made.textContent) old.textContent = made.textContent;
+    return;
+  }
+  for (const { name } of [...old.attributes]) if (name !== "data-typed" && !made.hasAttribute(name)) old.removeAttribute(name);
+  for (const { name, value } of [...made.attributes]) if (old.getAttribute(name) !== value) old.setAttribute(name, value);
+  for (const name of HANDLERS) Object.assign(old, { [name]: made[name] });
+  fill(old, ...made.childNodes);
+  const isBusy = old.dataset.typed !== undefined || (old === document.activeElement && old.matches("[type=range]:active"));
+  if ((old instanceof HTMLInputElement || old instanceof HTMLSelectElement) && !isBusy) {
+    const { value, checked } = made as HTMLInputElement;
+    if (old.value !== value) old.value = value;
+    if (old instanceof HTMLInputElement) old.checked = checked;
+  }
 };
 
 const PATHS: Record<string, string> = {
@@ -70,3 +107,77 @@ export const toast = (words: string, kind: "done" | "wrong" | "note" = "done"): 
 
 /** A number with as many digits as it takes. */
 export const short = (value: number, digits = 3): string => String(+value.toFixed(digits));
+
+/** Calls a function once before the next image is drawn, however often it is asked for. */
+export const soon = (done: () => void): (() => void) => {
+  let waiting = false;
+  return () => {
+    if (waiting) return;
+    waiting = true;
+    requestAnimationFrame(() => { waiting = false; done(); });
+  };
+};
+
+const PRESSES = 1000; // [ms] between two presses of one run, which is undone as one
+const SCRUB = 4; // [px] of the mouse for each step of a value
+let run = { field: "", at: -Infinity, stroke: "" };
+/** The name of a run of changes: of the last one, if it was of the same and a moment ago. */
+export const strokeOf = (field: string): string => {
+  const now = performance.now();
+  if (run.field !== field || now - run.at > PRESSES) run.stroke = String(Math.random());
+  run = { ...run, field, at: now };
+  return run.stroke;
+};
+
+/** What is in a field: a number, or NaN for what is none, which the studio refuses in words. */
+const read = (field: HTMLInputElement): number => {
+  const text = field.value.trim().replace(",", ".");
+  return text === "" ? NaN : Number(text);
+};
+
+/** A field for a number: typed, changed by arrow keys, or by dragging it sideways. Changes of one stroke are undone together. */
+export const numberField = (label: string, value: number, unit: string, changed: (value: number, stroke?: string) => void, step = 1, digits = 3): HTMLInputElement => {
+  const by = (field: HTMLInputElement, steps: number): void => {
+    field.value = short(read(field) + steps * step, digits);
+    delete field.dataset.typed;
+    changed(read(field), strokeOf(label));
+  };
+  return el("input", {
+    type: "text", inputmode: "decimal", class: "number", value: short(value, digits), "aria-label": `${label} [${unit}]`,
+    title: `${label} [${unit}]; arrow keys or dragging change it`,
+    oninput: ({ currentTarget }) => { (currentTarget as HTMLElement).dataset.typed = ""; },
+    onchange: ({ currentTarget }) => {
+      const field = currentTarget as HTMLInputElement;
+      if (field.dataset.typed === undefined) return; // an arrow key has changed it
+      delete field.dataset.typed;
+      changed(read(field));
+    },
+    onkeydown: (event) => {
+      const field = event.currentTarget as HTMLInputElement, { key, shiftKey } = event as KeyboardEvent;
+      if (key === "Enter") field.blur();
+      if (key === "Escape") { delete field.dataset.typed; field.value = short(value, digits); field.blur(); event.stopPropagation(); }
+      if (key !== "ArrowUp" && key !== "ArrowDown") return;
+      event.preventDefault();
+      by(field, (key === "ArrowUp" ? 1 : -1) * (shiftKey ? 10 : 1));
+    },
+    onpointerdown: (event) => {
+      const field = event.currentTarget as HTMLInputElement, begin = (event as PointerEvent).clientX;
+      if (field === document.activeElement || (event as PointerEvent).button !== 0) return;
+      let done = 0, scrubs = false;
+      const move = (e: PointerEvent): void => {
+        const steps = Math.trunc((e.clientX - begin) / SCRUB);
+        if (steps === done) return;
+        scrubs = true;
+        by(field, (steps - done) * (e.shiftKey ? 10 : 1));
+        done = steps;
+      };
+      const up = (): void => {
+        window.removeEventListener("pointermove", move);
+        window.removeEventListener("pointerup", up);
+        if (scrubs) field.blur();
+      };
+      window.addEventListener("pointermove", move);
+      window.addEventListener("pointerup", up);
+    },
+  });
+};

@@ -31,12 +31,7 @@ export class Gizmo {
   private readonly controls: TransformControls;
   private readonly handle = new THREE.Object3D();
   private readonly begin = new THREE.Quaternion();
-  private revision = 0;
-  private time = 0; // when it was taken
-  private held: Obstacle | undefined; // at the start of the drag
-  private dragging = false;
-  private waiting = false;
-  private again = false;
+  private held: { thing: Obstacle | undefined; revision: number; time: number; waits: boolean; again: boolean } | null = null; // at the start of the drag
 
   constructor(private readonly stage: Stage) {
     this.controls = new TransformControls(stage.camera, stage.canvas);
@@ -51,7 +46,7 @@ export class Gizmo {
     model.on(["joint", "time", "path", "selection"], () => this.place());
     stage.sights.push(() => {
       stage.canvas.dataset.gizmo = this.controls.axis ? "on" : "";
-      if (!this.dragging) this.place();
+      if (!this.held) this.place();
     });
   }
 
@@ -63,7 +58,7 @@ export class Gizmo {
       this.hide();
       return;
     }
-    if (this.dragging) return;
+    if (this.held) return;
     if (joint) {
       const group = figure.groups[joint.body];
       this.handle.position.copy(this.stage.placeOf(joint.body, joint.anchor));
@@ -88,11 +83,11 @@ export class Gizmo {
 
   /** Detaches the gizmo; an unfinished rotation or move is undone. */
   private hide(): void {
-    const { dragging } = this;
-    this.dragging = this.again = false;
-    if (dragging) this.controls.pointerUp(null); // it receives no further mouse events
+    const { held } = this;
+    this.held = null;
+    if (held) this.controls.pointerUp(null); // it receives no further mouse events
     if (this.controls.object) { this.controls.detach(); this.controls.enabled = false; }
-    if (!dragging) return;
+    if (!held) return;
     this.stage.orbit.enabled = true;
     this.stage.override = null;
     void ask("cancel");
@@ -105,39 +100,46 @@ export class Gizmo {
   }
 
   private start(): void {
-    this.dragging = true;
-    this.revision = model.document?.revision ?? 0;
+    this.held = { thing: this.thing(), revision: model.document?.revision ?? 0, time: model.time, waits: false, again: false };
     this.stage.orbit.enabled = false;
     this.begin.copy(this.handle.quaternion);
-    this.held = this.thing();
-    this.time = model.time;
   }
 
   private changed(): void {
-    if (!this.dragging || model.joint === null) return;
-    if (this.waiting) { this.again = true; return; }
+    const { held } = this;
+    if (!held || model.joint === null) return;
+    held.again = true;
+    if (!held.waits) this.turn(held);
+  }
+
+  /** Requests the pose for the present rotation. */
+  private turn(held: NonNullable<Gizmo["held"]>): void {
+    if (!held.again) return;
     const turn = this.handle.quaternion.clone().multiply(this.begin.clone().invert());
-    this.waiting = true;
-    void ask("turn", { time: this.time, joint: model.joint, turn: [turn.w, turn.x, turn.y, turn.z] }).then((answer) => {
-      this.waiting = false;
-      if (answer.ok && this.dragging) {
+    held.again = false;
+    held.waits = true;
+    void ask("turn", { time: held.time, joint: model.joint, turn: [turn.w, turn.x, turn.y, turn.z] }).then((answer) => {
+      held.waits = false;
+      if (this.held !== held) return;
+      if (answer.ok) {
         this.stage.override = { position: answer.position as number[], rotation: answer.rotation as number[] };
         this.stage.draw();
       }
-      if (this.again) { this.again = false; this.changed(); }
+      this.turn(held);
     });
   }
 
   private async end(): Promise<void> {
-    while (this.waiting) await new Promise((resolve) => window.setTimeout(resolve, 4));
-    if (!this.dragging) return; // released in the meantime
-    this.dragging = false;
+    const { held } = this;
+    if (!held) return; // released in the meantime
+    if (model.joint !== null) this.turn(held);
+    this.held = null;
     this.stage.orbit.enabled = true;
-    if (model.joint !== null) await act("drop", { time: this.time, partial: model.partial });
-    else if (model.obstacle && this.held) {
-      await change(addressOf(model.obstacle), movedTo(this.held, axesOf(this.stage, this.held).into(this.handle.position)), this.revision);
+    if (model.joint !== null) await act("drop", { time: held.time, partial: model.partial });
+    else if (model.obstacle && held.thing) {
+      await change(addressOf(model.obstacle), movedTo(held.thing, axesOf(this.stage, held.thing).into(this.handle.position)), held.revision);
     }
-    this.stage.override = null;
+    if (!this.held) this.stage.override = null;
     this.stage.draw();
   }
 }

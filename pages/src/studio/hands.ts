@@ -8,11 +8,15 @@ import type { Stage } from "./stage";
 
 const STILL = 4; // [px] that a click may move
 
+/** A drag: the grabbed point, the plane in which it moves, and where it is to go next, if it waits for an answer. */
+interface Held {
+  body: number; offset: number[]; plane: THREE.Plane; x: number; y: number; time: number;
+  moved: boolean; waits: boolean; next: THREE.Vector3 | null; ended: boolean;
+}
+
 export class Hands {
   private readonly ray = new THREE.Raycaster();
-  private held: { body: number; offset: number[]; plane: THREE.Plane; x: number; y: number; time: number; moved: boolean } | null = null;
-  private waiting = false;
-  private next: THREE.Vector3 | null = null;
+  private held: Held | null = null;
   private readonly mark = new THREE.Mesh(
     new THREE.SphereGeometry(0.022, 16, 12),
     new THREE.MeshBasicMaterial({ color: 0xffb454, depthTest: false, transparent: true, opacity: 0.95 }),
@@ -28,7 +32,7 @@ export class Hands {
     stage.extra.add(this.mark);
     canvas.addEventListener("pointermove", (event) => this.move(event));
     canvas.addEventListener("pointerdown", (event) => this.down(event), true);
-    window.addEventListener("pointerup", (event) => this.up(event));
+    window.addEventListener("pointerup", (event) => void this.up(event));
     canvas.addEventListener("pointerleave", () => { if (!this.held) this.light(null); });
   }
 
@@ -38,10 +42,11 @@ export class Hands {
   /** Lets go, and nothing has happened. */
   async cancel(): Promise<void> {
     if (!this.held) return;
+    this.held.ended = true;
     this.held = null;
     this.stage.orbit.enabled = true;
     await ask("cancel");
-    this.stage.override = null;
+    if (!this.held) this.stage.override = null;
     this.stage.draw();
   }
 
@@ -79,7 +84,7 @@ export class Hands {
     const group = this.stage.figure!.groups[found.body];
     const offset = found.point.clone().sub(group.position).applyQuaternion(group.quaternion.clone().invert()).toArray();
     const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(this.stage.camera.getWorldDirection(new THREE.Vector3()), found.point);
-    this.held = { body: found.body, offset, plane, x: event.clientX, y: event.clientY, time: model.time, moved: false };
+    this.held = { body: found.body, offset, plane, x: event.clientX, y: event.clientY, time: model.time, moved: false, waits: false, next: null, ended: false };
     this.stage.canvas.style.cursor = "grabbing";
   }
 
@@ -91,47 +96,51 @@ export class Hands {
     }
     if (!held.moved && Math.hypot(event.clientX - held.x, event.clientY - held.y) < STILL) return;
     if (!held.moved) {
-      held.moved = true;
-      this.waiting = true;
-      void ask("grip", { time: held.time, body: held.body, offset: held.offset, plant: !event.altKey, alone: model.partial && model.here === null }).then((answer) => {
-        this.waiting = false;
-        if (!answer.ok) { toast(answer.words ?? "", "wrong"); void this.cancel(); }
-        else this.follow();
-      });
+      held.moved = held.waits = true;
+      void ask("grip", { time: held.time, body: held.body, offset: held.offset, plant: !event.altKey, alone: model.partial && model.here === null })
+        .then((answer) => this.answered(held, answer.ok, answer.words));
     }
     const box = this.stage.canvas.getBoundingClientRect();
     const at = new THREE.Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
     this.ray.setFromCamera(at, this.stage.camera);
-    this.next = this.ray.ray.intersectPlane(held.plane, new THREE.Vector3());
-    this.follow();
+    held.next = this.ray.ray.intersectPlane(held.plane, new THREE.Vector3());
+    if (!held.waits) this.pull(held);
   }
 
-  /** Requests the pose for the mouse's present position; one request at a time. */
-  private follow(): void {
-    if (this.waiting || !this.next || !this.held) return;
-    const position = this.next.toArray(), asked = performance.now();
-    this.next = null;
-    this.waiting = true;
+  /** Goes on with the mouse's present position, or lets go after a refusal. */
+  private answered(held: Held, ok: boolean, words = ""): void {
+    held.waits = false;
+    if (!ok && !held.ended) toast(words, "wrong");
+    if (this.held !== held) return;
+    if (ok) this.pull(held);
+    else void this.cancel();
+  }
+
+  /** Requests the pose for the mouse's last position. */
+  private pull(held: Held): void {
+    if (!held.next) return;
+    const position = held.next.toArray(), asked = performance.now();
+    held.next = null;
+    held.waits = true;
     void ask("drag", { position }).then((answer) => {
-      this.waiting = false;
-      if (!this.held) return;
-      if (!answer.ok) { toast(answer.words ?? "", "wrong"); void this.cancel(); return; }
-      this.times.push(answer.ms as number);
-      this.trips.push(performance.now() - asked);
-      this.stage.override = { position: answer.position as number[], rotation: answer.rotation as number[] };
-      this.mark.visible = true;
-      this.stage.figure!.put(this.stage.override);
-      this.mark.position.copy(this.stage.placeOf(this.held.body, this.held.offset));
-      (this.mark.material as THREE.MeshBasicMaterial).color.set((answer.missed as number) > 0.005 ? 0xff5c5c : 0xffb454);
-      this.stage.draw();
-      this.follow();
+      if (answer.ok && !held.ended && (this.held === held || !this.held)) {
+        this.times.push(answer.ms as number);
+        this.trips.push(performance.now() - asked);
+        this.stage.override = { position: answer.position as number[], rotation: answer.rotation as number[] };
+        this.stage.figure!.put(this.stage.override);
+        this.mark.visible = this.held === held;
+        this.mark.position.copy(this.stage.placeOf(held.body, held.offset));
+        (this.mark.material as THREE.MeshBasicMaterial).color.set((answer.missed as number) > 0.005 ? 0xff5c5c : 0xffb454);
+        this.stage.draw();
+      }
+      this.answered(held, answer.ok, answer.words);
     });
   }
 
+  /** Ends the drag at once: what is still being posed is answered before the pose is dropped, and another drag may begin. */
   private async up(event: PointerEvent): Promise<void> {
     const { held } = this;
     if (!held || event.button !== 0) return;
-    while (held.moved && (this.waiting || this.next) && this.held) await new Promise((resolve) => window.setTimeout(resolve, 4));
     this.held = null;
     this.stage.orbit.enabled = true;
     this.stage.canvas.style.cursor = "";
@@ -143,8 +152,10 @@ export class Hands {
       return;
     }
     dropped = performance.now();
+    this.pull(held);
     await act("drop", { time: held.time, partial: model.partial });
-    this.stage.override = null;
+    held.ended = true;
+    if (!this.held) this.stage.override = null;
     this.stage.draw();
   }
 }

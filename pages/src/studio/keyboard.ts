@@ -1,6 +1,6 @@
 // Every key, in one table, which `?` shows.
-import { $, el } from "./dom";
-import { act } from "./link";
+import { $, el, strokeOf } from "./dom";
+import { act, moveKeys } from "./link";
 import { model, type Which } from "./model";
 import { toggleCurves } from "./curves";
 import type { Handles } from "./handles";
@@ -14,30 +14,13 @@ type Deed = [keys: string, says: string, done: () => void];
 
 const click = (id: string) => () => $(id).click();
 const selected = (): number[] => (model.keys.size ? [...model.keys].sort((a, b) => a - b) : model.here === null ? [] : [model.here]);
-type Change = (times: number[]) => number[];
-const changes: Change[] = []; // of the times of the selected keyframes, not requested yet
-let moving = false;
-/** Moves the selected keyframes. One request at a time: repeats of a key during a request go into the next one. */
-const move = async (change: Change): Promise<void> => {
-  changes.push(change);
-  if (moving) return;
-  moving = true;
-  try {
-    while (changes.length) {
-      const keys = selected(), here = model.here;
-      const times = changes.splice(0).reduce((now, each) => each(now), keys.map((i) => model.document!.keys[i].time));
-      if (!keys.length) return;
-      const answer = await act("edit", { name: "move_keys", moves: keys.map((i, at) => [i, Math.round(times[at] * 1e4) / 1e4]) });
-      if (answer.ok && here !== null && keys.includes(here)) model.seek(model.document!.keys[here].time);
-    }
-  } finally {
-    moving = false;
-  }
+/** Moves the selected keyframes; repeats of a key are one edit. */
+const move = (change: (time: number, first: number) => number): void => {
+  const keys = selected(), times = keys.map((i) => model.document!.keys[i].time);
+  if (keys.length) void moveKeys(keys.map((i, at) => [i, Math.round(change(times[at], times[0]) * 1e4) / 1e4]), undefined, strokeOf(`keyframes ${keys}`));
 };
-const nudge = (by: number): Promise<void> => move((times) => times.map((time) => time + by / model.fps));
-const scaled = async (factor: number): Promise<void> => {
-  if (selected().length > 1) await move((times) => times.map((time) => times[0] + factor * (time - times[0])));
-};
+const nudge = (by: number): void => move((time) => time + by / model.fps);
+const scaled = (factor: number): void => { if (selected().length > 1) move((time, first) => first + factor * (time - first)); };
 
 export const deeds = (stage: Stage, timeline: Timeline, hands: Hands, handles: Handles): Deed[] => [
   ["Space", "play or pause", () => play()],
@@ -74,10 +57,10 @@ export const deeds = (stage: Stage, timeline: Timeline, hands: Hands, handles: H
   ["K", "insert a keyframe from the path", () => void addKey()],
   ["N", "new keyframes: of one limb, or of the whole figure", click("partial")],
   ["Delete", "delete keyframes, a contact or grasp", () => void remove()],
-  ["Alt-ArrowLeft", "move the keyframe one frame earlier", () => void nudge(-1)],
-  ["Alt-ArrowRight", "move the keyframe one frame later", () => void nudge(1)],
-  ["Alt-ArrowUp", "spread selected keyframes by 10 %", () => void scaled(1.1)],
-  ["Alt-ArrowDown", "compress selected keyframes by 10 %", () => void scaled(1 / 1.1)],
+  ["Alt-ArrowLeft", "move the keyframe one frame earlier", () => nudge(-1)],
+  ["Alt-ArrowRight", "move the keyframe one frame later", () => nudge(1)],
+  ["Alt-ArrowUp", "spread selected keyframes by 10 %", () => scaled(1.1)],
+  ["Alt-ArrowDown", "compress selected keyframes by 10 %", () => scaled(1 / 1.1)],
   ["M", "mirror keyframes", () => { const keys = selected(); if (keys.length) void act("mirror", { keys }); }],
   ["Ctrl-A", "select all keyframes", () => model.select(model.document?.keys.keys() ?? [])],
   ["Ctrl-C", "copy keyframes", () => { const keys = selected(); if (keys.length) void act("copy", { keys }); }],

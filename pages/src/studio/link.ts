@@ -1,7 +1,8 @@
 // The connection to the server: requests get an answer, notifications update the model. It reconnects when lost.
 import { Path } from "../scene/path";
 import { toast } from "./dom";
-import { model, type Course, type Outline } from "./model";
+import { model, type Course, type Loaded, type Outline } from "./model";
+import { edited, posed, type Address, type Edit } from "./pending";
 
 export interface Answer { ok: boolean; words?: string; [key: string]: unknown; }
 type Message = Record<string, any>;
@@ -27,8 +28,28 @@ export const isAwaiting = (): boolean => waiting.size > 0;
 /** Whether that is a change of the clip. */
 export const isChanging = (): boolean => waiting.has(latest);
 
-/** Sends a request; the answer describes the result or the reason for a rejection, and never throws. */
-export const ask = (what: string, args: Message = {}): Promise<Answer> => new Promise((resolve) => {
+type Sent = Edit & { done: Promise<Answer>; settle: (answer: Answer) => void };
+export const pending = new Set<Sent>(); // without an answer, in the order in which they were made
+let held: Sent | null = null; // the last of them, while an earlier one of its stroke has no answer
+const server: { document: Outline | null; loaded: Loaded | null } = { document: null, loaded: null };
+
+const isFinite = (value: unknown): boolean => (typeof value === "number" ? Number.isFinite(value) : value === null || typeof value !== "object" || Object.values(value).every(isFinite));
+
+/** Shows the clip of the server with the pending edits. */
+const show = (): void => {
+  const edits = [...pending].filter(({ args }) => isFinite(args));
+  model.document = server.document && edited(server.document, edits);
+  model.loaded = server.loaded && model.stage ? posed(server.loaded, edits, model.stage) : server.loaded;
+  model.tell("document");
+};
+
+/** Sends a request after every edit before it; the answer describes the result or the reason for a rejection, and never throws. */
+export const ask = (what: string, args: Message = {}): Promise<Answer> => {
+  flush();
+  return request(what, args);
+};
+
+const request = (what: string, args: Message): Promise<Answer> => new Promise((resolve) => {
   if (!socket || socket.readyState !== WebSocket.OPEN) {
     resolve({ ok: false, words: "no connection to the studio; try again" });
     return;
@@ -43,21 +64,60 @@ export const ask = (what: string, args: Message = {}): Promise<Answer> => new Pr
   socket.send(JSON.stringify({ do: what, id: number, ...seen, ...args }, (_, value) => (Number.isNaN(value) ? "NaN" : value)));
 });
 
-/** Sends a request and shows a rejection as a message. */
-export const act = async (what: string, args: Message = {}): Promise<Answer> => {
-  const answer = await ask(what, args);
+const reported = (answer: Answer): Answer => {
   if (!answer.ok) toast(answer.words ?? "the request failed", "wrong");
   else if (answer.words) toast(answer.words);
   return answer;
 };
 
-export const edit = (name: string, args: Message): Promise<Answer> => act("edit", { name, ...args });
+/** Sends a request and shows a rejection as a message. */
+export const act = async (what: string, args: Message = {}): Promise<Answer> => reported(await ask(what, args));
 
-/** The address of a table in the clip, such as ["keyframe", 2]. */
-export type Address = (string | number)[];
+const flush = (): void => {
+  const next = held;
+  held = null;
+  if (next) send(next);
+};
+
+const send = (edit: Sent): void => {
+  const { name, args, stroke } = edit;
+  void request("edit", { name, ...args, stroke }).then((answer) => {
+    pending.delete(edit);
+    if (held?.stroke === stroke) flush();
+    show();
+    edit.settle(reported(answer));
+  });
+};
+
+/** Edits the clip: the page shows it at once, and what the server makes of it later. Edits of one stroke are undone together. */
+export const edit = (name: string, given: Message, stroke?: string): Promise<Answer> => {
+  const args = { revision: model.document?.revision, ...given };
+  if (held && stroke && held.stroke === stroke) {
+    held.args = args;
+    show();
+    return held.done;
+  }
+  flush();
+  let settle: Sent["settle"] = () => {};
+  const done = new Promise<Answer>((resolve) => { settle = resolve; }), made = { name, args, stroke, done, settle };
+  if (stroke && [...pending].some((each) => each.stroke === stroke)) held = made;
+  pending.add(made);
+  if (held !== made) send(made);
+  show();
+  return done;
+};
 
 /** Sets entries of a table; null removes one. */
-export const change = (at: Address, entries: Message, revision = model.document?.revision): Promise<Answer> => edit("change", { at, entries, revision });
+export const change = (at: Address, entries: Message, revision = model.document?.revision, stroke?: string): Promise<Answer> => edit("change", { at, entries, revision }, stroke);
+
+/** Moves keyframes to times [s]; the playhead stays at the one where it is. */
+export const moveKeys = async (moves: [number, number][], revision = model.document?.revision, stroke?: string): Promise<void> => {
+  const { here } = model, to = moves.find(([i]) => i === here)?.[1];
+  const done = edit("move_keys", { moves, revision }, stroke);
+  if (here === null || to === undefined || !Number.isFinite(to)) return;
+  model.seek(to);
+  if (!(await done).ok) model.seek(model.document!.keys[here].time);
+};
 
 export const addressOf = ({ kind, index }: { kind: string; index: number }): Address => (kind === "step" ? ["scene", kind] : ["scene", kind, index]);
 
@@ -80,15 +140,15 @@ const packed = (data: ArrayBuffer): void => {
 const HANDLERS: Record<string, (message: Message) => void> = {
   stage: (message) => { model.stage = message.stage; model.tell("stage"); },
   document: (message) => {
-    const before = model.document, now = message as never as Outline;
+    const before = server.document, now = message as never as Outline;
     const isRenumbered = (...lists: ("keys" | "contacts" | "grasps" | "obstacles")[]) => lists.some((list) => before?.[list].length !== now[list].length);
-    model.document = now;
+    server.document = now;
     if (isRenumbered("keys")) model.keys = new Set();
     if (isRenumbered("contacts", "grasps")) model.bar = null;
     if (model.obstacle && isRenumbered("obstacles")) { model.obstacle = null; model.tell("joint"); }
-    model.tell("document");
+    show();
   },
-  loaded: (message) => { model.loaded = message as never; model.tell("loaded"); },
+  loaded: (message) => { server.loaded = message as never; show(); model.tell("loaded"); },
   settled: (message) => { model.violations = message.violations; model.tell("settled"); },
   status: (message) => { model.status = message as never; model.tell("status"); },
   kinds: (message) => { model.kinds = message.kinds; model.tell("kinds"); },

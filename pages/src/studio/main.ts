@@ -8,7 +8,7 @@ import { Gizmo } from "./gizmo";
 import { Handles } from "./handles";
 import { Hands } from "./hands";
 import { beginKeyboard } from "./keyboard";
-import { ask, connect } from "./link";
+import { ask, connect, pending } from "./link";
 import { model } from "./model";
 import { beginPanels } from "./panels";
 import { Stage } from "./stage";
@@ -46,7 +46,7 @@ try {
   model.on("status", () => { if (!model.stage && model.status.words) { $("waiting").textContent = model.status.words; $("waiting").hidden = false; } });
   model.tell("theme");
   // For tests and measures
-  Object.assign(window, { studio: { ask, model, stage, hands, handles, gizmo, timeline } });
+  Object.assign(window, { studio: { ask, pending, model, stage, hands, handles, gizmo, timeline } });
 } catch (error) {
   $("waiting").replaceChildren(el("p", { text: `This browser cannot draw in three dimensions: WebGL 2 is missing or switched off. (${error})` }));
 }

@@ -1,11 +1,11 @@
 // The side panel: joints of a keyframe, problems, weights, obstacles.
-import { $, el, short, toast } from "./dom";
-import { act, addressOf, change, edit } from "./link";
+import { $, el, fill, numberField, short, soon, strokeOf, toast } from "./dom";
+import { act, addressOf, change, edit, moveKeys } from "./link";
 import { model, type Joint } from "./model";
 
 const tabs = ["pose", "problems", "weights", "scene"] as const;
 
-export const showTab = (name: string): void => {
+export const showTab = (name: (typeof tabs)[number]): void => {
   for (const each of tabs) {
     const on = each === name;
     $(`tab-${each}`).setAttribute("aria-selected", String(on));
@@ -28,26 +28,6 @@ const values = (joint: Joint, qpos: number[]): number[] => {
   return [joint.kind === "hinge" ? (qpos[joint.qpos] * 180) / Math.PI : qpos[joint.qpos]];
 };
 
-/** What is in a field: a number, or NaN for what is none, which the studio refuses in words. */
-const read = (field: HTMLInputElement): number => {
-  const text = field.value.trim().replace(",", ".");
-  return text === "" ? NaN : Number(text);
-};
-
-const field = (label: string, value: number, unit: string, changed: (value: number) => void, step = 1): HTMLInputElement => {
-  const made = el("input", { type: "text", inputmode: "decimal", class: "number", value: short(value, 3), "aria-label": `${label} [${unit}]`, title: `${label} [${unit}]; arrow keys change it` });
-  made.addEventListener("change", () => changed(read(made)));
-  made.addEventListener("keydown", (event) => {
-    if (event.key === "Enter") made.blur();
-    if (event.key !== "ArrowUp" && event.key !== "ArrowDown") return;
-    event.preventDefault();
-    const by = (event.key === "ArrowUp" ? 1 : -1) * step * (event.shiftKey ? 10 : 1);
-    made.value = short(read(made) + by, 3);
-    changed(read(made));
-  });
-  return made;
-};
-
 const poseRow = (key: number, joint: Joint): HTMLElement => {
   const { loaded, document } = model, revision = document!.revision;
   const state = loaded!.keys[key], authored = document!.keys[key];
@@ -58,44 +38,52 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
   const rooted = (part: object) => (isRoot ? { root: part } : { roots: { [joint.name]: part } });
   const explicit = joint.kind === "free" || authored.joints?.[joint.name] !== undefined;
   const mode = fixed ? "pin" : "free";
-  const choice = el("select", { class: "mode", "aria-label": `${joint.name}: pinned, free, or by the keyframe's rule for other joints`, title: "pinned: fixed at this value; free: chosen by the optimiser; others: by the keyframe's rule for other joints" });
+  const choice = el("select", {
+    class: "mode", "aria-label": `${joint.name}: pinned, free, or by the keyframe's rule for other joints`,
+    title: "pinned: fixed at this value; free: chosen by the optimiser; others: by the keyframe's rule for other joints",
+    onchange: ({ currentTarget }) => {
+      const { value } = currentTarget as HTMLSelectElement;
+      if (value === "none") void change(at, { joints: { [joint.name]: null } }, revision);
+      else void act(value, { key, revision, joints: [joint.name] });
+    },
+  });
   for (const [value, text] of [["pin", "pinned"], ["free", "free"], ...(joint.kind === "free" ? [] : [["none", `others (${authored.others})`]])]) {
     choice.append(el("option", { value, text, selected: value === (explicit ? mode : "none") }));
   }
-  choice.addEventListener("change", () => {
-    if (choice.value === "none") void change(at, { joints: { [joint.name]: null } }, revision);
-    else void act(choice.value, { key, revision, joints: [joint.name] });
-  });
-  const row = el("div", { class: `joint${model.joint === joint.name ? " selected" : ""}${fixed ? "" : " free"}` },
+  const row = el("div", { "data-id": joint.name, class: `joint${model.joint === joint.name ? " selected" : ""}${fixed ? "" : " free"}` },
     el("button", { type: "button", class: "name", text: joint.name, title: joint.range ? `range ${joint.range.map((x) => short(x, 1)).join(" to ")}` : joint.kind, onclick: () => { model.joint = model.joint === joint.name ? null : joint.name; model.tell("joint"); } }),
     choice);
   const line = el("div", { class: "numbers" });
-  const send = (i: number, value: number): void => {
-    const now = [...numbers];
+  /** Sets one of its numbers; the others are those of now, not of when the field was drawn. */
+  const send = (i: number, value: number, stroke?: string): void => {
+    const present = model.loaded?.keys[key] ?? state, now = values(joint, present.qpos);
     now[i] = value;
-    if (joint.kind === "free") {
-      const axes = now.slice(0, 3).map((each, k) => (k !== i && !state.fixed[joint.qpos + k] ? "free" : each));
-      void change(at, rooted(i < 3 ? { position: axes } : { rotation: { rotvec: now.slice(3) } }), revision).then(panels.pose);
-    } else void change(at, { joints: { [joint.name]: joint.kind === "ball" ? { rotvec: now } : value } }, revision).then(panels.pose);
+    let entries: object = { joints: { [joint.name]: joint.kind === "ball" ? { rotvec: now } : value } };
+    if (joint.kind === "free" && i >= 3) entries = rooted({ rotation: { rotvec: now.slice(3) } });
+    else if (joint.kind === "free") entries = rooted({ position: now.slice(0, 3).map((each, k) => (k !== i && !present.fixed[joint.qpos + k] ? "free" : each)) });
+    void change(at, entries as Record<string, unknown>, revision, stroke);
   };
   const names = joint.kind === "free" ? ["x", "y", "z", "turn x", "turn y", "turn z"] : joint.kind === "ball" ? ["x", "y", "z"] : [""];
+  const pins: HTMLElement[] = [];
   numbers.forEach((value, i) => {
-    const metres = joint.kind === "slide" || (joint.kind === "free" && i < 3);
-    const entry = field(`${joint.name} ${names[i]}`.trim(), value, metres ? "m" : "degrees", (now) => send(i, now), metres ? 0.01 : 1);
-    const axisFixed = joint.kind === "free" && i < 3 ? state.fixed[joint.qpos + i] : fixed;
+    const isAxis = joint.kind === "free" && i < 3, metres = joint.kind === "slide" || isAxis, label = `${joint.name} ${names[i]}`.trim();
+    const entry = numberField(label, value, metres ? "m" : "degrees", (now, stroke) => send(i, now, stroke), metres ? 0.01 : 1);
+    const axisFixed = isAxis ? state.fixed[joint.qpos + i] : fixed;
     entry.classList.toggle("loose", !axisFixed);
-    line.append(entry);
-    if (joint.kind === "free" && i < 3) {
-      line.append(el("button", {
-        type: "button", class: "axis", text: axisFixed ? "•" : "○", "aria-pressed": String(!axisFixed),
-        "aria-label": `${joint.name} ${names[i]}: ${axisFixed ? "pinned; press to free it" : "free; press to pin it"}`, title: axisFixed ? "free this axis" : "pin this axis",
-        onclick: () => {
-          const axes = numbers.slice(0, 3).map((each, k) => ((k === i ? axisFixed : !state.fixed[joint.qpos + k]) ? "free" : each));
-          void change(at, rooted({ position: axes }), revision);
-        },
-      }));
-    }
+    const caption = el("label", { class: "axis-name", text: names[i].replace("turn ", "") });
+    caption.style.order = entry.style.order = String(2 * i);
+    line.append(caption, entry);
+    if (isAxis) pins.push(el("button", {
+      type: "button", class: "axis", text: axisFixed ? "•" : "○", "aria-pressed": String(!axisFixed), "data-id": label,
+      "aria-label": `${label}: ${axisFixed ? "pinned; press to free it" : "free; press to pin it"}`, title: axisFixed ? "free this axis" : "pin this axis",
+      onclick: () => {
+        const axes = numbers.slice(0, 3).map((each, k) => ((k === i ? axisFixed : !state.fixed[joint.qpos + k]) ? "free" : each));
+        void change(at, rooted({ position: axes }), revision);
+      },
+    }));
   });
+  pins.forEach((pin, i) => { pin.style.order = String(2 * i + 1); }); // seen beside the fields, but after them in the order of Tab
+  line.append(...pins);
   row.append(line);
   return row;
 };
@@ -103,38 +91,37 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
 let chosen: string | null = null; // the joint that was scrolled to last
 
 const pose = (): void => {
-  const box = $("panel-pose"), { stage, loaded, document } = model;
-  if (box.contains(window.document.activeElement) && (window.document.activeElement as HTMLElement).matches("input:focus") && model.playing) return;
-  const key = model.here;
-  if (!stage || !loaded || !document) return;
+  const box = $("panel-pose"), { stage, loaded, document } = model, key = model.here;
+  if (!stage || !loaded || !document || loaded.revision !== document.revision) return; // the rest of what was edited follows at once
   if (key === null || !loaded.keys[key]) {
-    box.replaceChildren(
-      el("p", { class: "hint" }, "No keyframe here. Drag any point of the figure, or press ", el("kbd", { text: "K" }), ", to make one from the path."));
+    fill(box, el("p", { class: "hint" }, "No keyframe here. Drag any point of the figure, or press ", el("kbd", { text: "K" }), ", to make one from the path."));
     return;
   }
-  const authored = document.keys[key], { revision } = document;
-  const others = el("select", { "aria-label": "joints that this keyframe does not name" });
+  const authored = document.keys[key], { revision } = document, joints = stage.joints.map((joint) => joint.name);
+  const others = el("select", {
+    "aria-label": "joints that this keyframe does not name",
+    onchange: ({ currentTarget }) => {
+      const { value } = currentTarget as HTMLSelectElement;
+      void change(["keyframe", key], { others: value === "free" ? null : value }, revision);
+    },
+  });
   for (const value of new Set(["free", "rest", "previous", authored.others])) others.append(el("option", { value, text: value, selected: value === authored.others }));
-  others.addEventListener("change", () => void change(["keyframe", key], { others: others.value === "free" ? null : others.value }, revision));
-  const time = field("time", authored.time, "s", (value) => void edit("move_keys", { moves: [[key, value]], revision }).then((answer) => { if (answer.ok) model.seek(value); else pose(); }), 1 / model.fps);
-  const focused = (window.document.activeElement as HTMLElement | null)?.getAttribute("aria-label");
-  box.replaceChildren(
+  const time = numberField("time", authored.time, "s", (value, stroke) => void moveKeys([[key, value]], revision, stroke), 1 / model.fps, 4);
+  const doing = (text: string, title: string, what: string, args: object) => el("button", { type: "button", text, title, onclick: () => void act(what, { key, revision, ...args }) });
+  fill(box,
     el("div", { class: "heading" }, el("h2", { text: `Keyframe ${key + 1}` }), el("label", {}, "at ", time, " s")),
     el("div", { class: "buttons" },
       el("button", { type: "button", text: "mirror", title: "mirror left and right (M)", onclick: () => void act("mirror", { keys: [key], revision }) }),
-      el("button", { type: "button", text: "rest", title: "set every joint to rest", onclick: () => void act("rest", { key, revision }) }),
-      el("button", { type: "button", text: "pin all", onclick: () => void act("pin", { key, revision, joints: stage.joints.map((joint) => joint.name) }) }),
-      el("button", { type: "button", text: "free all", onclick: () => void act("free", { key, revision, joints: stage.joints.map((joint) => joint.name) }) })),
+      doing("rest", "set every joint to rest", "rest", {}), doing("pin all", "pin every joint", "pin", { joints }), doing("free all", "free every joint", "free", { joints })),
     el("label", { class: "line" }, "other joints: ", others),
     ...["sites", "bodies"].flatMap((group) => Object.entries((authored as any)[group] ?? {}).map(([name, place]) =>
-      el("div", { class: "line place" }, el("span", { text: `${name} → ${JSON.stringify(place)}` }),
+      el("div", { class: "line place", "data-id": `${group} ${name}` }, el("span", { text: `${name} → ${JSON.stringify(place)}` }),
         ...(group === "sites" ? [el("button", { type: "button", text: "remove target", onclick: () => void change(["keyframe", key], { sites: { [name]: null } }, revision) })] : [])))),
-    ...stage.joints.map((joint) => poseRow(key, joint))); // it stays scrolled: to ask how far would lay out all of it twice
+    ...stage.joints.map((joint) => poseRow(key, joint)));
   if (model.joint !== chosen) {
     chosen = model.joint;
     box.querySelector(".joint.selected")?.scrollIntoView({ block: "nearest" });
   }
-  if (focused && !box.contains(window.document.activeElement)) box.querySelector<HTMLElement>(`[aria-label="${CSS.escape(focused)}"]`)?.focus();
 };
 
 const problems = (): void => {
@@ -143,10 +130,10 @@ const problems = (): void => {
   $("count").hidden = !count;
   const box = $("panel-problems");
   if (!count) {
-    box.replaceChildren(el("p", { class: "hint good", id: "nothing-wrong", text: model.status.state === "settled" ? "No problems." : "No problems so far." }));
+    fill(box, el("p", { class: "hint good", id: "nothing-wrong", text: model.status.state === "settled" ? "No problems." : "No problems so far." }));
     return;
   }
-  box.replaceChildren(el("p", { class: "hint", text: "Worst first. Click one to go there." }), el("ol", { class: "violations" }, ...violations.map((violation) =>
+  fill(box, el("p", { class: "hint", text: "Worst first. Click one to go there." }), el("ol", { class: "violations" }, ...violations.map((violation) =>
     el("li", {}, el("button", {
       type: "button", class: violation.keyframe === null ? "" : "own", text: violation.text,
       onclick: () => {
@@ -163,36 +150,35 @@ const SCALE = 4; // decades of a slider, on either side of the default
 const weights = (): void => {
   const { kinds, document, loaded, course } = model;
   if (!kinds.length || !document || $("panel-weights").hidden) return;
-  const box = $("panel-weights"), parts = course?.parts ?? {}, scroll = box.scrollTop;
-  if (box.contains(window.document.activeElement) && (window.document.activeElement as HTMLInputElement).type === "range") return;
+  const parts = course?.parts ?? {};
   const sum = Object.values(parts).reduce((total, each) => total + each, 0);
   const rows = kinds.map(({ kind, part, term, weight: base, quantity: small, "is on": on }) => {
-    const own = document.weights[term], given = term in document.weights;
-    const now = own ?? loaded?.weights[term] ?? (on ? base : 0);
-    const slider = el("input", { type: "range", min: -SCALE, max: SCALE, step: 0.05, "aria-label": `weight of ${term}`, value: now > 0 ? Math.log10(now / base) : -SCALE });
-    const entry = field(`weight of ${term}`, now, "", (value) => void edit("set_weight", { kind, part, weight: value }), 0.1);
-    slider.addEventListener("input", () => { entry.value = short(base * 10 ** Number(slider.value), 4); });
-    slider.addEventListener("change", () => {
-      const value = Number(slider.value) <= -SCALE ? 0 : Number((base * 10 ** Number(slider.value)).toPrecision(3));
-      slider.blur();
-      void edit("set_weight", { kind, part, weight: value });
+    const now = document.weights[term] ?? loaded?.weights[term] ?? (on ? base : 0);
+    const set = (weight: number | null, stroke?: string) => void edit("set_weight", { kind, part, weight }, stroke);
+    const entry = numberField(`weight of ${term}`, now, "", set, 0.1, 4);
+    const slider = el("input", {
+      type: "range", min: -SCALE, max: SCALE, step: 0.05, "aria-label": `weight of ${term}`, value: now > 0 ? Math.log10(now / base) : -SCALE,
+      oninput: ({ currentTarget }) => {
+        const decades = Number((currentTarget as HTMLInputElement).value);
+        set(decades <= -SCALE ? 0 : Number((base * 10 ** decades).toPrecision(3)), strokeOf(term));
+      },
     });
     const share = sum > 0 ? (parts[term] ?? 0) / sum : 0;
     const bar = el("i", { class: "share" });
     bar.style.width = `${100 * share}%`;
-    return el("div", { class: `weight${term in (loaded?.weights ?? {}) ? "" : " off"}`, title: `penalises ${small}` },
+    return el("div", { "data-id": term, class: `weight${term in (loaded?.weights ?? {}) ? "" : " off"}`, title: `penalises ${small}` },
       el("span", { class: "name" }, el("b", { text: term }), el("small", { text: small })), slider, entry,
-      el("button", { type: "button", class: "axis", text: "↺", disabled: !given, title: "its default", "aria-label": `default weight of ${term}`, onclick: () => void edit("set_weight", { kind, part, weight: null }) }),
+      el("button", { type: "button", class: "axis", text: "↺", disabled: !(term in document.weights), title: "its default", "aria-label": `default weight of ${term}`, onclick: () => set(null) }),
       el("span", { class: "part", title: "its share of E" }, bar, el("small", { text: parts[term] === undefined ? "" : parts[term].toPrecision(2) })));
   });
-  const tolerance = field("tolerance of the search", Number(document.solve.tolerance ?? 0.001), "", (value) => void change(["solve"], { tolerance: value }), 0.001);
-  tolerance.value = String(document.solve.tolerance ?? 0.001);
-  const people = el("input", { type: "checkbox", checked: (document.weights.prior ?? loaded?.weights.prior ?? 0) > 0 });
-  people.addEventListener("change", () => void edit("set_weight", { kind: "prior", weight: people.checked ? kinds.find(({ term }) => term === "prior")?.weight : 0 }));
-  box.replaceChildren(
+  const tolerance = numberField("tolerance of the search", Number(document.solve.tolerance ?? 0.001), "", (value, stroke) => void change(["solve"], { tolerance: value }, undefined, stroke), 0.001, 6);
+  const people = el("input", {
+    type: "checkbox", checked: (document.weights.prior ?? loaded?.weights.prior ?? 0) > 0,
+    onchange: ({ currentTarget }) => void edit("set_weight", { kind: "prior", weight: (currentTarget as HTMLInputElement).checked ? kinds.find(({ term }) => term === "prior")?.weight : 0 }),
+  });
+  fill($("panel-weights"),
     el("label", { class: "line", title: "stay near the poses of people between such keyframes" }, people, " as people move"),
     el("label", { class: "line" }, "tolerance of the search ", tolerance), ...rows);
-  box.scrollTop = scroll;
 };
 
 const NEW: Record<string, { position?: number[]; [entry: string]: unknown }> = { // entries of a new obstacle [m]
@@ -205,7 +191,6 @@ const NEW: Record<string, { position?: number[]; [entry: string]: unknown }> = {
 const scene = (): void => {
   const { document } = model;
   if (!document || $("panel-scene").hidden) return;
-  const box = $("panel-scene");
   const { revision, obstacles } = document;
   const adding = Object.entries(NEW).map(([kind, entries]) => el("button", {
     type: "button", text: `+ ${kind}`, disabled: kind === "step" && obstacles.some((thing) => thing.kind === kind), onclick: () => {
@@ -217,26 +202,25 @@ const scene = (): void => {
   const rows = obstacles.map((thing) => {
     const selected = model.obstacle?.kind === thing.kind && model.obstacle.index === thing.index;
     const title = `${thing.kind}${thing.name ? ` ‘${thing.name}’` : ""}`;
-    const row = el("div", { class: `joint${selected ? " selected" : ""}` },
-      el("button", { type: "button", class: "name", text: title, title: "select it on the stage", onclick: () => { model.obstacle = selected ? null : { kind: thing.kind, index: thing.index }; model.joint = null; model.tell("joint"); scene(); } }),
+    const row = el("div", { "data-id": `${thing.kind} ${thing.index}`, class: `joint${selected ? " selected" : ""}` },
+      el("button", { type: "button", class: "name", text: title, title: "select it on the stage", onclick: () => { model.obstacle = selected ? null : { kind: thing.kind, index: thing.index }; model.joint = null; model.tell("joint"); } }),
       el("button", { type: "button", class: "axis", text: "✕", "aria-label": `delete the ${title}`, onclick: () => { model.obstacle = null; model.tell("joint"); void edit("remove", { at: addressOf(thing), revision }); } }));
     const line = el("div", { class: "numbers" });
+    const present = (name: string) => [(model.document?.obstacles.find(({ kind, index }) => kind === thing.kind && index === thing.index) ?? thing)[name]].flat() as number[];
     for (const [name, value] of Object.entries(thing)) {
       if (["kind", "index", "color", "mass"].includes(name)) continue;
-      if (typeof value === "number") line.append(field(`${title} ${name}`, value, "m", (now) => void change(addressOf(thing), { [name]: now }, revision), 0.01));
-      else if (Array.isArray(value)) value.forEach((each, i) => line.append(field(`${title} ${name} ${"xyz"[i]}`, each as number, "m", (now) => {
-        const all = [...(value as number[])];
-        all[i] = now;
-        void change(addressOf(thing), { [name]: all }, revision);
-      }, 0.01)));
+      const send = (now: number | number[], stroke?: string) => void change(addressOf(thing), { [name]: now }, revision, stroke);
+      if (typeof value === "number") line.append(numberField(`${title} ${name}`, value, "m", send, 0.01));
+      else if (Array.isArray(value)) value.forEach((each, i) => line.append(numberField(`${title} ${name} ${"xyz"[i]}`, each as number, "m",
+        (now, stroke) => send(present(name).map((old, k) => (k === i ? now : old)), stroke), 0.01)));
     }
     row.append(line);
     return row;
   });
-  box.replaceChildren(el("div", { class: "buttons" }, ...adding), ...(rows.length ? rows : [el("p", { class: "hint", text: "Nothing but the floor. Add something to step on or to run into." })]));
+  fill($("panel-scene"), el("div", { class: "buttons" }, ...adding), ...(rows.length ? rows : [el("p", { class: "hint", text: "Nothing but the floor. Add something to step on or to run into." })]));
 };
 
-export const panels = { pose, problems, weights, scene };
+const panels = { pose: soon(pose), problems: soon(problems), weights: soon(weights), scene: soon(scene) };
 
 export const beginPanels = (): void => {
   for (const name of tabs) {
@@ -250,22 +234,12 @@ export const beginPanels = (): void => {
       $(`tab-${next}`).focus();
     });
   }
-  let last = "";
-  const posed = (): void => {
-    const now = `${model.here}|${model.joint}|${model.document?.revision}`;
-    if (model.playing || (now === last && model.here === null)) return;
-    if (now !== last) { last = now; pose(); }
-  };
-  model.on(["time", "joint"], posed);
-  model.on(["loaded", "stage", "document"], () => {
-    if (model.document?.revision !== model.loaded?.revision) return; // the rest of what was edited follows at once
-    last = "";
-    posed();
-  });
-  model.on(["settled", "status"], problems);
-  model.on(["kinds", "document", "loaded", "settled"], weights);
-  let soon = 0;
-  model.on("path", () => { if (!soon) soon = window.setTimeout(() => { soon = 0; weights(); }, 300); });
-  model.on(["document", "joint"], scene);
+  model.on(["time", "joint"], () => { if (!model.playing) panels.pose(); });
+  model.on(["loaded", "stage", "document"], panels.pose);
+  model.on(["settled", "status"], panels.problems);
+  model.on(["kinds", "document", "loaded", "settled"], panels.weights);
+  let later = 0;
+  model.on("path", () => { if (!later) later = window.setTimeout(() => { later = 0; weights(); }, 300); });
+  model.on(["document", "joint"], panels.scene);
   showTab("pose");
 };

@@ -1,7 +1,7 @@
 // The timeline: a ruler, keyframes as diamonds, limbs when unfolded, contacts, grasps and flights as bars.
 import { Quaternion, Vector3 } from "three";
 import { $, el, toast } from "./dom";
-import { act, change, edit } from "./link";
+import { act, change, edit, moveKeys } from "./link";
 import { model, type Bar } from "./model";
 
 export const LABEL = 188; // [px] of the column of names
@@ -330,8 +330,7 @@ export class Timeline {
           if (wasSelected && model.keys.size > 1 && !e.shiftKey && !e.ctrlKey) model.select([index]);
           return;
         }
-        const found = times(time, e);
-        void edit("move_keys", { moves: [...found], revision }).then((answer) => { if (answer.ok) model.seek(found.get(index) ?? was[index]); });
+        void moveKeys([...times(time, e)], revision);
       },
     };
   }
@@ -361,7 +360,7 @@ export class Timeline {
       up: (time, e) => {
         if (!moved) return;
         const [from, to] = span(time, e);
-        void change([kind, index], { from, to }, revision).then(() => this.draw());
+        void change([kind, index], { from, to }, revision);
       },
     };
   }

@@ -95,6 +95,16 @@ def test_undo_after_any_edits_gives_the_first_text_byte_for_byte(some):
     assert not found.steps["redo"]
 
 
+def test_a_stroke_of_edits_is_undone_at_once_unless_something_comes_between():
+    found = Document("clip", "x = 0", Path())
+    for value, stroke in ((1, "a"), (2, "a"), (3, None), (4, "b"), (5, "b"), (3, "b"), (6, "c")):
+        found.commit(f"x = {value}", f"to {value}", stroke)
+    assert found.steps["undo"] == [("to 1", "x = 0"), ("to 3", "x = 2"), ("to 6", "x = 3")]
+    found.step("undo")
+    found.commit("x = 7", "to 7", "c")
+    assert [words for words, _ in found.steps["undo"]] == ["to 1", "to 3", "to 7"]
+
+
 def test_comments_and_order_stay():
     found = document()
     edited(found, "move_keys", {"moves": [[1, 0.6]]})

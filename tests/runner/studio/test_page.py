@@ -198,6 +198,7 @@ def test_an_animators_afternoon(tab):
     tab.until("!studio.model.document.dirty")
     assert file.read_text(encoding="utf-8") == first
     tab.press("p")
+    tab.press("g")  # what follows needs no search
 
 
 REACH = """studio.ask('edit', { name: 'change', at: ['keyframe', 2], entries: { sites: { left_hand: [0, 0, 9] } } })"""
@@ -250,6 +251,49 @@ def test_everything_has_a_name_and_is_reached_by_the_keyboard(tab):
     tab.press("?")
     assert tab.page.locator("dialog.help").is_visible()
     tab.press("Escape")
+
+
+CONFIRMED = "!studio.pending.size"
+
+
+def test_no_press_and_no_typed_number_is_lost_and_a_run_of_presses_is_one_undo(tab):
+    keyboard, field = tab.page.keyboard, tab.page.get_by_label("left_knee x [degrees]")
+    knee = "studio.model.document.keys[2].joints.left_knee"
+    tab.seek(0.26)
+    field.focus()
+    before, undo = tab.evaluate(knee), tab.evaluate("studio.model.document.undo")
+    for i in range(60):
+        tab.press("ArrowUp")
+        tab.page.wait_for_timeout(20)
+        assert float(field.input_value()) == i + 1  # it never returns to an earlier value
+    tab.until(CONFIRMED)
+    assert tab.evaluate(knee)["rotvec"][0] == 60
+    tab.changes(lambda: tab.press("Control+z"))
+    assert (tab.evaluate(knee), tab.evaluate("studio.model.document.undo")) == (before, undo)
+
+    field.focus()
+    field.select_text()
+    for text in ("11", "12", "13"):
+        keyboard.type(text)
+        keyboard.press("Tab")
+    tab.until(CONFIRMED)
+    assert tab.evaluate(knee) == {"rotvec": [11, 12, 13]}
+
+    # what is being typed survives what the studio answers
+    field.focus()
+    field.select_text()
+    keyboard.type("4")
+    tab.changes(lambda: tab.evaluate("void studio.ask('undo')"))
+    keyboard.type("2")
+    tab.changes(lambda: keyboard.press("Enter"))
+    assert tab.evaluate(knee)["rotvec"][:2] == [42, 12]
+    x, y = tab.middle("[aria-label='left_knee x [degrees]']")
+    tab.changes(lambda: tab.drag((x, y), (x + 41, y)))
+    tab.until(CONFIRMED)
+    assert tab.evaluate(knee)["rotvec"][0] == 52
+    while tab.evaluate("studio.model.document.undo") != undo:
+        tab.changes(lambda: tab.press("Control+z"))
+    assert tab.evaluate(knee) == before
 
 
 NUDGES = (("ArrowRight", 10), ("ArrowLeft", -14))
@@ -400,6 +444,14 @@ def test_a_partial_keyframe_specifies_only_the_dragged_limb(tab):
     assert "root" not in key
     assert key["others"] == "free"
     tab.changes(lambda: tab.press("Control+z"))
+    tab.shown()
+    x, y = tab.grip("left_forearm")
+    tab.drag((x, y), (x + 12, y - 12))
+    tab.drag((x + 12, y - 12), (x + 24, y - 24))  # the studio need not have answered to the first
+    tab.until("studio.model.document.undo === 'pose the figure'")
+    tab.changes(lambda: tab.press("Control+z"))
+    tab.changes(lambda: tab.press("Control+z"))
+    assert tab.evaluate("studio.model.document.undo") is None
     tab.press("n")
 
 
