@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import atexit
 import logging
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext, suppress
 
@@ -16,7 +15,6 @@ import cryptography  # noqa: F401  Dask needs it for certificates
 import dask.config
 from distributed import Client, LocalCluster
 from distributed.deploy.spec import close_clusters
-from distributed.utils import get_mp_context
 
 from ..errors import UserError, one_line
 from ..system.progress import Progress
@@ -31,9 +29,7 @@ SETTINGS = {
     "distributed.scheduler.http.routes": [],
     "distributed.scheduler.worker-saturation": 1.0,  # a clip whose worker dies is the only one there
     "distributed.worker.http.routes": [],
-    "distributed.worker.multiprocessing-method": "forkserver" if sys.platform == "linux" else "spawn",
 }
-IMPORTED_ONCE = ["distributed", "dynsplines.recordings", "dynsplines.solving"]  # before workers are forked
 
 atexit.unregister(close_clusters)  # after Ctrl-C it would print errors of workers that are still starting
 
@@ -68,7 +64,6 @@ def _local(count: int) -> Iterator[LocalCluster]:
     """Start `count` worker processes, which end with the block or with this process."""
     with scratch() as folder, dask.config.set({"temporary-directory": str(folder)}):
         try:
-            get_mp_context().set_forkserver_preload(IMPORTED_ONCE)
             with ctrl_c_blocked():
                 cluster = LocalCluster(
                     n_workers=count,
