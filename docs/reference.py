@@ -51,7 +51,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
         {
             "figure": "the name of a shipped figure, or the path of an MJCF or URDF file",
             "fps": "samples per second of the output",
-            "keyframe": "the keyframes, at least two, in order of time",
+            "keyframe": "the keyframes in order of time: at least two, or one with a recording",
             "scene": "obstacles and movable objects",
             "contact": "points that stay at rest for an interval",
             "grasp": "hands that hold a body for an interval",
@@ -65,12 +65,13 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
         table.KeyframeTable,
         {
             "time": "in seconds",
-            "root": "the pose of the root, see [the root](#the-root)",
+            "root": "the pose of the root, see [joints and roots](keyframes.md#joints-and-roots)",
             "roots": "the poses of other free bodies and robots, by the name of their joint or body",
             "joints": "joints by name: a rotation for a ball joint, degrees for a hinge, metres for a slide",
             "sites": "target positions of sites, feet, geoms and bodies, by name",
             "bodies": "target orientations or positions of bodies, by name",
-            "others": '[joints that are not named](#unspecified-degrees-of-freedom), by "key:NAME" or one of these',
+            "others": "[joints that are not named](keyframes.md#unspecified-degrees-of-freedom), "
+            'by "key:NAME" or one of these',
         },
     ),
     "root, roots.NAME": (
@@ -151,7 +152,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
         {
             "coordinates": 'what rotations of the spline are relative to, the world or the parent joint; "auto" is '
             '"world" for a figure with ball joints',
-            "ends": 'the ends of the motion; if not set, "free" with the exceptions in [ends](#ends)',
+            "ends": 'the ends of the motion; if not set, "free" with the exceptions in [ends](keyframes.md#ends)',
             "travel": "the displacement of the root in one cycle of a loop, in metres; default: as in the keyframes",
             "turn": "the rotation of the root in one cycle of a loop, in degrees; default: as in the keyframes",
             "variable": "variable frames between two keyframes at the start of the search; default 2; in a long clip 3",
@@ -174,6 +175,9 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
 }
 
 
+SHARED = {"[a rotation](#a-rotation)": ROTATION, "[every obstacle](#every-obstacle)": OBSTACLE}
+
+
 def choices(field: FieldInfo) -> list[str]:
     """The texts that a key may have."""
     parts = get_args(field.annotation)
@@ -184,13 +188,13 @@ def choices(field: FieldInfo) -> list[str]:
 
 
 def default(field: FieldInfo) -> str:
-    """The default of a key, as text."""
+    """The default of a key, as the end of the text on it."""
     if field.is_required():
-        return "required"
+        return "; required"
     value = field.default
     if value is None or value in ([], {}) or isinstance(value, table.Table):
         return ""
-    return f'"{value}"' if isinstance(value, str) else f"{value:g}"
+    return f'; default "{value}"' if isinstance(value, str) else f"; default {value:g}"
 
 
 def meaning(text: str, field: FieldInfo) -> str:
@@ -205,29 +209,39 @@ def keys() -> Iterator[str]:
         fields = {field.alias or key: field for key, field in schema.model_fields.items()}
         if fields.keys() != texts.keys():
             raise ValueError(f"{name}: {sorted(fields.keys() ^ texts.keys())}")
-        yield f"### {HEADINGS.get(name) or ', '.join(f'`{part}`' for part in name.split(', '))}"
-        yield ""
-        yield "| key | value | default |"
-        yield "|---|---|---|"
-        yield from (
-            f"| `{key}` | {meaning(text, fields[key])} | {default(fields[key])} |" for key, text in texts.items()
-        )
-        yield ""
+        shared = [group for group, common in SHARED.items() if common.items() < texts.items()]
+        if schema is table.BoxTable:
+            yield from keys_table("Every obstacle", fields, OBSTACLE)
+        rows = {key: text for key, text in texts.items() if not any(key in SHARED[group] for group in shared)}
+        yield from keys_table(HEADINGS.get(name) or ", ".join(f"`{part}`" for part in name.split(", ")), fields, rows)
+        if shared:
+            yield f"It also has the keys of {' and '.join(shared)}."
+            yield ""
+
+
+def keys_table(heading: str, fields: dict[str, FieldInfo], texts: dict[str, str]) -> Iterator[str]:
+    """A table of keys below its heading."""
+    yield f"### {heading}"
+    yield ""
+    yield "| key | value |"
+    yield "|---|---|"
+    yield from (f"| `{key}` | {meaning(text, fields[key])}{default(fields[key])} |" for key, text in texts.items())
+    yield ""
 
 
 def kinds() -> Iterator[str]:
     """The soft constraints."""
-    yield "| `kind` | part | weight | penalised quantity | options |"
-    yield "|---|---|---|---|---|"
+    yield "| term | weight | penalised quantity | options of the kind |"
+    yield "|---|---|---|---|"
     for kind in KINDS.values():
         options = ", ".join(f"`{name}` ({text})" for name, text in kind.choices().items())
-        for i, part in enumerate(kind.parts):
+        for part in kind.parts:
             small = re.sub(r'(<\w+>|\[\[\w+\]\]|by = "\w+")', r"`\1`", part.quantity)
             weight = f"{part.weight:g}" + (
                 f" with `{part.option}`" if not part.is_default else "" if kind.is_default else ", if listed"
             )
-            first = (f"`{kind.name}`", options) if i == 0 else ("", "")
-            yield f"| {first[0]} | {f'`{part.name}`' if part.name else ''} | {weight} | {small} | {first[1]} |"
+            yield f"| `{kind.term(part)}` | {weight} | {small} | {options} |"
+            options = ""
 
 
 @cache

@@ -27,7 +27,8 @@ def on_startup(**_: Any) -> None:
 
 
 def on_files(files: Files, config: Any) -> Files:
-    """Add the pictures of renders/, which the README shares with the pages."""
+    """Add the README as the home page, and the pictures of renders/, which it shares with the pages."""
+    files.append(File.generated(config, "index.md", content=(ROOT / "README.md").read_text(encoding="utf-8")))
     for picture in sorted(file for file in RENDERS.rglob("*") if file.suffix in (".png", ".webp")):
         place = picture.relative_to(RENDERS.parent).as_posix()
         files.append(File.generated(config, place, abs_src_path=str(picture)))
@@ -35,9 +36,9 @@ def on_files(files: Files, config: Any) -> Files:
 
 
 def on_page_markdown(markdown: str, page: Page, **_: Any) -> str:
-    """Make the README the home page, and replace a link to a file that is no page by the name of the file."""
+    """Make links relative to the pages, and replace a link to a file that is no page by the name of the file."""
     if page.file.src_uri == "index.md":
-        markdown = (ROOT / "README.md").read_text(encoding="utf-8").replace("](docs/", "](")
+        markdown = markdown.replace("](docs/", "](")
         markdown = re.sub(r"\]\((?=[A-Z])", "](../", markdown)
-    markdown = markdown.replace("](../renders/", "](renders/").replace("](../README.md)", "](index.md)")
+    markdown = markdown.replace("](../renders/", "](renders/").replace("](../README.md", "](index.md")
     return re.sub(r"\[`?([^\]`]+)`?\]\(\.\./[^)]*\)", r"`\1`", markdown)

@@ -1,4 +1,4 @@
-"""The bounds of violations; docs/violations.md contains the same table."""
+"""The bounds of violations; docs/check.md contains the same table."""
 
 from __future__ import annotations
 

@@ -31,13 +31,12 @@ from dynsplines import cli, inbetween, recordings
 from dynsplines.exchange.formats import FORMATS
 from dynsplines.motion import Saved
 from dynsplines.picture import show
+from dynsplines.system.progress import Progress
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted((ROOT / "docs").glob("*.md"))
-README, API, CLIP_PAGE, FORMATS_PAGE, COMMANDS = (
-    (ROOT / name).read_text(encoding="utf-8")
-    for name in ("README.md", "docs/api.md", "docs/clip.md", "docs/exchange.md", "docs/commands.md")
-)
+TEXTS = {page.stem: page.read_text(encoding="utf-8") for page in (ROOT / "README.md", *PAGES)}
+README = TEXTS["README"]
 
 
 def compare_output(example: Example) -> str | None:
@@ -50,7 +49,7 @@ def compare_output(example: Example) -> str | None:
 
 
 def run_commands(example: Example) -> None:
-    """Run a block of shell and print violations, and all output of `clean` and grep."""
+    """Run a block of shell and print its output, without progress and the name of the renderer."""
     for line in str(example.parsed).strip().splitlines():
         name, *words = shlex.split(line)
         if name != "dynsplines":
@@ -59,11 +58,12 @@ def run_commands(example: Example) -> None:
         output = io.StringIO()
         with pytest.MonkeyPatch.context() as patch, contextlib.redirect_stdout(output):
             patch.setattr(sys, "argv", ["dynsplines", *words])
+            patch.setattr(Progress, "step", lambda *_, **__: None)
             with contextlib.redirect_stderr(output), pytest.raises(SystemExit) as ended:
                 cli.main()
         assert not ended.value.code, output.getvalue()
-        lines = output.getvalue().splitlines()
-        print(*[each for each in lines if each.startswith("violation") or words[0] == "clean"], sep="\n")
+        lines = [line.rstrip() for line in output.getvalue().splitlines() if not line.startswith("renderer:")]
+        print(*lines, sep="\n")
 
 
 def other_command(name: str, words: list[str]) -> str:
@@ -83,10 +83,14 @@ def draw_small(draw: Callable[..., None], saved: Saved, look: show.Look, *more: 
 
 
 def write_file(example: Example) -> None:
-    """Write a block of TOML to a file, if its first line is the name."""
+    """Write a block of TOML to the file that its first line names, or replace a line of this file by the block."""
     text = str(example.parsed)
     if name := re.match(r"# (\w+\.toml)\n", text):
         Path(name[1]).write_text(text, encoding="utf-8")
+    elif change := re.match(r"# (\w+\.toml), instead of the line (\S+)\n", text):
+        lines = Path(change[1]).read_text(encoding="utf-8").splitlines(keepends=True)
+        (at,) = [i for i, line in enumerate(lines) if line.startswith(change[2])]
+        Path(change[1]).write_text("".join([*lines[:at], text, *lines[at + 1 :]]), encoding="utf-8")
 
 
 SYBIL = Sybil(
@@ -97,6 +101,17 @@ SYBIL = Sybil(
         CodeBlockParser(language="toml", evaluator=write_file),
     ]
 )
+
+
+def test_commands_that_pages_do_not_run_have_valid_options() -> None:
+    group: Any = get_command(cli.app)
+    count = 0
+    for page in TEXTS.values():
+        lines = [line for block in blocks("shell", page) for line in block.splitlines()]
+        for name, *words in (line.split("#")[0].split()[1:] for line in lines if line.startswith("dynsplines ")):
+            group.commands[name].make_context(name, words).close()
+            count += 1
+    assert count > 5
 
 
 @pytest.mark.slow
@@ -137,14 +152,15 @@ def test_the_python_example_of_the_readme_equals_its_toml_example(tmp_path: Path
 
 @pytest.mark.slow
 def test_the_example_clips_pasted_one_below_the_other_solve_and_nothing_is_wrong_with_them() -> None:
-    parts = blocks("toml", CLIP_PAGE)
-    assert len(parts) == 4 and len(parts[0].splitlines()) <= 12
+    parts = blocks("toml", TEXTS["keyframes"])
+    assert len(parts) == 2 and len(parts[0].splitlines()) <= 12
     assert blocks("toml") == parts[:1]
+    parts += blocks("toml", TEXTS["soft_constraints"])
     assert not inbetween(recordings.from_text("".join(parts), name="readme")).violations
 
 
 def test_every_format_of_the_table_exists_and_none_is_left_out() -> None:
-    table = FORMATS_PAGE.split("# To and from other programs")[1].split("##")[0]
+    table = TEXTS["formats"].split("# Formats")[1].split("##")[0]
     ways = {"both": (True, True), "writes": (True, False), "reads": (False, True)}
     documented = {
         name: ways[way.strip()]
@@ -156,7 +172,7 @@ def test_every_format_of_the_table_exists_and_none_is_left_out() -> None:
 
 def test_every_command_of_the_table_exists() -> None:
     commands: Any = get_command(cli.app)
-    assert {*re.findall(r"`dynsplines ([a-z]+)", README + COMMANDS)} <= set(commands.commands)
+    assert {*re.findall(r"`dynsplines ([a-z]+)", README + TEXTS["commands"])} <= set(commands.commands)
 
 
 @pytest.mark.parametrize("page", [*PAGES, ROOT / "README.md"], ids=lambda page: page.stem)
@@ -168,16 +184,24 @@ def test_links_of_a_page_exist(page: Path) -> None:
 def test_every_name_of_the_package_is_on_the_python_page() -> None:
     import dynsplines
 
-    page = (ROOT / "docs" / "python.md").read_text(encoding="utf-8")
     for name in dynsplines.__all__:
-        assert re.search(rf"`[^`]*\b{name}\b", page), name
+        assert re.search(rf"`[^`]*\b{name}\b", TEXTS["python"]), name
 
 
-def test_every_page_is_in_the_index_and_in_the_sites_table_of_contents() -> None:
-    index, config = (ROOT / "docs" / "index.md").read_text(), (ROOT / "docs" / "site" / "mkdocs.yml").read_text()
-    pages = {page.name for page in PAGES}
-    assert pages - {"index.md"} == set(re.findall(r"\]\((\w+\.md)\)", index))
-    assert pages == set(re.findall(r"(\w+\.md)$", config, re.MULTILINE))
+def test_a_page_has_the_same_title_in_the_table_of_contents_on_the_page_and_in_links() -> None:
+    config = (ROOT / "docs" / "site" / "mkdocs.yml").read_text(encoding="utf-8")
+    titles = {f"{name}.md": re.findall(r"^# (.*)", text)[0] for name, text in TEXTS.items() if name != "README"}
+    listed = re.findall(r"- ([^:\n]+): (\w+\.md)$", config, re.MULTILINE)
+    assert {page: title for title, page in listed} == titles | {"index.md": "dynamic-splines"}
+    assert set(titles) == set(re.findall(r"\]\(docs/(\w+\.md)\)", README))
+    for text in TEXTS.values():
+        for title, page in re.findall(r"\[([A-Z][^\]]*)\]\((?:docs/)?(\w+\.md)\)", text):
+            assert title == titles.get(page, title), page
+
+
+def test_the_pages_are_few_and_short() -> None:
+    assert len(TEXTS) <= 17
+    assert sum(len(text.split()) for text in TEXTS.values()) <= 20_000
 
 
 @pytest.fixture
@@ -194,7 +218,9 @@ def test_generated_parts_are_up_to_date_and_each_is_on_one_page(reference: Modul
 
 def documented() -> Iterator[str]:
     """Yield the names of the Python reference, and the public methods of its classes."""
-    for name, listed in re.findall(r"^::: ([\w.]+)(?:\n    options: \{members: (.*)\})?$", API, re.MULTILINE):
+    for name, listed in re.findall(
+        r"^::: ([\w.]+)(?:\n    options: \{members: (.*)\})?$", TEXTS["python"], re.MULTILINE
+    ):
         yield name
         value = pydoc.locate(name)
         assert value is not None, name
@@ -232,26 +258,18 @@ def test_the_site_is_built_without_a_warning(tmp_path: Path) -> None:
     assert "keys.png" in page and (tmp_path / "renders" / "tutorial" / "keys.png").is_file()
 
 
-TRUST = ROOT / "docs" / "trust.md"
 TEST_LINK = re.compile(r"\[([\w/]+)\]\((\.\./tests/[\w/]+\.py)\)")
 
 
-def guarantees() -> list[list[str]]:
-    """The cells of every row of the page's tables, without their heads."""
-    lines = [line.strip("|").split("|") for line in TRUST.read_text(encoding="utf-8").splitlines() if line[:1] == "|"]
-    return [
-        [cell.strip() for cell in cells] for cells in lines if cells[-1].strip() != "tests" and "---" not in cells[0]
-    ]
-
-
-def test_every_guarantee_and_every_fault_has_tests():
-    rows = guarantees()
+def test_every_guarantee_and_every_fault_has_tests() -> None:
+    section = TEXTS["contribute"].split("## Guarantees and their tests")[1]
+    rows = [line.strip("|").split("|") for line in section.splitlines() if re.match(r"\| (?!guarantee|fault)", line)]
     assert len(rows) > 35
     for guarantee, *links_cell in rows:
         assert len(links_cell) == 1, guarantee
         links = TEST_LINK.findall(links_cell[0])
         assert links, guarantee
         for name, place in links:
-            file = (TRUST.parent / place).resolve()
+            file = (ROOT / "docs" / place).resolve()
             assert place == f"../tests/{name}.py"
             assert re.search(r"^def test_", file.read_text(encoding="utf-8"), re.MULTILINE), place
