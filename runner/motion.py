@@ -120,11 +120,11 @@ class Saved:
 
 @dataclass(frozen=True)
 class Sampled:
-    """A motion at equal time steps, in MuJoCo's order, units and axes.
+    """A motion at equal time steps or given times, in MuJoCo's order, units and axes.
 
     Attributes:
         motion: The motion.
-        fps: Samples per second [1/s].
+        fps: Samples per second [1/s]; nan at given times.
         time: Times (T,) [s].
         qpos: Configurations (T, nq), with unit quaternions wxyz of continuous sign.
         qvel: Velocities (T, nv).
@@ -141,12 +141,21 @@ class Sampled:
     @classmethod
     def of(cls, motion: Saved, fps: float | None = None) -> Sampled:
         """Return a motion at t0 + i / fps, i = 0 … floor(duration · fps), by default at its own rate."""
-        figure, path, rate = motion.figure, motion.path, motion.fps if fps is None else fps
-        first, last = path.span
-        time = first + np.arange(sample_count(last - first, rate)) / rate
-        chunks = [_configurations(samples) for samples in sample_runs(figure, path, time)]
+        rate, (first, last) = motion.fps if fps is None else fps, motion.path.span
+        return cls.at(motion, first + np.arange(sample_count(last - first, rate)) / rate, rate)
+
+    @classmethod
+    def at(cls, motion: Saved, time: Array, fps: float = np.nan) -> Sampled:
+        """Return a motion at times (T,) [s]."""
+        figure, chunks = motion.figure, [_configurations(s) for s in sample_runs(motion.figure, motion.path, time)]
         qpos, qvel, qacc = (np.concatenate(rows) for rows in zip(*chunks, strict=True))
-        return cls(motion, rate, time, continuous(figure, qpos), qvel, qacc)
+        return cls(motion, fps, time, continuous(figure, qpos), qvel, qacc)
+
+    @property
+    def phase(self) -> Array:
+        """The share (T,) of the motion, or of a loop's period, that has passed, from 0 to 1."""
+        first, last = self.motion.path.span
+        return (self.time - first) / (last - first)
 
     @property
     def figure(self) -> Figure:

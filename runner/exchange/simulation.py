@@ -36,12 +36,12 @@ from dynsplines.solver.surface.touch import bolted, is_scenery, movers, solids
 
 from ..clip import load as clip
 from ..errors import listed
+from ..measure.forces import Forces
 from ..motion import Sampled
 from ..scene.framing import size_of
 from ..scene.mujoco_versions import geoms_by_number, portable_text, remove
 from ..scene.roles import unique
 from ..system.mujoco_warnings import quietly
-from .quantities import Forces
 from .skeleton import hierarchy
 
 FREQUENCY = 8.0  # [Hz] natural frequency of a limb on its actuators, several times that of human motion

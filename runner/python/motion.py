@@ -26,6 +26,7 @@ from ..clip.build import Clip
 from ..edit import edits, thinning
 from ..edit.thinning import MotionDifference
 from ..errors import UserError
+from ..measure.forces import Forces
 from ..measure.report import tables
 from ..measure.violation import Violation
 from ..motion import Sampled, Saved
@@ -144,24 +145,60 @@ class Motion:
         Raises:
             UserError: For times outside the motion.
         """
+        times = self._times(t)
+        return self.saved.at(times.ravel()).reshape(*times.shape, self.model.nq)
+
+    def _times(self, t: ArrayLike) -> Array:
+        """Return times of the motion as an array; raises UserError for others."""
         times = np.asarray(t, float)
         if times.ndim > 1:
             raise UserError(f"{self.name}: times are one number or a list of them, not {times.shape}")
         if times.size and not (self.start - ROUNDING <= times.min() and times.max() <= self.end + ROUNDING):
             raise UserError(f"{self.name}: the motion runs from {self.start:g} to {self.end:g} s; give a time within")
-        return self.saved.at(times.ravel()).reshape(*times.shape, self.model.nq)
+        return times
 
-    def sampled(self, fps: float | None = None) -> Sampled:
-        """Return samples at equal time steps.
+    def sampled(self, fps: float | None = None, *, times: ArrayLike | None = None) -> Sampled:
+        """Return samples at equal time steps or given times.
 
         Args:
             fps: Samples per second [1/s]; default: those of the motion.
+            times: (T,) times [s] from `start` to `end`, in place of `fps`.
 
         Returns:
-            time (T,) [s], qpos (T, nq), qvel and qacc (T, nv) in MuJoCo's order, units and axes.
+            time (T,) [s], qpos (T, nq), qvel and qacc (T, nv) in MuJoCo's order, units and axes; `phase` and `bodies`.
+
+        Raises:
+            UserError: For times outside the motion, or both arguments.
         """
-        rate = self.fps if fps is None else positive(fps, "fps =")
-        return Sampled.of(self.saved, rate)
+        if times is None:
+            return Sampled.of(self.saved, self.fps if fps is None else positive(fps, "fps ="))
+        if fps is not None:
+            raise UserError("give fps or times, not both")
+        time = self._times(times).ravel()
+        if not time.size:
+            raise UserError(f"{self.name}: times = []: give at least one")
+        return Sampled.at(self.saved, time)
+
+    @as_python_warnings()
+    def forces(self, fps: float | None = None, *, times: ArrayLike | None = None) -> Forces:
+        """Return joint torques and ground reactions at equal time steps or given times.
+
+        They are MuJoCo's inverse dynamics. The ground reactions are estimated: they supply as much of the motion as
+        points in contact can by pressure and friction. Where contacts are unknown, forces are nan.
+
+        Args:
+            fps: Samples per second [1/s]; default: those of the motion.
+            times: (T,) times [s] from `start` to `end`, in place of `fps`.
+
+        Returns:
+            sampled; torques (T, nv) [N m, N]; feet, each with name, has_contact (T,), force (T, 3) [N], centre (T, 3)
+            [m] and moment (T, 3) [N m]; rest (T, 6), the force [N] and moment [N m] at the root that nothing supplies;
+            has_known_support (T,).
+
+        Raises:
+            UserError: For times outside the motion, or both arguments.
+        """
+        return Forces.of(self.sampled(fps, times=times))
 
     def report(self) -> Report:
         """Return measurements of the spline through the keyframes ("before") and of the solution ("after").

@@ -15,7 +15,7 @@ from dynsplines import recordings, solving
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats, quantities
 from dynsplines.exchange.motion_import import import_recording
-from dynsplines.exchange.quantities import Forces
+from dynsplines.measure.forces import Forces, motor_torques
 from dynsplines.motion import Sampled
 
 ALL = tuple(quantities.GROUPS)
@@ -166,8 +166,8 @@ def test_a_motor_supplies_the_torques_of_a_linkage_that_it_moves():
     angles = np.linspace(-0.8, 0.8, 7)
     qpos = np.column_stack([angles, -angles, angles])
     needed = np.random.default_rng(3).normal(size=(7, 3))
-    torques = quantities.motor_torques(model, qpos, needed)
+    torques = motor_torques(model, qpos, needed)
     np.testing.assert_allclose(torques[:, 0], needed @ [1, -1, 1], atol=1e-5)
     np.testing.assert_allclose(torques[:, 1:], 0, atol=1e-5)
     model.actuator_trntype[:] = int(mujoco.mjtTrn.mjTRN_TENDON)
-    np.testing.assert_array_equal(quantities.motor_torques(model, qpos, needed), needed)
+    np.testing.assert_array_equal(motor_torques(model, qpos, needed), needed)

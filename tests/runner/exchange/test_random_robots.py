@@ -19,7 +19,7 @@ from random_models import motion_of
 
 from dynsplines.errors import UserError
 from dynsplines.exchange import quantities
-from dynsplines.exchange.quantities import Forces
+from dynsplines.measure.forces import Forces
 from dynsplines.motion import Sampled, Saved
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
@@ -226,7 +226,7 @@ def assert_close(actual: Array, expected: Array) -> None:
 
 def borne(forces: Forces) -> Mask:
     """(T,) whether the ground gives forces."""
-    return np.any([np.any(foot.force != 0, axis=0) for foot in forces.feet], axis=0)
+    return np.any([np.any(foot.force != 0, axis=1) for foot in forces.feet], axis=0)
 
 
 def check_forces(saved: Saved, expected: Array) -> None:

@@ -231,6 +231,54 @@ def test_samples_are_at_equal_times(motion):
             motion.sampled(rate)
 
 
+def test_samples_at_given_times_are_those_at_equal_ones(motion):
+    equal = motion.sampled(20)
+    chosen = motion.sampled(times=equal.time[[3, 0, 7]])
+    for name in ("time", "qpos", "qvel", "qacc", "phase"):
+        np.testing.assert_allclose(np.abs(getattr(chosen, name)), np.abs(getattr(equal, name)[[3, 0, 7]]), atol=1e-12)
+    np.testing.assert_allclose(chosen.phase, chosen.time)
+    for times, fps, complaint in (
+        ([0.1], 20, "fps or times, not both"),
+        ([], None, "at least one"),
+        ([2], None, "to 1 s"),
+    ):
+        with pytest.raises(UserError, match=complaint):
+            motion.sampled(fps, times=times)
+
+
+STAND = 'figure = "human"\n' + "".join(f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in (0, 1))
+
+
+def test_the_ground_carries_who_stands_and_the_torques_are_those_of_mujoco_under_its_forces():
+    """`mj_inverse` with the forces of the feet applied at their centres of pressure."""
+    forces = inbetween(load(STAND)).forces(times=[0.2, 0.7])
+    model, data = forces.sampled.model, mujoco.MjData(forces.sampled.model)
+    weight = 9.81 * model.body_subtreemass[1]
+    assert forces.has_known_support.all()
+    assert {foot.name for foot in forces.feet} >= {"left_foot", "right_foot"}
+    np.testing.assert_allclose(sum(foot.force for foot in forces.feet), [[0, 0, weight]] * 2, atol=0.02 * weight)
+    np.testing.assert_allclose(forces.torques[:, :6], forces.rest, atol=0.02 * weight)
+    data.qpos[:], data.qvel[:], data.qacc[:] = (
+        each[1] for each in (forces.sampled.qpos, forces.sampled.qvel, forces.sampled.qacc)
+    )
+    model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
+    mujoco.mj_inverse(model, data)
+    expected = data.qfrc_inverse.copy()
+    for foot in forces.feet:
+        if foot.has_contact[1]:
+            body = model.body(foot.name).id
+            mujoco.mj_applyFT(model, data, -foot.force[1], -foot.moment[1], foot.centre[1], body, expected)
+    np.testing.assert_allclose(forces.torques[1, 6:], expected[6:], atol=1e-6)
+
+
+def test_forces_without_a_known_contact_are_not_numbers():
+    """Of a figure that hovers over the floor: what holds it is unknown."""
+    raised = STAND.replace('"rest"', '"rest"\nroot.position = [0, 0, 1.5]')
+    forces = inbetween(load(raised)).forces()
+    assert not forces.has_known_support.any()
+    assert np.isnan(forces.torques).all()
+
+
 def test_before_is_the_raw_spline(motion):
     assert motion.before.saved.timeline.variable_count == 0
     far = motion.difference(motion.before)
