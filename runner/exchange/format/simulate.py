@@ -1,7 +1,8 @@
 """MJCF of a scene for `mj_step`: contacts, actuators, and a <key> with their targets for every sample.
 
-The first second is simulated from the first key, with `ctrl` interpolated between the keys. A scene that stays within
-0.05 rad and 5 cm follows its motion. Otherwise the note names the joint that deviates first.
+The motion is simulated from the first key, with `ctrl` interpolated between the keys. A scene that stays within 0.05
+rad and 5 cm follows its motion. Otherwise the note names the joint that deviates first. The simulation ends when the
+figure is 10 cm from its motion.
 """
 
 from __future__ import annotations
@@ -21,8 +22,10 @@ from ...system.mujoco_warnings import quietly
 from ..simulation import Simulation
 from .mjcf_keys import write_keys
 
-DURATION = 1.0  # [s] simulated
 ANGLE, DISTANCE = 0.05, 0.05  # [rad] and [m] largest deviations of a scene that follows its motion
+LOST = (
+    2.0  # [1] deviation of a translation, relative to the largest of a scene that follows, at which the figure is lost
+)
 
 
 def write(sampled: Sampled, path: Path) -> list[str]:
@@ -40,13 +43,13 @@ class Tracking:
     time       (S,) [s] of the steps
     deviation  (S, nv) [m] of translations, [rad] of rotations
     is_length  (nv,) whether a degree of freedom is a translation
-    fell       whether the simulation became unstable
+    is_unstable  whether MuJoCo stopped the simulation
     """
 
     time: Array
     deviation: Array
     is_length: Mask
-    fell: bool
+    is_unstable: bool
 
     @property
     def share(self) -> Array:
@@ -56,7 +59,12 @@ class Tracking:
     @property
     def is_within(self) -> bool:
         """Whether the scene follows its motion."""
-        return not self.fell and bool(np.all(self.share <= 1))
+        return not self.is_unstable and bool(np.all(self.share <= 1))
+
+    @property
+    def is_lost(self) -> bool:
+        """Whether the figure ends far from its motion, as after a fall."""
+        return bool((self.share[-1, self.is_length] >= LOST).any())
 
     @property
     def leaves(self) -> tuple[int, int]:
@@ -69,27 +77,26 @@ class Tracking:
 def tracked(simulation: Simulation, sampled: Sampled) -> Tracking:
     """Simulate a scene from its first key."""
     model, (first, end) = simulation.model, sampled.time[[0, -1]].tolist()
-    last = min(first + DURATION, end)
     aims, poses = (make_interp_spline(sampled.time, rows, k=1) for rows in (simulation.control, sampled.qpos))
     data = mujoco.MjData(model)
     data.time, data.qpos, data.qvel, data.ctrl = first, sampled.qpos[0], sampled.qvel[0], aims(first)
     is_length = np.zeros(model.nv, bool)
     for kind, dof in zip(model.jnt_type.tolist(), model.jnt_dofadr.tolist(), strict=True):
         is_length[dof : dof + (3 if kind == JointKind.FREE else int(kind == JointKind.SLIDE))] = True
-    times, errors, fell = [first], [np.zeros(model.nv)], False
+    times, errors, is_unstable = [first], [np.zeros(model.nv)], False
     with quietly():
-        while data.time < last and not fell:
+        while data.time < end and not is_unstable and errors[-1][is_length].max(initial=0) < LOST * DISTANCE:
             before = data.time
             data.ctrl = aims(before)
             mujoco.mj_step(model, data)
-            fell = data.time <= before or not np.isfinite(data.qpos).all()  # MuJoCo resets an unstable simulation
-            if not fell:
+            is_unstable = data.time <= before or not np.isfinite(data.qpos).all()  # MuJoCo resets a simulation
+            if not is_unstable:
                 times.append(data.time)
                 pose, error = poses(min(data.time, end)), np.zeros(model.nv)
                 mujoco.mj_normalizeQuat(model, pose)
                 mujoco.mj_differentiatePos(model, error, 1.0, pose, data.qpos)
                 errors.append(np.abs(error))
-    return Tracking(np.array(times), np.array(errors), is_length, fell)
+    return Tracking(np.array(times), np.array(errors), is_length, is_unstable)
 
 
 def note(tracking: Tracking, model: mujoco.MjModel) -> str:
@@ -103,8 +110,11 @@ def note(tracking: Tracking, model: mujoco.MjModel) -> str:
     at, dof = tracking.leaves
     name = model.joint(int(model.dof_jntid[dof])).name
     off = f"{100 * DISTANCE:g} cm" if is_length[dof] else f"{ANGLE:g} rad"
-    then = "MuJoCo stops the simulation" if tracking.fell else f"up to {size} after {lasts:.2g} s"
-    when = tracking.time[at] - tracking.time[0]
+    when, then = tracking.time[at] - tracking.time[0], f"up to {size} after {lasts:.2g} s"
+    if tracking.is_unstable:
+        then = "MuJoCo stops the simulation"
+    elif tracking.is_lost:
+        then = f"it falls or drifts, {100 * LOST * DISTANCE:g} cm off after {lasts:.2f} s"
     return f"mj_step of the scene leaves the motion: '{name}' by {off} after {when:.2f} s, {then}"
 
 
