@@ -76,6 +76,7 @@ class Cotangent:
         """Add a gradient with respect to one of the quantities.
 
         Args:
+            name: The name of the quantity.
             gradient: The gradient, see the class for shapes.
             donate: Whether the array may be stored and modified, because the caller does not use it again.
         """

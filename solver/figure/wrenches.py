@@ -201,7 +201,15 @@ def of_turn(at: Index, link: Index, axis: Array) -> Wrenches:
 
 
 def along_axes(at: Index, link: Index) -> tuple[Index, Index, Array]:
-    """Return samples and links (3 P,) and world axes (3, 3 P) of P vectors' components: x of all, then y, then z."""
+    """Return the sample, the link and the world axis of each component of P vectors: x of all, then y, then z.
+
+    Args:
+        at: The samples of the vectors, (P,).
+        link: The links of the vectors, (P,).
+
+    Returns:
+        Samples (3 P,), links (3 P,) and axes (3, 3 P).
+    """
     return np.tile(at, 3), np.tile(link, 3), np.repeat(np.eye(3), at.size, axis=1)
 
 

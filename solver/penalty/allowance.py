@@ -15,13 +15,25 @@ from ..array import Array, Index, segments_at
 
 @dataclass(frozen=True)
 class Allowance:
-    """Tolerated excesses (..., K), at least 0, at key times (K,) [s]."""
+    """Tolerated excesses of one-sided residuals, linear between keyframes.
+
+    Attributes:
+        times: The times of the keyframes, (K,) [s].
+        excess: The excess in each keyframe, at least 0, (..., K), in the unit of the residual.
+    """
 
     times: Array
     excess: Array
 
     def at(self, t: Array) -> Array:
-        """Return the tolerated excesses (..., S) at times t (S,) [s], constant outside the range of the keyframes."""
+        """Return the tolerated excesses, constant outside the range of the keyframes.
+
+        Args:
+            t: Times (S,) [s].
+
+        Returns:
+            The excesses (..., S).
+        """
         if not self.excess.any():
             return np.zeros((*self.excess.shape[:-1], t.size))
         span, share = self._place(t)

@@ -24,6 +24,10 @@ class Curvature:
 
     A direction φ is a scalar function of time by which a frame or coefficient moves every entry of the state: y by φ,
     y' by φ', y'' by φ''. The values of K directions at samples are arrays (S, 3, K).
+
+    Attributes:
+        samples: The S samples of the motion.
+        width: The number N of entries of the state.
     """
 
     def __init__(self, samples: Samples) -> None:
@@ -36,12 +40,25 @@ class Curvature:
         self._diagonals: list[Array | None] = [None, None, None]
 
     def add_rows(self, at: Index, scale: Array, jacobian: Array, orders: tuple[int, ...] = (0, 1, 2)) -> None:
-        """Add residuals at ascending samples `at` (P,), gradients (P, k, N) in k of y, y', y'', times scale (P,)."""
+        """Add P residuals with their gradients.
+
+        Args:
+            at: The samples, ascending, (P,).
+            scale: The weights of the squared residuals, (P,).
+            jacobian: The gradients with respect to those of y, y', y'' that `orders` names, (P, k, N).
+            orders: Which of y (0), y' (1) and y'' (2), k of them.
+        """
         if at.size:
             self._rows.append((at, np.sqrt(2 * scale), jacobian, orders))
 
     def add_blocks(self, columns: Index, jacobian: Array, scale: Array) -> None:
-        """Add residuals of n blocks of k columns (n, k): Jacobians (S, n, r, 3, k) at all samples, times scale (S,)."""
+        """Add residuals of blocks of the state at all samples.
+
+        Args:
+            columns: The columns of n blocks of k entries, (n, k).
+            jacobian: The gradients of r residuals of each block with respect to y, y' and y'', (S, n, r, 3, k).
+            scale: The weights of the squared residuals, (S,).
+        """
         if not columns.size:
             return
         count, n, residuals, _, k = jacobian.shape

@@ -13,6 +13,7 @@ import re
 import shlex
 import subprocess
 import sys
+import tomllib
 from collections.abc import Callable, Iterator
 from functools import partial
 from pathlib import Path
@@ -23,14 +24,25 @@ import griffe
 import numpy as np
 import pytest
 import shipped
+from paper.study import UNIT_LIMIT
 from sybil import Example, Sybil
 from sybil.parsers.markdown import CodeBlockParser, PythonCodeBlockParser
 from typer.main import get_command
 
-from dynsplines import cli, inbetween, recordings
+from dynsplines import cli, inbetween, models, recordings
+from dynsplines.clean import repairs
+from dynsplines.clip.parse import LONGEST, SHORTEST
+from dynsplines.clip.tracking import recording
+from dynsplines.exchange import simulation
 from dynsplines.exchange.formats import FORMATS
+from dynsplines.measure import bounds, measurement, support
 from dynsplines.motion import Saved
 from dynsplines.picture import show
+from dynsplines.solver import objective
+from dynsplines.solver.contacts.thresholds import Thresholds
+from dynsplines.solver.penalty.joints import overshoot
+from dynsplines.solver.penalty.motion import prior
+from dynsplines.system import size_limit
 from dynsplines.system.progress import Progress
 
 ROOT = Path(__file__).parents[2]
@@ -112,6 +124,14 @@ def test_commands_that_pages_do_not_run_have_valid_options() -> None:
             group.commands[name].make_context(name, words).close()
             count += 1
     assert count > 5
+
+
+def test_every_option_on_the_pages_exists() -> None:
+    group: Any = get_command(cli.app)
+    commands = [group, *group.commands.values()]
+    options = {name for each in commands for option in each.params for name in option.opts + option.secondary_opts}
+    others = {"--help", "--nthreads", "--figures", "--no-deps", "--target"}  # of Dask, benchmarks.paper and pip
+    assert set(re.findall(r"(?<![\w-])--[a-z][a-z-]+", "".join(TEXTS.values()))) - others <= options
 
 
 @pytest.mark.slow
@@ -197,6 +217,54 @@ def test_a_page_has_the_same_title_in_the_table_of_contents_on_the_page_and_in_l
     for text in TEXTS.values():
         for title, page in re.findall(r"\[([A-Z][^\]]*)\]\((?:docs/)?(\w+\.md)\)", text):
             assert title == titles.get(page, title), page
+
+
+PERIODS = {  # of gait [s]
+    name: tomllib.loads(models.clip_text(name))["keyframe"][-1]["time"] for name in ("walk_loop", "run_loop")
+}
+NUMBER = r"\d[\d.,]*"
+FIGURE = re.compile(rf"\b{NUMBER}(?: times\b| ×| ?(?:%|[MG]B\b|Hz\b|c?m/s\b)| (?:m?s|seconds|minutes?)\b)")
+FALL = np.sqrt(2 * np.array([0.1, 0.3, 0.5]) / 9.81)  # [s]
+STATED = {  # the only figures outside generated parts: text, and its numbers in the code
+    "unit length to {:g} %": 100 * UNIT_LIMIT,
+    "unit length is below {:g} %": 100 * UNIT_LIMIT,
+    "touches nothing for more than {:g} s": Thresholds.moment,
+    "as a mean over {:g} s": support.WINDOW,
+    "also more than {:g} %": 100 * bounds.SPEED_SHARE,
+    "also more than {:g} times": bounds.WHIP_SHARE,
+    "measured {:g} times per second, at keyframes": measurement.RATE,
+    "measured {:g} times per second.": support.RATE,
+    "of such a fault during {:g} % of it": 100 * objective.SMALL_SHARE,
+    "ω = 2π · {:g} Hz": simulation.FREQUENCY,
+    "kv = kp · {:.2g} s": simulation.DAMPING,
+    "at least {:g} ms apart": 1000 * SHORTEST,
+    "at most {:g} s long": LONGEST,
+    "| {:g} s |": LONGEST,
+    "| {:g} MB;": size_limit.USUAL,
+    "a walk takes about {:.1f} s": PERIODS["walk_loop"] / 2,
+    "of a run {:.1f} s": PERIODS["run_loop"] / 2,
+    "0.1 m takes {:.2f} s": FALL[0],
+    "0.3 m {:.2f} s": FALL[1],
+    "0.5 m {:.2f} s": FALL[2],
+    "gaps of up to {:g} s": repairs.LONGEST_GAP,
+    "Without `blend`, it is {:g} s": recording.EASE,
+    "a time T > {:g} s apart": objective.LONG,
+    "less than {:g} s": prior.BRIEF,
+    "more than {:g} s apart": prior.ENDLESS,
+    "at least {:g} s apart share": overshoot.BRIEF,
+}
+
+
+def test_every_figure_is_generated_or_that_of_the_code(reference: ModuleType) -> None:
+    """No page states a measured time, ratio or share by hand."""
+    stated = [text.format(value) for text, value in STATED.items()]
+    prose = {name: re.sub(r"```.*?```", "", reference.PART.sub("", text), flags=re.S) for name, text in TEXTS.items()}
+    joined = {name: " ".join(text.split()) for name, text in prose.items()}
+    assert [text for text in stated if not any(text in page for page in joined.values())] == []
+    for text in stated:
+        joined = {name: page.replace(text, "") for name, page in joined.items()}
+    found = {name: FIGURE.findall(re.sub(r"`[^`]*`", "", page)) for name, page in joined.items()}
+    assert not any(found.values()), found
 
 
 def test_the_pages_are_few_and_short() -> None:
