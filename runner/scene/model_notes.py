@@ -32,11 +32,22 @@ def vertical_notes(model: mujoco.MjModel) -> list[str]:
     return [*_tilted_gravity(model), *_below_added_floor(model)]
 
 
-def _unsupported_equalities(model: mujoco.MjModel) -> list[str]:
-    handled = [int(kind) for kind in (mujoco.mjtEq.mjEQ_JOINT, mujoco.mjtEq.mjEQ_CONNECT, mujoco.mjtEq.mjEQ_WELD)]
-    others = [i for i in range(model.neq) if model.eq_active0[i] and int(model.eq_type[i]) not in handled]
-    names = ", ".join(f"'{model.equality(i).name or i}'" for i in others)
-    return [f"equality constraints of tendons are not looked at: {names}"] if others else []
+def _unsupported_equalities(model: mujoco.MjModel) -> Iterator[str]:
+    """Yield notes on active constraints of tendons, and on those that hold a link to a mocap body."""
+    tendons, mocap = list[str](), list[str]()
+    for i in np.flatnonzero(model.eq_active0):
+        kind, name = int(model.eq_type[i]), f"'{model.equality(int(i)).name or i}'"
+        ends = model.eq_obj1id[i], model.eq_obj2id[i]
+        if kind in (mujoco.mjtEq.mjEQ_CONNECT, mujoco.mjtEq.mjEQ_WELD):
+            is_site = model.eq_objtype[i] == mujoco.mjtObj.mjOBJ_SITE
+            bodies = [int(model.site_bodyid[end]) if is_site else int(end) for end in ends]
+            mocap += [f"{name} to '{model.body(body).name}'" for body in bodies if model.body_mocapid[body] >= 0]
+        elif kind != mujoco.mjtEq.mjEQ_JOINT:
+            tendons.append(name)
+    if tendons:
+        yield f"equality constraints of tendons are not looked at: {', '.join(tendons)}"
+    if mocap:
+        yield f"mocap bodies hold nothing, so these equality constraints are ignored: {', '.join(mocap)}"
 
 
 def _tilted_gravity(model: mujoco.MjModel) -> Iterator[str]:
