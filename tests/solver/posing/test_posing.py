@@ -311,6 +311,15 @@ def test_flat_is_upright_as_at_rest_with_the_heading_free(rest):
     assert turned == pytest.approx(np.arccos(tilt[2]), abs=1e-6)  # the shortest way up, no turn about the vertical
 
 
+def test_places_that_need_joints_at_the_very_ends_of_their_ranges_are_met(rng):
+    figure = figure_of(ARM.replace('axis="0 1 0"/>', 'axis="0 1 0" range="-100 120"/>'))
+    ends = figure.model.jnt_range
+    for _ in range(20):
+        qpos = np.where(rng.random(4) < 0.6, ends[np.arange(4), rng.integers(2, size=4)], rng.uniform(*ends.T))
+        target = seen(figure, qpos).site("tip").xpos.copy()
+        assert posed(figure, np.zeros(4), np.ones(4, bool), [SiteGoal("tip", target)]).is_met
+
+
 @pytest.mark.parametrize("reach", [2.6, 2.8])
 @pytest.mark.parametrize("side", [-1, 1])
 def test_with_joints_at_their_ranges_it_is_as_near_as_scipys(reach, side):
