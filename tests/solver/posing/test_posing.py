@@ -314,7 +314,8 @@ def test_flat_is_upright_as_at_rest_with_the_heading_free(rest):
 SHOULDER = """<mujoco><compiler angle="degree"/><worldbody>
 <body pos="0 0 1"><joint axis="0 1 0" range="-90 90"/><geom size=".02" pos=".1 0 0"/>
   <body pos=".3 0 0"><joint axis="0 1 0" range="0 120"/><geom size=".02" pos=".1 0 0"/>
-    <body pos=".3 0 0"><joint axis="0 0 1" range="-60 60"/><geom size=".02" pos=".1 0 0"/><site name="tip" pos=".2 0 0"/>
+    <body pos=".3 0 0"><joint axis="0 0 1" range="-60 60"/><geom size=".02" pos=".1 0 0"/>
+      <site name="tip" pos=".2 0 0"/>
 </body></body></body></worldbody></mujoco>"""
 
 
