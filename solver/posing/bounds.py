@@ -16,9 +16,7 @@ from ..tolerances import ROUNDING
 
 STRAIGHT = 3.0  # [1] weight of sideways and twist angles of knees and elbows, relative to rotations of a limb joint
 ONE_SIDED = 0.25  # [1] a hinge bends one way if its rest value is within this share of its range from an end
-INSIDE = (
-    1e-7  # [rad, m] margin of joints from the ends of their ranges; goals at an end are still met within a micrometre
-)
+INSIDE = 1e-7  # [rad, m] margin of joints from the ends of their ranges; goals there are still met
 Part = tuple[Array, Array]  # residuals (k,) and their Jacobian (k, n)
 
 
