@@ -260,9 +260,12 @@ class Actions:
         self._clipboard = [self._row(index) for index in sorted(keys)]
         return f"copied {len(keys)} keyframe{'s' if len(keys) > 1 else ''}"
 
-    async def paste(self, *, time: float) -> str:
-        """Paste the copied keyframes, the first of them at a time [s]."""
-        return await self.session.edit("paste_keys", {"copied": self._clipboard, "time": time})
+    async def paste(self, *, time: float) -> Message:
+        """Paste the copied keyframes, the first of them at a time [s]; return their times, too."""
+        from .edits import pasted_times
+
+        words = await self.session.edit("paste_keys", {"copied": self._clipboard, "time": time})
+        return {"words": words, "times": pasted_times(self._clipboard, time)}
 
     def at(self, time: float, poser: Poser) -> Any:
         """Return the present path at a time of the clip, (nq,)."""

@@ -91,13 +91,16 @@ class Document:
         """Whether there is unsaved work."""
         return self.text != self.saved
 
-    @property
-    def is_outdated(self) -> bool:
-        """Whether another program has changed the file since it was opened or saved."""
+    def read_changed(self) -> str | None:
+        """Return the file's text if another program has changed it since it was opened or saved, else None.
+
+        Raises UserError for a file that is not text.
+        """
         try:
-            return self.file is not None and text_of(self.file)[0] != self.saved
+            text = None if self.file is None else text_of(self.file)[0]
         except OSError:  # the file is gone, or cannot be read
-            return False
+            return None
+        return None if text == self.saved else text
 
     @property
     def place(self) -> str:

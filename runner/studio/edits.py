@@ -18,6 +18,7 @@ from . import blocks
 from .blocks import DOTTED, Blocks, drop_dotted, number, put, put_dotted, row
 
 ROOTS = ("keyframe", "contact", "grasp", "scene", "solve")  # tables that the page may edit, without names of files
+TIME_DIGITS = 6  # decimal places of pasted times [s]
 WHOLE = ("scene", "solve")  # tables in which whole numbers stay whole when they are changed
 
 
@@ -154,13 +155,19 @@ def delete_keys(tree: Blocks, *, keys: Sequence[int]) -> str:
 
 
 def paste_keys(tree: Blocks, *, copied: Sequence[Mapping[str, Any]], time: float) -> str:
-    """Paste copied keyframes, the first of them at a time [s]."""
+    """Paste copied keyframes, the first of them at a time [s], in place of those at their times."""
     if not copied:
         raise UserError("nothing has been copied: select keyframes and press Ctrl-C first")
-    begin = float(copied[0]["time"])
-    for key in copied:
-        add_key(tree, entries={**key, "time": number(time, "the time") + float(key["time"]) - begin})
+    for key, at in zip(copied, pasted_times(copied, time), strict=True):
+        delete_keys(tree, keys=[index for index, other in enumerate(times(tree)) if is_too_near(other, at)])
+        add_key(tree, entries={**key, "time": at})
     return "paste a keyframe" if len(copied) == 1 else f"paste {len(copied)} keyframes"
+
+
+def pasted_times(copied: Sequence[Mapping[str, Any]], time: float) -> list[float]:
+    """Return the times [s] of copied keyframes, the first of them at a time [s]."""
+    begin = number(time, "the time") - float(copied[0]["time"])
+    return [round(float(key["time"]) + begin, TIME_DIGITS) for key in copied]
 
 
 def replace_keys(tree: Blocks, *, keys: Mapping[str, Mapping[str, Any]], words: str) -> str:

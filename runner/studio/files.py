@@ -9,9 +9,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from dynsplines import models
+
 from ..errors import UserError
 from ..system.scratch import scratch
-from .document import FILMS
+from .document import FILMS, MODELS, Document
 from .session import Session
 
 PLAIN = re.compile(r"[^/\\\0:*?\"<>|]+")
@@ -51,13 +53,30 @@ class Files:
         assert target is not None
         if not overwrite and target != document.file and target.exists():
             raise UserError(f"'{target.name}' already exists; choose another name")
-        if not overwrite and target == document.file and document.is_outdated:
+        if not overwrite and target == document.file and document.read_changed() is not None:
             raise UserError(
                 f"'{target.name}' was changed by another program; save under another name, or overwrite it by Save as"
             )
         document.save(target)
         self.session.show_document()
         return f"saved {target.name}"
+
+    async def figures(self) -> dict[str, list[str]]:
+        """Return the figures of which there can be a new clip: shipped ones, and models in the folder."""
+        found = sorted(path.name for path in self.folder.iterdir() if path.suffix.lower() in MODELS)
+        return {"figures": [*models.figures(), *found]}
+
+    async def new(self, *, figure: str) -> str:
+        """Open a new clip of a figure. Raises UserError while the present clip is not saved."""
+        from ..clip.starter import starter  # imported here, because it needs MuJoCo
+
+        if self.session.document.is_dirty:
+            raise UserError("the present clip is not saved: save it, or undo its changes, before you open a new one")
+        source = figure if figure in models.figures() else str(inside(self.folder, figure))
+        name = Path(figure).stem
+        text = await asyncio.to_thread(starter, source, self.folder / f"{name}.toml")
+        await self.session.replace(Document(name, text, self.folder, saved=text))
+        return f"new clip of {name}"
 
     async def formats(self) -> dict[str, list[dict[str, str]]]:
         """Return the formats that can be written."""
@@ -117,7 +136,7 @@ class Files:
                 if self._running.returncode is None:
                     self._running.kill()
                 self._running = None
-                self.session.tell({"is": "task", "what": what, "words": None})
+                self.session.show_task(what, None)
         if code:
             raise UserError(last.removeprefix("dynsplines: ") if code > 0 else f"{what}: stopped")
 
@@ -131,6 +150,7 @@ class Files:
             rest = parts.pop()
             for line in filter(None, map(str.strip, parts)):
                 last = line
-                self.session.tell({"is": "task", "what": what, "words": line[:200]})
+                if not line.startswith("dynsplines: "):  # a refusal
+                    self.session.show_task(what, line[:200])
         await drain
         return rest.strip() or last

@@ -92,9 +92,11 @@ def application(session: Session, token: str, hosts: frozenset[str]) -> Starlett
     async def life(app: Starlette) -> AsyncIterator[None]:
         session.settled = desk.actions.prepare
         session.begin()
+        watching = asyncio.create_task(session.watch())
         try:
             yield
         finally:
+            watching.cancel()
             session.close()
 
     routes = [Route("/", page), WebSocketRoute("/line", line), Route("/{name}", page)]
@@ -183,9 +185,9 @@ class _Desk:
         match do:
             case "edit":
                 return await session.edit(arguments.pop("name"), arguments)
-            case "undo" | "redo":
+            case "undo" | "redo" | "reload" | "keep":
                 return await getattr(session, do)(**arguments)
-            case "save" | "export" | "render" | "formats":
+            case "save" | "export" | "render" | "formats" | "figures" | "new":
                 return await getattr(writer, do)(**arguments)
             case "stop_task":
                 return await writer.stop()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 import pickle
 import time
@@ -14,7 +15,10 @@ from .document import Document
 from .solver import Message, Solver
 
 Send = Callable[[str | bytes], None]
-ANSWERS = ("kinds", "stage", "raw", "initial", "best", "document", "loaded", "settled", "status", "offer")
+WATCH_INTERVAL = 1.0  # [s] between two looks at the clip's file
+ANSWERS = (
+    "kinds", "stage", "raw", "initial", "best", "document", "loaded", "settled", "status", "offer", "task", "outside",
+)  # fmt: skip
 
 
 class Session:
@@ -41,6 +45,7 @@ class Session:
         self._outline: Message = {}
         self._path: tuple[int, bytes] | None = None  # revision and pickled timeline of the present path
         self._has_curves = False
+        self._outside: str | None = None  # how the file was changed by another program
         self._show_offer()
         self._show_state("loading")
 
@@ -94,6 +99,10 @@ class Session:
 
     def show_document(self) -> None:
         self._show("document", {**self.document.state(), **self._outline})
+
+    def show_task(self, what: str, words: str | None) -> None:
+        """Show the progress of a file that is being written; None after its end."""
+        self._show("task", {"what": what, "words": words})
 
     def _show_offer(self) -> None:
         words = None
@@ -194,6 +203,64 @@ class Session:
         self._outline, self.loaded = loaded.pop("outline"), loaded
         self.show_document()
         self._show("loaded", loaded)
+
+    # ---- the file on the disk
+
+    async def watch(self) -> None:
+        """Report changes of the clip's file by other programs, until cancelled."""
+        from ..clip.parse import table_of  # imported here, as in `edit`
+
+        while True:
+            await asyncio.sleep(WATCH_INTERVAL)
+            place, words, loads = self.document.place, None, True
+            changed = f"{place} was changed by another program"
+            try:
+                if (text := self.document.read_changed()) is not None:
+                    words = changed
+                    table_of(text, place)
+            except UserError as error:
+                words, loads = f"{changed} and is not a valid clip: {one_line(error)}", False
+            if words != self._outside:
+                self._show_outside(words, loads=loads)
+
+    def _show_outside(self, words: str | None, *, loads: bool = True) -> None:
+        """Show how the clip's file was changed, and whether its text can be loaded; None if it was not."""
+        self._outside = words
+        self._show("outside", {"words": words, "loads": loads})
+
+    async def reload(self) -> str:
+        """Replace the text by that of the changed file; undo restores it."""
+        self.check_offer()
+        text = self.document.read_changed()
+        if text is None:
+            raise UserError(f"{self.document.place} has not changed")
+        loaded = await self._validate(text)
+        self.document.commit(text, "reload the file")
+        self.document.saved, self.document.numbered_since = text, self.document.revision
+        self._show_outside(None)
+        return self._changed(loaded, f"reloaded {self.document.place}")
+
+    async def keep(self) -> str:
+        """Keep the present text although the file has changed: saving replaces the file."""
+        self.document.saved = self.document.read_changed() or self.document.saved
+        self.document.write_unsaved()
+        self.show_document()
+        self._show_outside(None)
+        return "kept; save it to replace the file"
+
+    async def replace(self, document: Document) -> None:
+        """Open another document."""
+        self.check_offer()
+        document.revision = self.document.revision
+        previous, self.document = self.document, document
+        try:
+            loaded = await self._validate(document.text)
+        except UserError:
+            self.document = previous
+            raise
+        document.revision = document.numbered_since = loaded["revision"]
+        self._changed(loaded, "")
+        self.search(go=self.go, restart=True)
 
     # ---- the search
 

@@ -196,3 +196,43 @@ def test_a_page_shows_what_an_earlier_one_has_shown(start):
     kinds = [message.decode() if isinstance(message, bytes) else json.loads(message)["is"] for message in again]
     assert kinds == ["initial", "best", "document", "loaded", "settled", "status", "offer"]
     assert all(message in shown for message in again)
+
+
+def test_a_file_that_another_program_changed_is_loaded_or_its_change_is_passed_over(start, file):
+    session = start()
+    add_key(session, 0.15)
+    changed = TEXT.replace("0.2", "0.3")
+    file.write_text(changed)
+    with pytest.raises(UserError, match="changed by another program"):
+        asyncio.run(Files(session).save())
+    asyncio.run(session.reload())
+    assert (session.document.text, session.document.is_dirty) == (changed, False)
+    with pytest.raises(UserError, match="has not changed"):
+        asyncio.run(session.reload())
+    asyncio.run(session.undo())
+    assert times(session) == EDITED
+    file.write_text("nothing = [")
+    asyncio.run(session.keep())
+    asyncio.run(Files(session).save())
+    assert [row["time"] for row in tomllib.loads(file.read_text())["keyframe"]] == EDITED
+
+
+def test_a_new_clip_of_a_figure_takes_the_place_of_a_saved_one_only(start, monkeypatch):
+    session = start()
+    revision = session.document.revision
+    asyncio.run(Files(session).new(figure="human"))
+    assert (session.document.place, session.document.file, session.document.is_dirty) == ("human.toml", None, False)
+    assert session.document.revision > revision
+    add_key(session, 0.25)
+    with pytest.raises(UserError, match="not saved"):
+        asyncio.run(Files(session).new(figure="human"))
+    with pytest.raises(UserError, match="plain name"):
+        asyncio.run(Files(start()).new(figure="../secret.xml"))
+
+
+def test_what_is_pasted_replaces_keyframes_at_its_times(start):
+    session = start()
+    copied = [{"time": 0.0, "others": "previous"}, {"time": 0.1}]
+    asyncio.run(session.edit("paste_keys", {"copied": copied, "time": 0.1}))
+    assert times(session) == [0.0, 0.1, 0.2]
+    assert tomllib.loads(session.document.text)["keyframe"][1] == {"time": 0.1, "others": "previous"}
