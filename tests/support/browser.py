@@ -190,6 +190,14 @@ class Tab:
         )
         return float(x), float(y)
 
+    def on_timeline(self, time: float) -> float:
+        """[px] from the left, where a time is on the timeline."""
+        return float(
+            self.evaluate(
+                f"document.getElementById('timeline').getBoundingClientRect().left + studio.timeline.x({time})"
+            )
+        )
+
     def middle(self, selector: str) -> tuple[float, float]:
         """[px] of an element's middle."""
         self.drawn()

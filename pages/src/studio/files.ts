@@ -1,6 +1,6 @@
 // Files: save as, export, render.
 import { $, el } from "./dom";
-import { act, ask } from "./link";
+import { act, ask, outside, task } from "./link";
 import { model } from "./model";
 
 const dialog = (title: string, ...inside: Node[]): HTMLDialogElement => {
@@ -14,13 +14,24 @@ const dialog = (title: string, ...inside: Node[]): HTMLDialogElement => {
 
 const row = (label: string, field: HTMLElement): HTMLElement => el("label", { class: "line" }, el("span", { text: label }), field);
 
+/** Ends a dialog: Enter, or its button, does what it is for; a refusal leaves it open. */
 const closing = (box: () => HTMLDialogElement, name: string, done: () => Promise<boolean>): HTMLElement => {
   const go = el("button", { type: "submit", class: "main", text: name });
-  go.addEventListener("click", (event) => {
+  const submit = (event: Event): void => {
     event.preventDefault();
-    void done().then((ok) => { if (ok) box().close(); });
-  });
+    if (go.disabled) return;
+    go.disabled = true;
+    void done().then((ok) => { go.disabled = false; if (ok) box().close(); });
+  };
+  go.addEventListener("click", submit);
+  queueMicrotask(() => box().addEventListener("keydown", (event) => { if (event.key === "Enter" && !(event.target as HTMLElement).matches("button")) submit(event); }));
   return el("div", { class: "buttons end" }, el("button", { type: "button", text: "Cancel", onclick: () => box().close() }), go);
+};
+
+/** Whether a file is being written, or has been; a refusal is shown. */
+const begun = (what: string, args: object): Promise<boolean> => {
+  const started = new Promise<boolean>((resolve) => model.on("task", () => { if (task !== null) resolve(true); }));
+  return Promise.race([act(what, args as Record<string, unknown>).then(({ ok }) => ok), started]);
 };
 
 const replacing = (): [HTMLInputElement, HTMLElement] => {
@@ -38,6 +49,18 @@ export const saveAs = (): void => {
   name.select();
 };
 
+/** A new clip of a figure. */
+const anew = async (): Promise<void> => {
+  const answer = await ask("figures");
+  if (!answer.ok) return;
+  const figure = el("select", { "aria-label": "figure" }, ...(answer.figures as string[]).map((name) => el("option", { value: name, text: name })));
+  const box = dialog("New", row("figure", figure), closing(() => box, "Create", async () => {
+    const { ok } = await act("new", { figure: figure.value });
+    if (ok) model.seek(0);
+    return ok;
+  }));
+};
+
 export const exported = async (): Promise<void> => {
   const answer = await ask("formats");
   if (!answer.ok) return;
@@ -49,7 +72,8 @@ export const exported = async (): Promise<void> => {
   ended();
   const [over, line] = replacing();
   const box = dialog("Export", row("format", to), row("name", name), line,
-    closing(() => box, "Export", async () => { void act("export", { to: to.value, name: name.value, overwrite: over.checked }); return true; }));
+    closing(() => box, "Export", () => begun("export", { to: to.value, name: name.value, overwrite: over.checked })));
+  name.select();
 };
 
 export const rendered = (): void => {
@@ -59,13 +83,21 @@ export const rendered = (): void => {
   const only = el("select", { "aria-label": "view" }, el("option", { value: "after", text: "the motion" }), el("option", { value: "", text: "before | after" }));
   const [over, line] = replacing();
   const box = dialog("Render", row("name, .mp4 .webm .gif .png", name), row("size", size), row("camera", camera), row("what", only), line,
-    closing(() => box, "Render", async () => { void act("render", { name: name.value, size: size.value, camera: camera.value, only: only.value, overwrite: over.checked }); return true; }));
+    closing(() => box, "Render", () => begun("render", { name: name.value, size: size.value, camera: camera.value, only: only.value, overwrite: over.checked })));
+  name.select();
 };
 
 export const beginFiles = (): void => {
+  model.on("outside", () => {
+    $("outside").hidden = outside === null;
+    $("outside-words").textContent = outside?.words ?? "";
+    $("outside-reload").hidden = !outside?.loads;
+  });
+  for (const [id, what] of [["reload", "reload"], ["keep", "keep"]]) $(`outside-${id}`).addEventListener("click", () => void act(what));
+  $("outside-save-as").addEventListener("click", saveAs);
   const menu = $("files");
   menu.addEventListener("save-as", saveAs);
-  const items: [string, () => void][] = [["Save as …", saveAs], ["Export …", () => void exported()], ["Render …", rendered]];
+  const items: [string, () => void][] = [["New …", () => void anew()], ["Save as …", saveAs], ["Export …", () => void exported()], ["Render …", rendered]];
   const list = el("div", { class: "menu", role: "menu", hidden: true }, ...items.map(([text, done]) => el("button", { type: "button", role: "menuitem", text, onclick: () => { list.hidden = true; menu.setAttribute("aria-expanded", "false"); done(); } })));
   menu.after(list);
   menu.addEventListener("click", () => {

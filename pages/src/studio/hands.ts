@@ -1,18 +1,36 @@
 // Hands on the figure: what the mouse lies on lights up; a drag of any point of it is posed by the server.
 import * as THREE from "three";
 import { UNSEEN } from "../scene/figure";
-import { toast } from "./dom";
+import { $, toast } from "./dom";
 import { act, ask } from "./link";
-import { model } from "./model";
+import { axesOf } from "./axes";
+import { model, type Obstacle } from "./model";
+import { showTab } from "./panels";
 import type { Stage } from "./stage";
 
 const STILL = 4; // [px] that a click may move
+const NEAR = 6; // [px] beside the figure from where it is taken
 
 /** A drag: the grabbed point, the plane in which it moves, and where it is to go next, if it waits for an answer. */
 interface Held {
   body: number; offset: number[]; plane: THREE.Plane; x: number; y: number; time: number;
   moved: boolean; waits: boolean; next: THREE.Vector3 | null; ended: boolean;
 }
+
+/** Where a ray meets an obstacle. */
+const meets = (stage: Stage, thing: Obstacle, ray: THREE.Ray): THREE.Vector3 | null => {
+  const { turn, out, within } = axesOf(stage, thing), { x = 0, y = 0, height = 0, radius = 0, length = thing.kind === "step" ? 3 : 0, width = 2.4 } = thing as unknown as Record<string, number>;
+  const vector = (given: unknown) => new THREE.Vector3().fromArray((given as number[] | undefined) ?? [0, 0, 0]);
+  if (thing.kind !== "box" && thing.kind !== "step") {
+    const ends = thing.from && thing.to ? [vector(thing.from), vector(thing.to)] : [-1, 1].map((sign) => new THREE.Vector3(0, 0, (sign * length) / 2).applyQuaternion(turn).add(vector(thing.position)));
+    const near = new THREE.Vector3();
+    return ray.distanceSqToSegment(out(ends[0]), out(ends[1]), near) < radius ** 2 ? near : null;
+  }
+  const step = thing.kind === "step", middle = step ? new THREE.Vector3(x + length / 2, y, height / 2) : out(vector(thing.position));
+  const frame = new THREE.Matrix4().compose(middle, step ? new THREE.Quaternion() : within.clone().multiply(turn), new THREE.Vector3(1, 1, 1));
+  const box = new THREE.Box3().setFromCenterAndSize(new THREE.Vector3(), step ? new THREE.Vector3(length, width, height) : vector(thing.size));
+  return ray.clone().applyMatrix4(frame.clone().invert()).intersectBox(box, new THREE.Vector3())?.applyMatrix4(frame) ?? null;
+};
 
 export class Hands {
   private readonly ray = new THREE.Raycaster();
@@ -34,6 +52,9 @@ export class Hands {
     canvas.addEventListener("pointerdown", (event) => this.down(event), true);
     window.addEventListener("pointerup", (event) => void this.up(event));
     canvas.addEventListener("pointerleave", () => { if (!this.held) this.light(null); });
+    let pressed = { x: NaN, y: NaN };
+    canvas.addEventListener("pointerdown", ({ clientX, clientY, button }) => { pressed = button === 0 ? { x: clientX, y: clientY } : { x: NaN, y: NaN }; });
+    canvas.addEventListener("pointerup", (event) => { if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) < STILL && canvas.dataset.gizmo !== "on") this.choose(event); });
   }
 
   /** Whether something is being dragged. */
@@ -50,25 +71,51 @@ export class Hands {
     this.stage.draw();
   }
 
-  private hit(event: PointerEvent): { body: number; point: THREE.Vector3 } | null {
-    const { figure, camera, canvas } = this.stage;
-    if (!figure || !figure.root.visible) return null;
-    const box = canvas.getBoundingClientRect();
-    const at = new THREE.Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
-    this.ray.setFromCamera(at, camera);
-    const found = this.ray.intersectObject(figure.root, true)[0];
-    if (!found) return null;
-    let node: THREE.Object3D | null = found.object;
-    while (node && node.userData.body === undefined) node = node.parent;
-    return node ? { body: node.userData.body, point: found.point } : null;
+  /** A ray through a point of the page. */
+  private through({ clientX, clientY }: { clientX: number; clientY: number }): THREE.Ray {
+    const box = this.stage.canvas.getBoundingClientRect();
+    this.ray.setFromCamera(new THREE.Vector2(((clientX - box.left) / box.width) * 2 - 1, 1 - ((clientY - box.top) / box.height) * 2), this.stage.camera);
+    return this.ray.ray;
   }
 
-  private light(found: { body: number; point: THREE.Vector3 } | null): void {
-    const lit = found !== null;
+  /** The body at a point of the page, or near it. */
+  private hit({ clientX, clientY }: { clientX: number; clientY: number }): { body: number; point: THREE.Vector3 } | null {
+    const { figure } = this.stage;
+    if (!figure || !figure.root.visible) return null;
+    for (const away of [0, NEAR / 2, NEAR]) {
+      for (let i = 0; i < (away ? 8 : 1); i++) {
+        this.through({ clientX: clientX + away * Math.cos((i * Math.PI) / 4), clientY: clientY + away * Math.sin((i * Math.PI) / 4) });
+        const found = this.ray.intersectObject(figure.root, true)[0];
+        let node: THREE.Object3D | null = found?.object ?? null;
+        while (node && node.userData.body === undefined) node = node.parent;
+        if (node) return { body: node.userData.body, point: found.point };
+      }
+    }
+    return null;
+  }
+
+  /** Selects the nearest obstacle at a point of the page, or nothing. */
+  private choose(event: PointerEvent): void {
+    const ray = this.through(event), away = (thing: Obstacle) => meets(this.stage, thing, ray)?.distanceTo(ray.origin) ?? Infinity;
+    const found = (model.document?.obstacles ?? []).map((thing) => ({ thing, far: away(thing) })).filter(({ far }) => far < Infinity)
+      .sort((a, b) => a.far - b.far)[0]?.thing;
+    if (!found && !model.obstacle && model.joint === null) return;
+    model.obstacle = found ? { kind: found.kind, index: found.index } : null;
+    model.joint = null;
+    model.tell("joint");
+    if (found) showTab("scene");
+  }
+
+  private light(found: { body: number; point: THREE.Vector3 } | null, event?: PointerEvent): void {
+    const lit = found !== null, name = $("hover");
     this.stage.canvas.style.cursor = lit ? "grab" : "";
     if (this.mark.visible !== lit || lit) this.stage.draw();
     this.mark.visible = lit;
     if (found) this.mark.position.copy(found.point);
+    name.hidden = !found || !event;
+    if (!found || !event) return;
+    name.textContent = model.stage?.bodies[found.body] ?? "";
+    name.style.transform = `translate(${event.offsetX + 14}px, ${event.offsetY + 10}px)`;
   }
 
   private down(event: PointerEvent): void {
@@ -86,12 +133,13 @@ export class Hands {
     const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(this.stage.camera.getWorldDirection(new THREE.Vector3()), found.point);
     this.held = { body: found.body, offset, plane, x: event.clientX, y: event.clientY, time: model.time, moved: false, waits: false, next: null, ended: false };
     this.stage.canvas.style.cursor = "grabbing";
+    $("hover").hidden = true;
   }
 
   private move(event: PointerEvent): void {
     const { held } = this;
     if (!held) {
-      if (event.buttons === 0) this.light(this.hit(event));
+      if (event.buttons === 0) this.light(this.hit(event), event);
       return;
     }
     if (!held.moved && Math.hypot(event.clientX - held.x, event.clientY - held.y) < STILL) return;
@@ -100,10 +148,7 @@ export class Hands {
       void ask("grip", { time: held.time, body: held.body, offset: held.offset, plant: !event.altKey, alone: model.partial && model.here === null })
         .then((answer) => this.answered(held, answer.ok, answer.words));
     }
-    const box = this.stage.canvas.getBoundingClientRect();
-    const at = new THREE.Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2);
-    this.ray.setFromCamera(at, this.stage.camera);
-    held.next = this.ray.ray.intersectPlane(held.plane, new THREE.Vector3());
+    held.next = this.through(event).intersectPlane(held.plane, new THREE.Vector3());
     if (!held.waits) this.pull(held);
   }
 

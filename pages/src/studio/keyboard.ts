@@ -8,7 +8,7 @@ import type { Hands } from "./hands";
 import { showTab } from "./panels";
 import type { Stage } from "./stage";
 import type { Timeline } from "./timeline";
-import { addKey, play, remove, save, step, toKey } from "./transport";
+import { addKey, paste, play, remove, save, step, toKey } from "./transport";
 
 type Deed = [keys: string, says: string, done: () => void];
 
@@ -40,6 +40,10 @@ export const deeds = (stage: Stage, timeline: Timeline, hands: Hands, handles: H
   ["4", "view: front", () => stage.aim("front")],
   ["5", "view: back", () => stage.aim("back")],
   ["6", "view: top", () => stage.aim("top")],
+  ["0", "view: fit figure and obstacles", () => {
+    const name = $<HTMLSelectElement>("views").value;
+    stage.aim(name === "free" ? "quarter" : name, true);
+  }],
   ["B", "before, both, side by side, after", () => {
     const all: Which[] = ["after", "before", "both", "side"];
     const next = all[(all.indexOf(model.which) + 1) % all.length];
@@ -64,8 +68,8 @@ export const deeds = (stage: Stage, timeline: Timeline, hands: Hands, handles: H
   ["M", "mirror keyframes", () => { const keys = selected(); if (keys.length) void act("mirror", { keys }); }],
   ["Ctrl-A", "select all keyframes", () => model.select(model.document?.keys.keys() ?? [])],
   ["Ctrl-C", "copy keyframes", () => { const keys = selected(); if (keys.length) void act("copy", { keys }); }],
-  ["Ctrl-V", "paste keyframes here", () => void act("paste", { time: model.time })],
-  ["Ctrl-D", "duplicate keyframes to here", () => { const keys = selected(); if (keys.length) void act("copy", { keys }).then((answer) => { if (answer.ok) void act("paste", { time: model.time }); }); }],
+  ["Ctrl-V", "paste keyframes here, in place of those that are there", () => void paste()],
+  ["Ctrl-D", "duplicate keyframes to here", () => { const keys = selected(); if (keys.length) void act("copy", { keys }).then((answer) => { if (answer.ok) void paste(); }); }],
   ["Ctrl-Z", "undo", () => void act("undo")],
   ["Ctrl-Shift-Z", "redo", () => void act("redo")],
   ["Ctrl-S", "save", () => void save()],

@@ -143,10 +143,11 @@ const HANDLERS: Record<string, (message: Message) => void> = {
     const before = server.document, now = message as never as Outline;
     const isRenumbered = (...lists: ("keys" | "contacts" | "grasps" | "obstacles")[]) => lists.some((list) => before?.[list].length !== now[list].length);
     server.document = now;
-    if (isRenumbered("keys")) model.keys = new Set();
+    const times = [...model.keys].map((i) => before?.keys[i]?.time ?? NaN);
     if (isRenumbered("contacts", "grasps")) model.bar = null;
     if (model.obstacle && isRenumbered("obstacles")) { model.obstacle = null; model.tell("joint"); }
     show();
+    if (isRenumbered("keys")) model.select(model.at(model.keys.size > 1 ? times : [model.time]));
   },
   loaded: (message) => { server.loaded = message as never; show(); model.tell("loaded"); },
   settled: (message) => { model.violations = message.violations; model.tell("settled"); },
@@ -155,6 +156,7 @@ const HANDLERS: Record<string, (message: Message) => void> = {
   curves: (message) => { curves = message.curves; model.tell("curves"); },
   task: (message) => { task = message.words === null ? null : `${message.what}: ${message.words}`; model.tell("task"); },
   offer: (message) => { offer = message.words; model.tell("offer"); },
+  outside: (message) => { outside = message.words === null ? null : message as never; model.tell("outside"); },
   note: (message) => toast(message.words, "note"),
   refused: (message) => toast(message.words, "wrong"),
   gone: (message) => toast(message.words, "wrong"),
@@ -163,6 +165,8 @@ const HANDLERS: Record<string, (message: Message) => void> = {
 
 export let curves: Message | null = null;
 export let task: string | null = null;
+/** How another program has changed the clip's file, and whether that can be loaded. */
+export let outside: { words: string; loads: boolean } | null = null;
 export let offer: string | null = null;
 /** Whether this tab is connected, or why not: another one shows the clip, or the studio does not answer. */
 export let connection: "open" | "elsewhere" | "lost" = "lost";

@@ -37,7 +37,10 @@ export interface Course { value?: number; parts?: Record<string, number>; evalua
 export type Which = "after" | "before" | "both" | "side" | "snapshot";
 export type Heard =
   | "stage" | "document" | "loaded" | "path" | "time" | "selection" | "settled" | "status" | "kinds" | "which" | "shown"
-  | "curves" | "theme" | "task" | "offer" | "joint" | "line" | "zoom";
+  | "curves" | "theme" | "task" | "offer" | "outside" | "joint" | "line" | "zoom";
+
+const HAND = /hand|grip|palm|wrist|finger|tool/i; // of the names of sites that can hold something
+const NEAR = 1e-4; // [s] distance up to which a time is that of a keyframe
 
 class Model {
   document: Outline | null = null;
@@ -80,8 +83,7 @@ class Model {
 
   /** The keyframe at the present time, if one is there. */
   get here(): number | null {
-    const found = this.document?.keys.findIndex((key) => Math.abs(key.time - this.time) < 1e-4) ?? -1;
-    return found < 0 ? null : found;
+    return this.at([this.time])[0] ?? null;
   }
 
   /** The joints of the limb that the chosen joint is on, with the points at which it can hold something. */
@@ -89,12 +91,21 @@ class Model {
     const { stage } = this, found = stage?.limbs.find((limb) => this.joint !== null && limb.joints.includes(this.joint));
     if (!stage || !found) return null;
     const bodies = new Set(stage.joints.filter((joint) => found.joints.includes(joint.name)).map((joint) => joint.body));
-    return { joints: found.joints, hands: stage.sites.filter((site) => bodies.has(site.body)).map((site) => site.name), bodies };
+    return { joints: found.joints, hands: stage.sites.filter((site) => bodies.has(site.body) && HAND.test(site.name)).map((site) => site.name), bodies };
   }
 
+  /** Goes to a time, also after the last keyframe. A selection of at most one keyframe follows. */
   seek(time: number): void {
-    this.time = Math.min(Math.max(time, this.first), this.last);
+    this.time = Math.max(time, Math.min(0, this.first));
+    const here = this.here === null ? [] : [this.here];
+    if (this.keys.size <= 1 && String([...this.keys]) !== String(here) && this.bar === null) this.select(here);
     this.tell("time");
+  }
+
+  /** The keyframes at times [s]. */
+  at(times: number[]): number[] {
+    const found = (key: KeyframeRow) => times.some((time) => Math.abs(key.time - time) < NEAR);
+    return (this.document?.keys ?? []).flatMap((key, i) => (found(key) ? [i] : []));
   }
 
   select(keys: Iterable<number>): void {

@@ -70,9 +70,9 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
     const entry = numberField(label, value, metres ? "m" : "degrees", (now, stroke) => send(i, now, stroke), metres ? 0.01 : 1);
     const axisFixed = isAxis ? state.fixed[joint.qpos + i] : fixed;
     entry.classList.toggle("loose", !axisFixed);
-    const caption = el("label", { class: "axis-name", text: names[i].replace("turn ", "") });
-    caption.style.order = entry.style.order = String(2 * i);
-    line.append(caption, entry);
+    const named = el("label", { class: "axis-name" }, names[i].replace("turn ", ""), entry);
+    named.style.order = String(2 * i);
+    line.append(named);
     if (isAxis) pins.push(el("button", {
       type: "button", class: "axis", text: axisFixed ? "•" : "○", "aria-pressed": String(!axisFixed), "data-id": label,
       "aria-label": `${label}: ${axisFixed ? "pinned; press to free it" : "free; press to pin it"}`, title: axisFixed ? "free this axis" : "pin this axis",
@@ -210,8 +210,9 @@ const scene = (): void => {
     for (const [name, value] of Object.entries(thing)) {
       if (["kind", "index", "color", "mass"].includes(name)) continue;
       const send = (now: number | number[], stroke?: string) => void change(addressOf(thing), { [name]: now }, revision, stroke);
-      if (typeof value === "number") line.append(numberField(`${title} ${name}`, value, "m", send, 0.01));
-      else if (Array.isArray(value)) value.forEach((each, i) => line.append(numberField(`${title} ${name} ${"xyz"[i]}`, each as number, "m",
+      const named = (caption: string, entry: HTMLElement) => line.append(el("label", { class: "axis-name" }, caption, entry));
+      if (typeof value === "number") named(name, numberField(`${title} ${name}`, value, "m", send, 0.01));
+      else if (Array.isArray(value)) value.forEach((each, i) => named(i ? "xyz"[i] : `${name} x`, numberField(`${title} ${name} ${"xyz"[i]}`, each as number, "m",
         (now, stroke) => send(present(name).map((old, k) => (k === i ? now : old)), stroke), 0.01)));
     }
     row.append(line);

@@ -22,6 +22,9 @@ const LEAVE = 90; // [ms] from one image to the next that a processor which draw
 const LEAVE_STILL = 130; // while it does not: only better paths change the view
 const SCALES = [0.4, 0.55, 0.75, 1]; // of the pixels along either side: few steps, because each change allocates a new canvas
 const ROUGH = 0.75; // up to which the figure itself has fewer triangles, too
+const MARGIN = 1.12; // of the distance from which the figure just fits
+const LOWEST = 0.05; // [m] of the camera above the ground
+const KEPT = "dynsplines-view"; // of this tab, also after it is loaded again
 const SHARP = 1.4; // of them when all is still, by a processor: edges are smooth
 
 type Side = { figure: Figure; path: () => Path | null };
@@ -57,6 +60,7 @@ export class Stage {
   private then: number | null = null;
   private centre = new THREE.Vector3();
   private aimed = false;
+  private fitted = 0; // [m] distance that was chosen to fit; at another one the user has zoomed
   private readonly mix = { position: new Float32Array(0), rotation: new Float32Array(0) };
 
   constructor() {
@@ -64,7 +68,10 @@ export class Stage {
     camera.up.set(0, 0, 1);
     this.orbit = new OrbitControls(camera, this.canvas);
     Object.assign(this.orbit, { enableDamping: true, dampingFactor: 0.15, minDistance: 0.25, maxDistance: 90, maxPolarAngle: 0.97 * Math.PI });
-    this.orbit.addEventListener("change", () => this.draw());
+    this.orbit.addEventListener("change", () => { this.nameView(); this.draw(); });
+    window.addEventListener("pagehide", () => {
+      sessionStorage[KEPT] = JSON.stringify({ at: location.search, time: model.time, camera: camera.position.toArray(), target: this.orbit.target.toArray() });
+    });
     this.around.scene.add(this.extra);
     model.on("stage", () => this.build());
     model.on("path", () => this.arrived());
@@ -84,15 +91,41 @@ export class Stage {
 
   draw(): void { this.wanted = true; }
 
-  /** Looks from a side by name. */
-  aim(name: string): void {
-    const size = model.stage?.size ?? 1.7;
+  /** Looks from a side by name, from where the figure fits, or the obstacles, too; a distance that the user has chosen stays. */
+  aim(name: string, whole = false): void {
+    const { orbit, camera, figure, still } = this, box = new THREE.Box3(), away = camera.position.distanceTo(orbit.target);
+    for (const group of figure?.groups ?? []) box.expandByObject(group);
+    for (const group of whole ? still?.groups ?? [] : []) {
+      for (const mesh of group.children) if (!still!.planes.some((plane) => plane.mesh === mesh)) box.expandByObject(mesh);
+    }
     this.centre.copy(this.middle());
-    this.orbit.target.copy(this.centre);
-    const away = 2.5 * Math.max(0.4, size) / Math.min(1, this.camera.aspect * 0.9);
-    this.camera.position.copy(this.centre).addScaledVector(new THREE.Vector3(...VIEWS[name]).normalize(), away);
-    this.orbit.update();
+    box.isEmpty() ? orbit.target.copy(this.centre) : box.getCenter(orbit.target);
+    const radius = Math.max(0.3, box.getSize(new THREE.Vector3()).length() / 2), narrow = Math.min(1, camera.aspect);
+    const fits = (MARGIN * radius) / Math.sin(Math.atan(narrow * Math.tan((camera.fov * Math.PI) / 360)));
+    const stays = !whole && this.fitted > 0 && Math.abs(away - this.fitted) > 1e-3 * away;
+    if (!stays) this.fitted = fits;
+    camera.position.copy(orbit.target).addScaledVector(new THREE.Vector3(...VIEWS[name]).normalize(), stays ? away : fits);
+    this.nameView();
     this.draw();
+  }
+
+  /** The name of the present view in the menu. */
+  private nameView(): void {
+    const from = this.camera.position.clone().sub(this.orbit.target).normalize();
+    const found = Object.entries(VIEWS).find(([, side]) => from.dot(new THREE.Vector3(...side).normalize()) > 1 - 1e-5);
+    $<HTMLSelectElement>("views").value = found?.[0] ?? "free";
+  }
+
+  /** Time and camera as they were before the page was loaded again. */
+  private restored(): boolean {
+    const kept = JSON.parse(sessionStorage[KEPT] ?? "null");
+    if (kept?.at !== location.search) return false;
+    model.seek(kept.time);
+    this.centre.copy(this.middle());
+    this.orbit.target.fromArray(kept.target);
+    this.camera.position.fromArray(kept.camera);
+    this.fitted = Infinity;
+    return true;
   }
 
   /** Where a point of a body is shown. */
@@ -150,7 +183,8 @@ export class Stage {
       this.previous = now;
       if (!this.aimed && model.stage) {
         this.aimed = true;
-        this.aim("quarter");
+        this.figure?.put(now.at(model.time));
+        if (!this.restored()) this.aim("quarter");
       }
       if (model.ghosts) this.haunt();
     }
@@ -194,7 +228,9 @@ export class Stage {
       }
       this.then = model.playing ? stamp : null;
     } else this.then = null;
-    this.orbit.update();
+    const { orbit, camera } = this, high = (LOWEST - orbit.target.z) / camera.position.distanceTo(orbit.target);
+    if (this.still?.planes.length) orbit.maxPolarAngle = Math.acos(Math.min(Math.max(high, -1), 1)); // not below the ground
+    orbit.update();
     const searching = this.software && (model.status.state === "searching" || model.status.state === "loaded" || isAwaiting());
     const loading = this.software && model.status.state === "loading";
     const yields = searching && (!this.override || isChanging()) && stamp - Math.max(this.moved, changed) < (model.playing ? LEAVE : LEAVE_STILL);

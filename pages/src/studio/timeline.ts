@@ -7,6 +7,7 @@ import { model, type Bar } from "./model";
 export const LABEL = 188; // [px] of the column of names
 export const PAD = 16; // [px] beside the first and the last moment
 const CLOSE = 6; // [px] that snap
+const ROOM = 0.08; // of the motion that is shown after it, for more keyframes
 const STEPS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60];
 
 type Drag = { move: (time: number, event: PointerEvent) => void; up: (time: number, event: PointerEvent) => void };
@@ -62,26 +63,27 @@ export class Timeline {
 
   /** To the nearest image, unless Alt is held; to the playhead and to keyframes where they are near. */
   private snapped(time: number, event: { altKey: boolean }, keys = false): number {
-    if (event.altKey) return Math.round(time * 1e4) / 1e4;
+    if (event.altKey) return Math.max(Math.round(time * 1e4) / 1e4, Math.min(0, model.first));
     const near = (CLOSE / this.width) * (this.end - this.begin);
     const marks = [model.time, ...(keys ? (model.document?.keys ?? []).map((key) => key.time) : [])];
     const mark = marks.filter((each) => Math.abs(each - time) < near).sort((a, b) => Math.abs(a - time) - Math.abs(b - time))[0];
     if (mark !== undefined) return mark;
-    return Math.round(Math.round(time * model.fps) / model.fps * 1e4) / 1e4;
+    return Math.max(Math.round(Math.round(time * model.fps) / model.fps * 1e4) / 1e4, Math.min(0, model.first));
   }
 
-  fit(): void {
-    this.begin = model.first;
-    this.end = Math.max(model.last, model.first + 0.01);
+  fit(): void { this.show(model.first, model.last + ROOM * Math.max(model.last - model.first, 0.1)); }
+
+  /** Shows a span [s]; nothing is before the beginning of time. */
+  private show(begin: number, end: number): void {
+    const by = Math.max(0, Math.min(0, model.first) - begin);
+    [this.begin, this.end] = [begin + by, end + by];
     this.draw();
   }
 
   zoom(factor: number, about = model.time): void {
     const span = Math.min(Math.max((this.end - this.begin) * factor, 0.02), 3 * (model.last - model.first) + 1);
     const share = (about - this.begin) / (this.end - this.begin);
-    this.begin = about - share * span;
-    this.end = this.begin + span;
-    this.draw();
+    this.show(about - share * span, about - share * span + span);
   }
 
   private wheel(event: WheelEvent): void {
@@ -91,9 +93,7 @@ export class Timeline {
     } else if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
       event.preventDefault();
       const by = ((event.deltaX || event.deltaY) / this.width) * (this.end - this.begin);
-      this.begin += by;
-      this.end += by;
-      this.draw();
+      this.show(this.begin + by, this.end + by);
     }
   }
 
@@ -116,8 +116,7 @@ export class Timeline {
     const span = `${document.name}|${model.first}|${model.last}`;
     if (span !== this.fitted) {
       this.fitted = span;
-      this.begin = model.first;
-      this.end = Math.max(model.last, model.first + 0.01);
+      this.fit();
     }
     const focused = (window.document.activeElement as HTMLElement | null)?.dataset.id;
     this.rows.replaceChildren(this.keysRow(), ...(this.unfolded ? this.limbRows() : []), ...this.barRows());

@@ -6,7 +6,7 @@ import type { Stage } from "./stage";
 import type { Timeline } from "./timeline";
 
 const PLAY = "M7 4.5v15l12.500-7.500z", PAUSE = "M6 4.5h4.200v15H6zM13.800 4.500H18v15h-4.200z";
-const READ = 120; // [ms] that a number stays while it plays: one that changes faster is not read, and drawing it costs as much as the figure
+const READ = 30; // [ms] that a number stays while it plays
 const SPEEDS = [0.1, 0.25, 0.5, 1, 1.5, 2];
 const STATES: Record<string, string> = {
   loading: "loading …", searching: "optimising", settled: "converged", refused: "refused", gone: "gone",
@@ -33,15 +33,17 @@ export const save = async (): Promise<void> => {
   else $("files").dispatchEvent(new CustomEvent("save-as"));
 };
 export const addKey = async (): Promise<void> => {
-  const answer = await act("key", { time: Math.round(model.time * 1e4) / 1e4, ...(model.partial && model.limb ? { limb: model.limb.joints } : {}) });
-  if (answer.ok) model.select([...(model.document?.keys.keys() ?? [])].filter((i) => Math.abs(model.document!.keys[i].time - model.time) < 1e-4));
+  await act("key", { time: Math.round(model.time * 1e4) / 1e4, ...(model.partial && model.limb ? { limb: model.limb.joints } : {}) });
+};
+export const paste = async (): Promise<void> => {
+  const answer = await act("paste", { time: Math.round(model.time * 1e4) / 1e4 });
+  if (answer.ok) model.select(model.at(answer.times as number[]));
 };
 export const remove = async (): Promise<void> => {
   if (model.bar) { const { kind, index } = model.bar; model.bar = null; await edit("remove", { at: [kind, index] }); return; }
   const keys = model.keys.size ? [...model.keys] : model.here === null ? [] : [model.here];
   if (!keys.length) return;
-  const answer = await act("edit", { name: "delete_keys", keys });
-  if (answer.ok) model.select([]);
+  await edit("delete_keys", { keys });
 };
 
 export const transport = (stage: Stage, timeline: Timeline): void => {
@@ -67,6 +69,7 @@ export const transport = (stage: Stage, timeline: Timeline): void => {
     box.addEventListener("change", () => { model[name] = box.checked; model.tell("shown"); });
   }
   const which = $<HTMLSelectElement>("which");
+  model.on("which", () => { $("sides").hidden = model.which !== "side"; });
   which.addEventListener("change", () => {
     if (which.value === "take") { model.snapshot = model.now; which.value = "snapshot"; }
     model.which = which.value as Which;
