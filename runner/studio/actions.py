@@ -207,6 +207,21 @@ class Actions:
                 raise UserError("none of these joints can be set on its own; select another limb")
         return await self.session.edit("add_key", {"entries": {"time": time, **entries}})
 
+    async def planted(self, at: Sequence[Any], entries: TomlTable) -> TomlTable:
+        """Return the entries of a keyframe's changed root, with legs that keep feet on the ground where they are.
+
+        Feet with a target position keep it without this, and free joints stay free.
+        """
+        poser, index, root = await self.poser(), int(at[1]), entries["root"]
+        before, fixed = self._state(index), self.session.loaded["keys"][index]["fixed"]
+        position, rotation = root.get("position"), root.get("rotation")
+        if self._targets(index) or poser.root is None or "free" in (position, rotation):
+            return entries
+        rotvec = None if rotation is None else rotation["rotvec"]
+        after = await asyncio.to_thread(poser.with_root, before, position, rotvec)
+        legs = {link.name for link in poser.figure.links[1:] if fixed[link.qpos]} - {poser.root}
+        return {**entries, **poser.select_joints(poser.keyframe_entries(after, before), legs)}
+
     async def rest(self, *, key: int) -> str:
         """Set a keyframe's joints to the rest pose. The root stays at its position."""
         poser = await self.poser()

@@ -225,6 +225,36 @@ class Poser:
     def _point(grip: Grip, data: mujoco.MjData) -> Array:
         return np.array(data.xpos[grip.body] + data.xmat[grip.body].reshape(3, 3) @ grip.offset)
 
+    def with_root(self, qpos: Array, position: Sequence[Any] | None, rotvec: Sequence[float] | None) -> Array:
+        """Return a pose (nq,) with its root elsewhere, and feet that stood on the ground where they were.
+
+        If the legs cannot reach, they move along with the root.
+
+        Args:
+            position: Coordinates [m]; entries that are no numbers remain. None for the present position.
+            rotvec: Rotation vector [degrees]; None for the present rotation.
+        """
+        figure, out = self.figure, np.array(qpos, float)
+        assert figure.root is not None
+        start = figure.links[figure.root.link].qpos
+        for axis, value in enumerate(position or ()):
+            out[start + axis] = value if isinstance(value, int | float) else out[start + axis]
+        if rotvec is not None:
+            out[start + 3 : start + 7] = quat.from_rotation_vector(np.radians(np.array(rotvec, float)))
+        set_qpos(figure.model, self.data, qpos)
+        feet = [link for link in dict.fromkeys(point.link for point in self.soles) if self._stands(link)]
+        goals = [self.footing.fixed(self.footing.spheres[link].lowest(self.data), self.data) for link in feet]
+        legs = np.zeros(figure.width, bool)
+        for link in (link for foot in feet for link in figure.limb(figure.links[foot].body)):
+            legs[figure.links[link].columns] = figure.links[link].kind is not JointKind.FREE
+        if not legs.any():
+            return out
+        constraints = Constraints(tuple(goals[1:]))
+        posed = dragged(
+            figure, out, legs, goals[0], constraints, self.bends, begin=out, range_shares=self._range_shares
+        )  # fmt: skip
+        return posed.qpos if posed.worst <= SHORT else out
+
     def turned(self, qpos: Array, joint: str, turn: ArrayLike) -> Array:
         """Return a pose (nq,) with one joint rotated by a quaternion in the world (4,); a hinge by its component."""
         link = next((link for link in self.figure.links[1:] if link.name == joint), None)

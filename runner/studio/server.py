@@ -184,6 +184,8 @@ class _Desk:
             return await getattr(actions, do)(**arguments)
         match do:
             case "edit":
+                if arguments.pop("plant", False):
+                    arguments["entries"] = await actions.planted(arguments["at"], arguments["entries"])
                 return await session.edit(arguments.pop("name"), arguments)
             case "undo" | "redo" | "reload" | "keep":
                 return await getattr(session, do)(**arguments)

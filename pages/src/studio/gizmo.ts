@@ -121,10 +121,7 @@ export class Gizmo {
     void ask("turn", { time: held.time, joint: model.joint, turn: [turn.w, turn.x, turn.y, turn.z] }).then((answer) => {
       held.waits = false;
       if (this.held !== held) return;
-      if (answer.ok) {
-        this.stage.override = { position: answer.position as number[], rotation: answer.rotation as number[] };
-        this.stage.draw();
-      }
+      if (answer.ok) this.stage.show(answer);
       this.turn(held);
     });
   }

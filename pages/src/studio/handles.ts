@@ -22,7 +22,6 @@ export class Handles {
   private readonly frame = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0xffb454, depthTest: false, transparent: true }));
   private readonly ball = new THREE.SphereGeometry(1, 14, 10);
   private readonly paint = new THREE.MeshBasicMaterial({ color: 0xffb454, depthTest: false, transparent: true, opacity: 0.95 });
-  private readonly ray = new THREE.Raycaster();
   private shown: Handle[] = [];
   private held: { handle: Handle; thing: Obstacle; revision: number; entries: Entries } | null = null;
 
@@ -157,9 +156,7 @@ export class Handles {
       return;
     }
     event.stopImmediatePropagation();
-    const box = this.stage.canvas.getBoundingClientRect();
-    this.ray.setFromCamera(new THREE.Vector2(((event.clientX - box.left) / box.width) * 2 - 1, 1 - ((event.clientY - box.top) / box.height) * 2), this.stage.camera);
-    const { at, along } = held.handle, { origin, direction } = this.ray.ray;
+    const { at, along } = held.handle, ray = this.stage.through(event), { origin, direction } = ray;
     let by = 0, to = at.clone();
     if (along) {
       const between = origin.clone().sub(at), b = along.dot(direction), sine = 1 - b * b;
@@ -167,7 +164,7 @@ export class Handles {
       by = (along.dot(between) - b * direction.dot(between)) / sine;
     } else {
       const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(this.stage.camera.getWorldDirection(new THREE.Vector3()), at);
-      to = this.ray.ray.intersectPlane(plane, new THREE.Vector3()) ?? to;
+      to = ray.intersectPlane(plane, new THREE.Vector3()) ?? to;
     }
     held.entries = Object.fromEntries(Object.entries(held.handle.entries(by, to)).map(([name, value]) => [name, rounded(value)]));
     toast(Object.entries(held.entries).map(([name, value]) => `${name} ${[value].flat().map((each) => short(each as number)).join(" ")} m`).join(", "), "note");

@@ -1,6 +1,5 @@
 // Hands on the figure: what the mouse lies on lights up; a drag of any point of it is posed by the server.
 import * as THREE from "three";
-import { UNSEEN } from "../scene/figure";
 import { $, toast } from "./dom";
 import { act, ask } from "./link";
 import { axesOf } from "./axes";
@@ -33,7 +32,6 @@ const meets = (stage: Stage, thing: Obstacle, ray: THREE.Ray): THREE.Vector3 | n
 };
 
 export class Hands {
-  private readonly ray = new THREE.Raycaster();
   private held: Held | null = null;
   private readonly mark = new THREE.Mesh(
     new THREE.SphereGeometry(0.022, 16, 12),
@@ -44,7 +42,6 @@ export class Hands {
 
   constructor(private readonly stage: Stage) {
     const { canvas } = stage;
-    this.ray.layers.enable(UNSEEN);
     this.mark.visible = false;
     this.mark.renderOrder = 10;
     stage.extra.add(this.mark);
@@ -71,21 +68,14 @@ export class Hands {
     this.stage.draw();
   }
 
-  /** A ray through a point of the page. */
-  private through({ clientX, clientY }: { clientX: number; clientY: number }): THREE.Ray {
-    const box = this.stage.canvas.getBoundingClientRect();
-    this.ray.setFromCamera(new THREE.Vector2(((clientX - box.left) / box.width) * 2 - 1, 1 - ((clientY - box.top) / box.height) * 2), this.stage.camera);
-    return this.ray.ray;
-  }
-
   /** The body at a point of the page, or near it. */
   private hit({ clientX, clientY }: { clientX: number; clientY: number }): { body: number; point: THREE.Vector3 } | null {
     const { figure } = this.stage;
     if (!figure || !figure.root.visible) return null;
     for (const away of [0, NEAR / 2, NEAR]) {
       for (let i = 0; i < (away ? 8 : 1); i++) {
-        this.through({ clientX: clientX + away * Math.cos((i * Math.PI) / 4), clientY: clientY + away * Math.sin((i * Math.PI) / 4) });
-        const found = this.ray.intersectObject(figure.root, true)[0];
+        this.stage.through({ clientX: clientX + away * Math.cos((i * Math.PI) / 4), clientY: clientY + away * Math.sin((i * Math.PI) / 4) });
+        const found = this.stage.caster.intersectObject(figure.root, true)[0];
         let node: THREE.Object3D | null = found?.object ?? null;
         while (node && node.userData.body === undefined) node = node.parent;
         if (node) return { body: node.userData.body, point: found.point };
@@ -96,7 +86,7 @@ export class Hands {
 
   /** Selects the nearest obstacle at a point of the page, or nothing. */
   private choose(event: PointerEvent): void {
-    const ray = this.through(event), away = (thing: Obstacle) => meets(this.stage, thing, ray)?.distanceTo(ray.origin) ?? Infinity;
+    const ray = this.stage.through(event), away = (thing: Obstacle) => meets(this.stage, thing, ray)?.distanceTo(ray.origin) ?? Infinity;
     const found = (model.document?.obstacles ?? []).map((thing) => ({ thing, far: away(thing) })).filter(({ far }) => far < Infinity)
       .sort((a, b) => a.far - b.far)[0]?.thing;
     if (!found && !model.obstacle && model.joint === null) return;
@@ -148,7 +138,7 @@ export class Hands {
       void ask("grip", { time: held.time, body: held.body, offset: held.offset, plant: !event.altKey, alone: model.partial && model.here === null })
         .then((answer) => this.answered(held, answer.ok, answer.words));
     }
-    held.next = this.through(event).intersectPlane(held.plane, new THREE.Vector3());
+    held.next = this.stage.through(event).intersectPlane(held.plane, new THREE.Vector3());
     if (!held.waits) this.pull(held);
   }
 
@@ -171,12 +161,11 @@ export class Hands {
       if (answer.ok && !held.ended && (this.held === held || !this.held)) {
         this.times.push(answer.ms as number);
         this.trips.push(performance.now() - asked);
-        this.stage.override = { position: answer.position as number[], rotation: answer.rotation as number[] };
-        this.stage.figure!.put(this.stage.override);
+        this.stage.show(answer);
+        this.stage.figure!.put(this.stage.override!);
         this.mark.visible = this.held === held;
         this.mark.position.copy(this.stage.placeOf(held.body, held.offset));
         (this.mark.material as THREE.MeshBasicMaterial).color.set((answer.missed as number) > 0.005 ? 0xff5c5c : 0xffb454);
-        this.stage.draw();
       }
       this.answered(held, answer.ok, answer.words);
     });

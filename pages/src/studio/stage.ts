@@ -1,7 +1,7 @@
 // The stage: figure, ghosts, camera. It draws when something has changed, and every image while it plays.
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { Figure, mixed, veil, type Pose } from "../scene/figure";
+import { Figure, mixed, UNSEEN, veil, type Pose } from "../scene/figure";
 import type { Path } from "../scene/path";
 import { Cast } from "../scene/cast";
 import { COARSE, FINE, Shapes } from "../scene/shapes";
@@ -38,6 +38,7 @@ export class Stage {
   readonly camera = new THREE.PerspectiveCamera(32, 1, 0.03, 900);
   readonly orbit: OrbitControls;
   readonly extra = new THREE.Group(); // of others: trails, handles
+  readonly caster = new THREE.Raycaster();
   figure: Figure | null = null;
   override: Pose | null = null; // a pose that is being dragged, in place of the path's
   sights: (() => void)[] = []; // called before every image
@@ -73,6 +74,7 @@ export class Stage {
       sessionStorage[KEPT] = JSON.stringify({ at: location.search, time: model.time, camera: camera.position.toArray(), target: this.orbit.target.toArray() });
     });
     this.around.scene.add(this.extra);
+    this.caster.layers.enable(UNSEEN);
     model.on("stage", () => this.build());
     model.on("path", () => this.arrived());
     model.on(["time", "which", "selection", "document"], () => this.draw());
@@ -126,6 +128,19 @@ export class Stage {
     this.camera.position.fromArray(kept.camera);
     this.fitted = Infinity;
     return true;
+  }
+
+  /** A ray through a point of the page. */
+  through({ clientX, clientY }: { clientX: number; clientY: number }): THREE.Ray {
+    const box = this.canvas.getBoundingClientRect();
+    this.caster.setFromCamera(new THREE.Vector2(((clientX - box.left) / box.width) * 2 - 1, 1 - ((clientY - box.top) / box.height) * 2), this.camera);
+    return this.caster.ray;
+  }
+
+  /** Shows a pose that the studio has answered, in place of the path's. */
+  show(answer: Record<string, unknown>): void {
+    this.override = { position: answer.position as number[], rotation: answer.rotation as number[] };
+    this.draw();
   }
 
   /** Where a point of a body is shown. */

@@ -408,6 +408,14 @@ def test_no_press_and_no_typed_number_is_lost_and_a_run_of_presses_is_one_undo(t
     tab.changes(lambda: tab.drag((x, y), (x + 41, y)))
     tab.until(CONFIRMED)
     assert tab.evaluate(knee)["rotvec"][0] == 52
+
+    # the foot on the ground stays when the root is typed lower
+    height, leg = tab.page.get_by_label("root z [m]"), "studio.model.document.keys[2].joints.right_knee"
+    stood, lower = tab.evaluate(leg), round(float(height.input_value()) - 0.05, 3)
+    height.fill(str(lower))
+    tab.changes(lambda: height.press("Enter"))
+    assert tab.evaluate("studio.model.document.keys[2].root.position[2]") == lower
+    assert tab.evaluate(leg) != stood
     while tab.evaluate("studio.model.document.undo") != undo:
         tab.changes(lambda: tab.press("Control+z"))
     assert tab.evaluate(knee) == before

@@ -61,6 +61,25 @@ def test_a_target_out_of_reach_is_approached_in_bounded_time_by_the_limb_alone_i
     assert set(poser.keyframe_entries(alone, home)["joints"]) == {"left_shoulder"}
 
 
+def test_feet_on_the_ground_stay_where_a_moved_root_lets_them(clip, poser):
+    model, home = clip.figure.model, np.array(clip.keys[-1].state)
+    start = clip.figure.links[clip.figure.root.link].qpos
+    place = home[start : start + 3]
+    soles = [model.site(name).id for name in ("left_heel", "left_toe", "right_heel", "right_toe")]
+    before = kinematics(model, home).site_xpos[soles]
+    lower = poser.with_root(home, [place[0] + 0.03, "free", place[2] - 0.08], None)
+    assert lower[start : start + 3] == pytest.approx(place + np.array([0.03, 0, -0.08]))
+    assert lower[start + 3 : start + 7] == pytest.approx(home[start + 3 : start + 7])
+    np.testing.assert_allclose(kinematics(model, lower).site_xpos[soles], before, atol=3e-3)
+    assert set(poser.keyframe_entries(lower, home)["joints"]) <= {
+        f"{side}_{joint}" for side in ("left", "right") for joint in ("hip", "knee", "ankle")
+    }
+    higher = poser.with_root(home, [*place[:2], place[2] + 0.5], None)
+    np.testing.assert_allclose(kinematics(model, higher).site_xpos[soles], before + np.array([0, 0, 0.5]), atol=1e-6)
+    turned = poser.with_root(home, None, [0, 0, 10])
+    np.testing.assert_allclose(kinematics(model, turned).site_xpos[soles], before, atol=3e-3)
+
+
 def test_a_joint_turns_about_an_axis_of_the_world(clip, poser):
     model, home = clip.figure.model, np.array(clip.keys[0].state)
     half = np.radians(20) / 2
