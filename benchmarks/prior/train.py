@@ -1,11 +1,14 @@
 """Train the networks of the soft constraint `prior` on recordings of people, with PyTorch on two threads.
 
-    python benchmarks/prior/train.py RECORDINGS.npz [-o models/prior.npz] [--steps 1500] [--networks 2] [--width 448]
+    python benchmarks/prior/train.py RECORDINGS.npz [-o models/prior.npz] [--steps 4000] [--networks 2] [--width 448]
 
 RECORDINGS.npz contains clips at 30 frames per second of twelve bodies with ball joints in the order of `people.PARTS`:
 `start` (C + 1,) the first frame of every clip; `root` (F, 3) the pelvis and `q` (F, 12, 4) the rotations of the bodies
 relative to their parents, wxyz; and for every clip `off` (C, 12, 3), `wrist`, `toe` (C, 2, 3), the offsets of bodies
 and their ends. All lengths are relative to the length of a leg. The weights are written as integers of 8 bits.
+
+The networks are trained twice with the same steps: without every fourth block of four clips, to calibrate the expected
+squared errors on these blocks, and on all clips.
 """
 
 from __future__ import annotations
@@ -27,6 +30,10 @@ from dynsplines.solver.penalty.motion import people
 RATE = 30.0  # [1/s]
 SHORTEST, LONGEST = 5, 45  # frames per segment
 AT_ONCE, PHASES = 256, 2  # segments of a batch; pairs of frames of each segment
+BALANCE = 0.75  # power of a clip's duration to which its share of the segments is proportional
+BLOCK, HELD_OUT = 4, 4  # adjacent clips in a block; one in so many blocks is held out
+HELD_OUT_SEGMENTS = 4096
+UNPLACED = 0.2  # share of segments with keyframes that leave the position of the hips unspecified
 RATE_OF_LEARNING, DECAY, DROPOUT, AVERAGED = 1.2e-3, 0.02, 0.1, 0.998
 LOSS = {"turn": 1.0, "hand and ankle": 1.5, "toe": 0.15, "hips": 0.3, "speed": 3.0, "variance": 0.02}
 
@@ -48,14 +55,23 @@ class Recordings:
         self.tips = np.concatenate([tips, tips[:, [1, 0, 3, 2]] * sides])
         self.first = np.concatenate([start[:-1], start[:-1] + start[-1]])
         self.length = np.tile(np.diff(start), 2)
+        self.block = np.tile(np.arange(start.size - 1) // BLOCK, 2)
         clip = np.repeat(np.arange(self.first.size), self.length)
         between = self.offsets[:, [6, 9]].mean(axis=1)
         self.offsets[:, [1, 6, 9]] -= between[:, None]
         root = np.concatenate([data["root"], data["root"] * sides]).astype(float)
         self.hips = root + quat.rotated(self.turns[:, 0], between[clip])
 
-    def batch(self, rng: np.random.Generator, count: int) -> tuple[people.Segments, np.ndarray, np.ndarray, np.ndarray]:
-        """Return random segments, with their clips, and frames between their keyframes, as phases and indices."""
+    @property
+    def is_held_out(self) -> np.ndarray:
+        """Whether clips are held out for the calibration, (2 C,)."""
+        return self.block % HELD_OUT == HELD_OUT - 1
+
+    def batch(
+        self, rng: np.random.Generator, clips: np.ndarray, count: int
+    ) -> tuple[people.Segments, np.ndarray, np.ndarray, np.ndarray]:
+        """Return random segments of some clips, with their clips, and frames between their keyframes, as phases and
+        indices."""
 
         def lengths() -> np.ndarray:
             wide = rng.integers(SHORTEST, LONGEST + 1, count)
@@ -66,7 +82,8 @@ class Recordings:
             choice = rng.random(count)
             return np.where(choice < 0.4, gap, np.where(choice < 0.7, lengths(), near))
 
-        share = np.cumsum(self.length / self.length.sum())
+        share = np.cumsum(clips * self.length**BALANCE)
+        share /= share[-1]
         clip = np.searchsorted(share, rng.random(count)).clip(0, share.size - 1)
         gap = np.minimum(lengths(), self.length[clip] - 1)
         a = self.first[clip] + (rng.random(count) * (self.length[clip] - gap)).astype(int)
@@ -76,18 +93,19 @@ class Recordings:
         keys = np.stack([np.where(is_known[:, 0], before, a), a, b, np.where(is_known[:, 1], after, b)], axis=1)
         gaps = np.diff(keys, axis=1) / RATE * rng.uniform(0.8, 1.25, (count, 1))
         on_floor = rng.random(count) > 0.25
+        is_placed = (rng.random((count, 4)) < 0.25) | (rng.random((count, 1)) > UNPLACED)
         segments = people.Segments(
-            self.hips[keys], self.turns[keys], self.offsets[clip], self.tips[clip], gaps, is_known, on_floor
+            self.hips[keys], self.turns[keys], self.offsets[clip], self.tips[clip], gaps, is_known, is_placed, on_floor
         )
         first = (rng.random((count, PHASES)) * gap[:, None]).astype(int)
         frames = np.stack([first, first + 1], axis=2).reshape(count, -1)
         return segments, clip, frames / gap[:, None], a[:, None] + frames
 
-    def examples(self, seed: int, count: int = AT_ONCE) -> Iterator[dict[str, torch.Tensor]]:
+    def examples(self, seed: int, clips: np.ndarray, count: int = AT_ONCE) -> Iterator[dict[str, torch.Tensor]]:
         """Yield batches as tensors, with all that does not depend on the network."""
         rng = np.random.default_rng(seed)
         while True:
-            segments, clip, u, frames = self.batch(rng, count)
+            segments, clip, u, frames = self.batch(rng, clips, count)
             none = np.zeros((*u.shape, 13, 3))
             hips, turns = segments.poses(none, u)
             bends = segments.bends.copy()
@@ -198,11 +216,19 @@ class Training:
             self.averages[name].lerp_(value, 1 - share)
         return {name: loss.item() for name, loss in by_name.items()}
 
+    @property
+    def weights(self) -> dict[str, np.ndarray]:
+        """The averages, by the names in `people.outputs_of`."""
+        names = {name: name.removeprefix("layers.").removesuffix(".weight") for name in self.averages}
+        return {short: self.averages[name].numpy() for name, short in names.items()}
 
-def trained(recordings: Recordings, networks: int, steps: int, width: int, depth: int) -> list[dict[str, np.ndarray]]:
-    """Return the weights of networks that differ in their initial weights."""
+
+def trained(
+    recordings: Recordings, clips: np.ndarray, networks: int, steps: int, width: int, depth: int
+) -> list[dict[str, np.ndarray]]:
+    """Return the weights of networks that differ in their initial weights, trained on some clips."""
     torch.manual_seed(0)
-    examples = recordings.examples(seed=0)
+    examples = recordings.examples(0, clips)
     first = torch.cat([next(examples)["features"] for _ in range(16)])
     trainings = [Training(Network(first.mean(0), first.std(0) + 0.02, width, depth)) for _ in range(networks)]
     began, history = perf_counter(), []
@@ -212,7 +238,52 @@ def trained(recordings: Recordings, networks: int, steps: int, width: int, depth
             means = {name: round(float(np.mean([step_losses[name] for step_losses in history])), 4) for name in LOSS}
             print(f"step {step + 1}  {perf_counter() - began:.0f} s  {means}", flush=True)
             history = []
-    return [{name: value.numpy() for name, value in training.averages.items()} for training in trainings]
+    return [training.weights for training in trainings]
+
+
+def calibrated(
+    networks: list[dict[str, np.ndarray]], recordings: Recordings, reference: list[dict[str, np.ndarray]]
+) -> list[dict[str, np.ndarray]]:
+    """Return networks whose expected squared errors are those of clips that are held out.
+
+    The likelihood of the errors of `reference`, networks that were trained without these clips, determines a factor
+    and a power of the variance of each part, and the array "calibration", see `Prior.of`.
+    """
+    segments, _, u, frames = recordings.batch(np.random.default_rng(1), recordings.is_held_out, HELD_OUT_SEGMENTS)
+    prediction = people.Prediction.of(reference, segments, u)
+    moved = np.linalg.norm(prediction.hips - recordings.hips[frames], axis=-1)
+    difference = quat.product(quat.conjugate(recordings.turns[frames]), prediction.turns)
+    angles = np.linalg.norm(quat.rotation_vector(difference), axis=-1)
+    square = np.concatenate([angles, moved[..., None]], axis=-1) ** 2
+    arrays = np.log(prediction.expected), np.log(segments.gaps[:, 1:2]), prediction.apart, square.mean(axis=1)
+    log, log_gap, apart, square = (torch.from_numpy(array) for array in arrays)
+    shift, others = (torch.tensor(x, dtype=torch.double, requires_grad=True) for x in ([0.0] * 13, [1.0, 0.0, 2.0]))
+    optimiser = torch.optim.LBFGS([shift, others], max_iter=300, line_search_fn="strong_wolfe")
+
+    def variances() -> torch.Tensor:
+        return torch.exp(shift + others[0] * log + others[1] * log_gap) + torch.exp(others[2]) * apart
+
+    def loss() -> torch.Tensor:
+        optimiser.zero_grad()
+        value = (variances().log() + square / variances()).mean()
+        value.backward()
+        return value
+
+    optimiser.step(loss)
+    factors, ratio = shift.detach().numpy(), (square / variances()).detach().numpy()
+    power, of_gap, of_apart = others[0].item(), others[1].item(), others[2].exp().item()
+    print(f"power {power:.2f}, factors {np.exp(factors).round(2).tolist()}, {of_gap:.2f}, {of_apart:.2f}")
+    for name, key in (("duration", segments.gaps[:, 1]), ("disagreement", (apart / log.exp()).mean(dim=1).numpy())):
+        quarters = [ratio[part].mean().round(2).item() for part in np.array_split(np.argsort(key), 4)]
+        print(f"squared errors relative to expected ones, quarters by {name}: {quarters}")
+    out = [{name: value.copy() for name, value in network.items()} for network in networks]
+    for network in out:
+        last = max(int(name) for name in network if name.isdecimal())
+        rows = np.arange(13) * people.OUTPUTS + people.OUTPUTS - 1
+        network[f"{last}"][rows] *= power
+        network[f"{last}.bias"][rows] = network[f"{last}.bias"][rows] * power + factors
+        network["calibration"] = np.array([of_gap, of_apart])
+    return out
 
 
 def quantised(networks: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
@@ -220,13 +291,12 @@ def quantised(networks: list[dict[str, np.ndarray]]) -> dict[str, np.ndarray]:
     out: dict[str, np.ndarray] = {}
     for n, network in enumerate(networks):
         for name, value in network.items():
-            key = name.removeprefix("layers.").removesuffix(".weight")
             if value.ndim == 2:
                 scale = np.abs(value).max(axis=1) / 127
-                out[f"{n}.{key}"] = np.round(value / scale[:, None]).astype(np.int8)
-                out[f"{n}.{key}.scale"] = scale.astype(np.float32)
+                out[f"{n}.{name}"] = np.round(value / scale[:, None]).astype(np.int8)
+                out[f"{n}.{name}.scale"] = scale.astype(np.float32)
             else:
-                out[f"{n}.{key}"] = value.astype(np.float32)
+                out[f"{n}.{name}"] = value.astype(np.float32)
     return out
 
 
@@ -234,7 +304,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("recordings", type=Path)
     parser.add_argument("-o", "--output", type=Path, default=Path(__file__).parents[2] / "models" / "prior.npz")
-    parser.add_argument("--steps", type=int, default=1500)
+    parser.add_argument("--steps", type=int, default=4000)
     parser.add_argument("--networks", type=int, default=2)
     parser.add_argument("--width", type=int, default=448)
     parser.add_argument("--depth", type=int, default=3)
@@ -242,7 +312,9 @@ def main() -> None:
     options = parser.parse_args()
     torch.set_num_threads(options.threads)
     recordings = Recordings(options.recordings)
-    networks = trained(recordings, options.networks, options.steps, options.width, options.depth)
+    size = options.networks, options.steps, options.width, options.depth
+    others = trained(recordings, ~recordings.is_held_out, *size)
+    networks = calibrated(trained(recordings, np.ones_like(recordings.is_held_out), *size), recordings, others)
     arrays: dict[str, Any] = quantised(networks)
     np.savez_compressed(options.output, **arrays)
     print(f"{options.output}: {options.output.stat().st_size / 1e6:.2f} MB")

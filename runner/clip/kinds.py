@@ -343,7 +343,7 @@ def _prior(context: Context, options: Options) -> Penalty | None:
     person = context.person
     if person is None:
         return None
-    prior = Prior.of(person, context.keys, models.prior(), context.ground)
+    prior = Prior.of(person, context.keys, models.prior(), context.ground, context.schedule.gait_cycle)
     return prior if prior.weights.any() else None
 
 

@@ -120,6 +120,11 @@ class GaitCycle:
         gain = process.gain(period)
         return cls(poses, period, gain, float("nan"), times, rotations, *poses.map.numbers(vectors), trust)
 
+    def mean_trust(self, times: Array) -> Array:
+        """Return the mean trust between K times, (K − 1,); 0 outside of the cycle."""
+        at = np.linspace(times[:-1], times[1:], 9)[1:-1]
+        return np.interp(at, self.times, self.trust, left=0, right=0).mean(axis=0)
+
     def qpos(self, width: int) -> Array:
         """Return configurations (T, width) with the root at the origin, except for its height."""
         out = np.zeros((self.times.size, width))

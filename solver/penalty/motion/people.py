@@ -28,6 +28,7 @@ MIRRORED = [0, 1, 4, 5, 2, 3, 9, 10, 11, 6, 7, 8]  # the part on the other side
 SIDES = np.array([1.0, -1, 1])  # factors of positions in the mirror image; those of rotation vectors are −SIDES
 MODES = 6  # number of sines, of half a period and its multiples per segment
 OUTPUTS = 3 * MODES + 3  # of each part and of the hips: amplitudes, shares of two tangents, logarithm of a variance
+HELD = 0.1  # [rad, 1] rotation of a part, or displacement of the hips, between keyframes below which it stays as it is
 SOFT = 0.2  # [s] added to durations whose inverse is an input
 Weights = Mapping[str, Array]
 
@@ -45,6 +46,7 @@ class Segments:
         tips: The wrists and toes in the parts `TIPS`, (B, 4, 3).
         gaps: The durations from each keyframe to the next, (B, 3) [s].
         is_known: Whether the first and the last keyframe exist, (B, 2).
+        is_placed: Whether the keyframes specify the position of the hips, (B, 4).
         on_floor: Whether the height of the ground is known, (B,).
     """
 
@@ -54,6 +56,7 @@ class Segments:
     tips: Array
     gaps: Array
     is_known: Mask
+    is_placed: Mask
     on_floor: Mask
 
     @cached_property
@@ -82,11 +85,13 @@ class Segments:
         turned = quat.matrices(quat.product(back[:, None], self.turns))[..., :2]
         joints, tips = places(self.turns, self.offsets[:, None], self.tips[:, None])
         ends = np.concatenate([tips, joints[:, :, ANKLES]], axis=2)
-        hips = quat.rotated(back, self.hips - self.hips[:, 1:2])
-        heights = np.concatenate([self.hips[..., None, 2:], ends[:, :, 2:, 2:] + self.hips[..., None, 2:]], axis=2)
+        placed = np.asarray(self.is_placed, float)
+        hips = quat.rotated(back, self.hips - self.hips[:, 1:2]) * (placed * placed[:, 1:2])[..., None]
+        heights = np.concatenate([self.hips[..., 2:], ends[:, :, 2:, 2] + self.hips[..., 2:]], axis=2)
+        heights = heights * placed[..., None]
         floor = np.asarray(self.on_floor, float)[:, None]
         parts = turned, quat.rotated(back[:, None], ends), hips, self.steps[0]
-        others = heights.reshape(count, -1) * floor, floor, self.is_known, self.gaps, 1 / (self.gaps + SOFT)
+        others = heights.reshape(count, -1) * floor, floor, self.is_known, placed, self.gaps, 1 / (self.gaps + SOFT)
         return np.concatenate([*(part.reshape(count, -1) for part in parts), *others], axis=1, dtype=float)
 
     @cached_property
@@ -100,6 +105,12 @@ class Segments:
             [(rates[:, 0] - rates[:, 1]) * at / (before + at), (rates[:, 2] - rates[:, 1]) * at / (at + after)], 1
         )
         return bends * self.is_known[..., None, None] * at[:, None]
+
+    @cached_property
+    def is_moved(self) -> Array:
+        """Whether the parts and the hips move between keyframes a and b, as numbers between 0 and 1, (B, 13)."""
+        square = np.sum(np.concatenate([self.steps[0][:, 1], self.steps[1][:, 1:2]], axis=1) ** 2, axis=2)
+        return square / (square + HELD**2)
 
     def differences(self, outputs: Array, u: Array) -> Array:
         """Return the predicted differences from linear interpolation.
@@ -162,26 +173,40 @@ def outputs_of(weights: Weights, features: Array) -> Array:
     return out.reshape(len(features), 13, OUTPUTS)
 
 
-def predicted(networks: Sequence[Weights], segments: Segments, u: Array) -> tuple[Array, Array, Array]:
-    """Return what several networks predict on average, for the segments and their mirror images.
+@dataclass(frozen=True, eq=False)
+class Prediction:
+    """What several networks predict on average, for B segments at P phases.
 
-    Args:
-        u: Phases in the segments, (B, P), from 0 to 1.
-
-    Returns:
-        Hips (B, P, 3), orientations of the parts (B, P, 12, 4), and variances (B, 13) of each part's rotation [rad²]
-        and of the hips' displacement: those that the networks expect, and those among the predictions.
+    Attributes:
+        hips: (B, P, 3).
+        turns: The orientations of the parts, (B, P, 12, 4).
+        expected: The squared errors that the networks expect, of the rotation of each part [rad²] and of the
+            displacement of the hips, (B, 13).
+        apart: The variances among the predictions, (B, 13).
+        changes: The mean squared differences from linear interpolation, (B, 13).
     """
-    differences, variances = [], []
-    other_side = [*MIRRORED, 12]
-    back = np.array([-SIDES] * 12 + [SIDES])
-    for weights in networks:
-        outputs, images = outputs_of(weights, segments.features), outputs_of(weights, segments.mirrored.features)
-        mirrored = segments.mirrored.differences(images, u)[:, :, other_side] * back
-        differences += [segments.differences(outputs, u), mirrored]
-        variances += [np.exp(outputs[..., -1]), np.exp(images[:, other_side, -1])]
-    apart = np.sum(np.var(differences, axis=0), axis=-1).max(axis=1)
-    return *segments.poses(np.mean(differences, axis=0), u), np.mean(variances, axis=0) + apart
+
+    hips: Array
+    turns: Array
+    expected: Array
+    apart: Array
+    changes: Array
+
+    @classmethod
+    def of(cls, networks: Sequence[Weights], segments: Segments, u: Array) -> Prediction:
+        """Return the prediction for the segments and their mirror images at phases u (B, P), from 0 to 1."""
+        differences, variances = [], []
+        other_side = [*MIRRORED, 12]
+        back = np.array([-SIDES] * 12 + [SIDES])
+        for weights in networks:
+            outputs, images = outputs_of(weights, segments.features), outputs_of(weights, segments.mirrored.features)
+            mirrored = segments.mirrored.differences(images, u)[:, :, other_side] * back
+            differences += [segments.differences(outputs, u), mirrored]
+            variances += [np.exp(outputs[..., -1]), np.exp(images[:, other_side, -1])]
+        apart = np.sum(np.var(differences, axis=0), axis=-1).max(axis=1)
+        mean = np.mean(differences, axis=0) * segments.is_moved[:, None, :, None]
+        changes = np.mean(np.sum(mean**2, axis=3), axis=1)
+        return cls(*segments.poses(mean, u), np.mean(variances, axis=0), apart, changes)
 
 
 def neighbours(count: int) -> tuple[Index, Mask]:

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ... import quaternion as quat
-from ...array import Array, Index, segments_at
+from ...array import Array, Index, Mask, segments_at
+from ...contacts.gait import GaitCycle
 from ...curve.frame import Timeline
 from ...curve.seam import Seam
 from ...figure.algebra import cross
@@ -18,14 +19,16 @@ from ...figure.size import Size
 from ...figure.wrenches import every_axis, of_turn
 from ..block import Block, every
 from ..penalty import Normalization, Penalty
-from .people import PARENTS, PARTS, Segments, Weights, neighbours, predicted
+from .people import PARENTS, PARTS, Prediction, Segments, Weights, neighbours
 
 PHASES = 33  # number of phases per segment at which poses are predicted; in between they are interpolated
 BRIEF, SHORT, LONG, ENDLESS = 0.2, 0.3, 1.5, 2.5  # [s] durations of segments between which trust rises, and falls
 STANDS = 0.8  # [1] smallest height of the hips above the ankles at rest, relative to the length of a leg
 SOLE = 0.06  # [1] height of the ankles above the ground in the recordings, relative to the length of a leg
 REACH, TOE = 0.95, 0.16  # [1] lengths of a forearm relative to an upper arm, and of a foot relative to a leg
-WORTH = 3e-3  # [rad⁻² s⁴] value that costs as much as angular accelerations of quaternions of 1 s⁻²
+STIFF = 0.1  # [1] squared error of a part that does not move between keyframes, relative to the expected one
+CLEAR = 0.45  # [1] squared differences from linear interpolation, relative to squared errors, at which trust is half
+WORTH = 0.86e-3  # [rad⁻² s⁴] value that costs as much as angular accelerations of quaternions of 1 s⁻²
 HANGING = (2, 3, 4, 5, 6, 7, 9, 10)  # parts of arms and legs, without feet, which hang in the zero pose
 DOWN, LATERAL = np.array([0.0, 0, -1]), np.array([0.0, 1, 0])
 
@@ -114,6 +117,14 @@ class Person:
         """The columns of the position of the pelvis in the state, (3,)."""
         return self.figure.links[int(self.links[0])].qpos + np.arange(3)
 
+    def is_specified(self, keys: Timeline) -> Mask:
+        """Return whether both keyframes of each segment specify the predicted entries, (K − 1, 51)."""
+        known, is_complete = keys.known, keys.known.all(axis=1, keepdims=True)
+        columns = self.quaternions.ravel()
+        turns = np.where(columns >= 0, known[:, columns], is_complete)
+        specified = np.concatenate([known[:, self.position], turns], axis=1)
+        return specified[:-1] & specified[1:]
+
     def posture(self, states: Array, ground: float) -> tuple[Array, Array]:
         """Return hips (..., 3), relative to the length of a leg, and orientations (..., 12, 4) of states (..., N)."""
         motion = Samples.still(self.figure, states.reshape(-1, states.shape[-1])).links
@@ -135,7 +146,7 @@ class Person:
 class Prior(Penalty):
     """Σ w (x − x̂)² + Σ w |q − q̂|² over predicted positions x̂ and orientations q̂ of links [1].
 
-    The sum is about 1 where the motion differs from the prediction by the expected error of the prediction.
+    The sum is about 1 where the motion differs from the prediction by its expected error, and the prediction is clear.
 
     Attributes:
         times: The times of the keyframes, (K,) [s].
@@ -157,24 +168,38 @@ class Prior(Penalty):
     normalization = Normalization(WORTH, normalize_by="acceleration.angular")
 
     @classmethod
-    def of(cls, person: Person, keys: Timeline, networks: Sequence[Weights], ground: float | None = None) -> Prior:
+    def of(
+        cls,
+        person: Person,
+        keys: Timeline,
+        networks: Sequence[Weights],
+        ground: float | None = None,
+        cycle: GaitCycle | None = None,
+    ) -> Prior:
         """Return the prior of a timeline of keyframes.
+
+        A part of the body has weight only between keyframes that specify it.
 
         Args:
             networks: The weights of the networks, see `people.outputs_of`.
             ground: The height of level ground [m]; None: it is unknown.
+            cycle: The gait cycle that the motion approaches; None: there is none. It lowers the weights.
         """
         segments = _segments(person, keys, ground)
         count, floor = len(segments.hips), ground or 0.0
-        hips, turns, variances = predicted(networks, segments, np.tile(np.linspace(0, 1, PHASES), (count, 1)))
-        positions, rotations = person.states(hips, turns, floor)
+        phases = np.tile(np.linspace(0, 1, PHASES), (count, 1))
+        prediction, (power, factor) = Prediction.of(networks, segments, phases), networks[0]["calibration"]
+        positions, rotations = person.states(prediction.hips, prediction.turns, floor)
+        variances = prediction.expected * segments.gaps[:, 1:2] ** power + factor * prediction.apart
+        clearness = prediction.changes[:, :12].sum(axis=1) / variances[:, :12].sum(axis=1)
         trust = np.interp(segments.gaps[:, 1], [BRIEF, SHORT, LONG, ENDLESS], [0, 1, 1, 0])
-        weights = trust[:, None] / (13 * variances)
+        trust *= clearness**2 / (clearness**2 + CLEAR**2)
+        if cycle is not None:
+            trust /= 1 + cycle.mean_trust(keys.times)
+        weights = trust[:, None] / (13 * variances * np.maximum(segments.is_moved, STIFF))
         by_entry = [np.repeat(weights[:, 12:] / person.leg**2, 3, axis=1), np.repeat(4 * weights[:, :12], 4, axis=1)]
         values = np.concatenate([positions, rotations.reshape(count, PHASES, 48)], axis=2)
-        is_known = keys.known[:, person.position]
-        by_entry[0] *= is_known[:-1] & is_known[1:]  # a free root is not where the search starts
-        weights = np.concatenate(by_entry, axis=1)
+        weights = np.concatenate(by_entry, axis=1) * person.is_specified(keys)
         return cls(keys.times, person.position, person.links, person.quaternions, values, weights)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
@@ -222,5 +247,5 @@ def _segments(person: Person, keys: Timeline, ground: float | None) -> Segments:
     hips, turns = person.posture(states, ground or 0.0)
     count = len(hips)
     offsets, tips = (np.tile(part, (count, 1, 1)) for part in (person.offsets, person.tips))
-    on_floor = np.full(count, ground is not None)
-    return Segments(hips, turns, offsets, tips, gaps / Size.of(person.figure).time, has_neighbours, on_floor)
+    is_placed, on_floor = keys.known[places][..., person.position].all(axis=2), np.full(count, ground is not None)
+    return Segments(hips, turns, offsets, tips, gaps / Size.of(person.figure).time, has_neighbours, is_placed, on_floor)

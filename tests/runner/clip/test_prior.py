@@ -24,8 +24,14 @@ POSES = {
 }
 
 
+STEP = {"left_hip": {"rotvec": [0, -50, 0]}, "left_knee": {"rotvec": [0, 60, 0]}}
+
+
 def of(figure: str, span: float = 0.7, **more: Any) -> Clip:
-    return build(figure, [Keyframe(0, others="rest"), Keyframe(span, others="rest")], **more)
+    """A figure that moves from one pose to another of its legs."""
+    poses = (STEP, POSES) if figure == "human" else ({"left_hip_pitch": -1.0}, {"right_hip_pitch": -1.0})
+    keyframes = [Keyframe(t, joints=pose, others="rest") for t, pose in zip((0, span), poses, strict=True)]
+    return build(figure, keyframes, **more)
 
 
 def priors(clip: Clip) -> list[tuple[Prior, float]]:
@@ -55,9 +61,13 @@ def test_it_is_off_for_robots_unless_listed_and_moves_their_hinges(tmp_path):
     assert note_on("human") == ""
 
 
+def test_a_figure_whose_keyframes_are_alike_stays_as_it_is():
+    assert not priors(build("human", [Keyframe(t, others="rest") for t in (0, 0.6, 1.2)], penalties={"prior": 1}))
+
+
 def test_a_figure_without_all_parts_has_none_and_a_note_says_so(tmp_path):
     beast = written(tmp_path, "quadruped.xml")
-    clip = of(beast, penalties={"prior": 4})
+    clip = build(beast, [Keyframe(t, others="rest") for t in (0, 0.7)], penalties={"prior": 4})
     assert not priors(clip)
     assert any(note.startswith("penalty 'prior' has no effect in this clip") for note in clip.notes)
     assert "no body has a name of these parts: " in note_on(beast)
