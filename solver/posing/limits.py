@@ -63,11 +63,13 @@ class Balance:
     Attributes:
         root: MuJoCo's id of the tree's root body.
         points: The points of feet; their target positions are not used.
+        share: The size of the permitted polygon, relative to the support polygon.
     """
 
     name: str
     root: int
     points: tuple[PointGoal, ...]
+    share: float = 1.0
 
     def bodies(self, model: mujoco.MjModel) -> Sequence[int]:
         return [point.index for point in self.points]
@@ -80,7 +82,8 @@ class Balance:
 
     def _worst(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
         """Return the largest excess (1,) [m] over an edge, 0 inside, and its Jacobian (1, nv) for feet at rest."""
-        polygon = SupportPolygon.of(self.root, np.concatenate([point.places(data) for point in self.points]), share=1.0)
+        places = np.concatenate([point.places(data) for point in self.points])
+        polygon = SupportPolygon.of(self.root, places, self.share)
         if polygon is None:
             return np.zeros(1), np.zeros((1, model.nv))
         values, rows = polygon.linearized(model, data)

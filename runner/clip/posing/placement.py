@@ -15,12 +15,11 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.thresholds import Thresholds
-from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.model import kinematics
 from dynsplines.solver.posing import (
-    Balance,
     BodyGoal,
     Goal,
     PointGoal,
@@ -39,9 +38,9 @@ from ...errors import UserError, unknown
 from ..table import BodyTable, KeyframeTable, SiteTable
 from .notes import can_move, immovable
 from .places import Places, root_links
-from .standing_feet import Stander
+from .standing_feet import Stander, balance_of, is_slow
 
-HEADING, BALANCE = 2.0, 100.0  # [1/rad], [1/m] weights of preferences relative to 1 rad of a limb joint
+HEADING = 2.0  # [1/rad] weight of a foot's preferred heading, relative to 1 rad of a limb joint
 ALIKE = 0.5  # [1] largest deviation of a foot's displacement from the mean, relative to the mean
 MOST_TURNED = np.radians(45)  # [rad] rotation of a foot from which its heading is corrected
 
@@ -115,12 +114,12 @@ def with_pose(
         home[columns] = quat.normalised(home[columns])
     also += _planted(figure, keys[k - 1], goals) if k else []
     home = _root_above_feet(figure, home, ~key.fixed, goals, soles)
-    is_slow = _speed(figure, path, k) < Thresholds.of(figure).travels
+    ground = stander.surfaces if is_slow(figure, path, k) else ()
     best = None
     for chosen in ([*goals, *also], goals) if also else (goals,):
         best = posed(figure, home, ~key.fixed, chosen, stander.bends)
         if best.is_met:
-            if preferred := _preferred(figure, home, best.qpos, chosen, soles, stander.surfaces if is_slow else ()):
+            if preferred := _preferred(figure, home, best.qpos, chosen, soles, ground):
                 other = posed(figure, home, ~key.fixed, chosen, stander.bends, preferred=preferred)
                 best = other if other.is_met else best
             best = _leveled(figure, key, best, soles, stander, chosen)
@@ -244,12 +243,10 @@ def _preferred(
     preferred: list[tuple[float, Goal, float]] = [
         (HEADING, same_heading(figure, home, body), MOST_TURNED) for body in sorted(feet & placed - turned)
     ]
-    if feet and feet <= placed and figure.root is not None and figure.gravity.any():
-        others = [point for point in body_points(figure) if figure.links[point.link].body not in feet]
-        if surfaces and not _touches(figure, pose, others, surfaces):
-            points = tuple(PointGoal.of(figure, point) for point in soles)
-            most = Thresholds.of(figure).near_surface
-            preferred.append((BALANCE, Balance("balance", figure.links[figure.root.link].body, points), most))
+    others = [point for point in body_points(figure) if figure.links[point.link].body not in feet]
+    if surfaces and not _touches(figure, pose, others, surfaces):
+        most = Thresholds.of(figure).near_surface
+        preferred += [(weight, goal, most) for weight, goal in balance_of(figure, soles, goals)]
     data = kinematics(figure.model, pose)
     if all(np.linalg.norm(goal.missed(figure.model, data)) <= most for _, goal, most in preferred):
         return []
@@ -260,13 +257,6 @@ def _touches(figure: Figure, pose: Array, points: Sequence[Point], surfaces: Seq
     """Return whether one of the points touches a surface in a pose (nq,)."""
     height, _ = heights(surfaces, *places_of(points, Samples.still(figure, figure.to_state(pose[None]))))
     return bool((height < Thresholds.of(figure).near_surface).any())
-
-
-def _speed(figure: Figure, path: Timeline, k: int) -> float:
-    """Return the mean horizontal speed [m/s] of the root between the keyframes before and after keyframe k."""
-    first, last = max(k - 1, 0), min(k + 1, path.times.size - 1)
-    moves = (path.states[last] - path.states[first])[figure.tables.position_columns[:2]]
-    return float(np.linalg.norm(moves, axis=0).max(initial=0.0) / (path.times[last] - path.times[first]))
 
 
 def check_search(figure: Figure, key: Frame, placed: Sequence[Contact], where: str) -> None:

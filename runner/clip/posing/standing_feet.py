@@ -24,6 +24,7 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import BendLimits
 from dynsplines.solver.posing import (
+    Balance,
     BodyGoal,
     Goal,
     PointGoal,
@@ -42,6 +43,8 @@ from .grounding import Grounding
 BEYOND = float(np.radians(10))  # [rad] most excess of joint ranges that keeps a foot in its place
 NEARLY = 1e-3  # [m, rad] largest error of a pose that meets its goals
 STARTS = 4  # most starting poses
+BALANCE = 100.0  # [1/m] weight of the preference of balance, relative to 1 rad of a limb joint
+STANDING = 0.6  # [1] size of the polygon above which a standing figure is posed, relative to that of its feet
 OWN_TURN = 1e-3  # weight of a foot's orientation relative to its points, two of which do not determine it
 TURNS = 4  # iterations, each from the previous orientation, which remove this bias
 
@@ -81,7 +84,14 @@ def fitted(own: Array, seen: Array, turn: Array) -> Array:
     return quat.from_matrix(rotation)
 
 
-def upright(figure: Figure, home: Array, free: Mask, goals: Sequence[Goal], bends: BendLimits | None) -> Posed:
+def upright(
+    figure: Figure,
+    home: Array,
+    free: Mask,
+    goals: Sequence[Goal],
+    bends: BendLimits | None,
+    preferred: Sequence[tuple[float, Goal]] = (),
+) -> Posed:
     """Return the pose with the trunk, from the root to where limbs branch off, oriented as in `home`.
 
     If there is none, all free joints are near home.
@@ -92,8 +102,32 @@ def upright(figure: Figure, home: Array, free: Mask, goals: Sequence[Goal], bend
     legs = {link for goal in goals for link in figure.limb(goal.bodies(figure.model)[0])}
     for link in legs:
         trunk[figure.links[link].columns] = False
-    pose = posed(figure, home, free & ~trunk, goals, bends, 3)
-    return pose if pose.worst <= NEARLY else posed(figure, home, free, goals, bends, STARTS)
+    pose = posed(figure, home, free & ~trunk, goals, bends, 3, preferred=preferred)
+    return pose if pose.worst <= NEARLY else posed(figure, home, free, goals, bends, STARTS, preferred=preferred)
+
+
+def is_slow(figure: Figure, path: Timeline, k: int) -> bool:
+    """Return whether the roots hardly travel between the keyframes before and after keyframe k."""
+    first, last = max(k - 1, 0), min(k + 1, path.times.size - 1)
+    moves = (path.states[last] - path.states[first])[figure.tables.position_columns[:2]]
+    speed = float(np.linalg.norm(moves, axis=0).max(initial=0.0) / (path.times[last] - path.times[first]))
+    return speed < Thresholds.of(figure).travels
+
+
+def balance_of(
+    figure: Figure, soles: Sequence[Point], goals: Sequence[Goal], share: float = 1.0
+) -> list[tuple[float, Goal]]:
+    """Return balance as a preference with its weight, for a figure all of whose feet have goals; else none.
+
+    Args:
+        share: The size of the permitted polygon, relative to the support polygon.
+    """
+    placed_bodies = {body for goal in goals for body in goal.bodies(figure.model)}
+    feet = {figure.links[point.link].body for point in soles}
+    if figure.root is None or not feet or not feet <= placed_bodies or not figure.gravity.any():
+        return []
+    points = tuple(PointGoal.of(figure, point) for point in soles)
+    return [(BALANCE, Balance("balance", figure.links[figure.root.link].body, points, share))]
 
 
 def _during(tables: Sequence[ContactTable], first: float, last: float) -> Iterator[ContactTable]:
@@ -190,10 +224,15 @@ class Stander:
                 position = target.place(np.array([key.time]))[:, 0]
                 groups.append([PointGoal.of(self.figure, target.point, position)])
         home, count = figure.to_qpos(frame.state), len(groups)
+        may_shift = is_slow(figure, known.timeline, k) and not frame.fixed[figure.tables.position_columns[:2]].all()
         is_determined, missed = np.zeros(figure.width, bool), list[Goal]()
         while groups:
             goals = [goal for group in groups for goal in group]
-            pose = upright(figure, home, ~frame.fixed, goals, self.bends)
+            may_shift = (
+                figure.root is not None and not frame.fixed[figure.links[figure.root.link].qpos + np.arange(2)].all()
+            )
+            preferred = balance_of(figure, known.soles, goals, STANDING) if may_shift else []
+            pose = upright(figure, home, ~frame.fixed, goals, self.bends, preferred)
             if pose.worst > NEARLY and len(groups) == count:
                 pose = posed(figure, home, ~frame.fixed, goals, self.bends, STARTS, BEYOND)
             if pose.worst <= NEARLY:
