@@ -109,6 +109,20 @@ def test_a_lowered_pelvis_is_a_squat(height, contacts):
 
 
 @pytest.mark.slow
+@pytest.mark.parametrize(("y", "height"), [(0.08, 0.9), (-0.1, 0.85)])
+def test_who_leans_aside_stays_in_balance_where_the_root_may_move_ahead(y, height):
+    """Legs stay straighter if the root leaves the feet behind: the centre of mass was before the toes, or behind."""
+    first, last = (f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in (0, 2))
+    aside = f'[[keyframe]]\ntime = 1\nroot.position = ["free", {y}, {height}]\n'
+    problem = read(f'figure = "human"\n{first}{aside}{last}')
+    path, model = path_of(inbetween(problem.problem).timeline), problem.figure.model
+    for qpos in problem.figure.to_qpos(path.at(np.linspace(0, 2, 41))):
+        data = kinematics(model, qpos)
+        ends = [data.site(f"left_{part}").xpos[0] for part in ("heel", "toe")]
+        assert ends[0] < data.subtree_com[1][0] < ends[1]
+
+
+@pytest.mark.slow
 @pytest.mark.parametrize(("name", "height"), [("BIPED", figures.BIPED_HEIGHT), ("QUADRUPED", figures.QUADRUPED_HEIGHT)])
 def test_legs_of_hinges_bend_too(name, height, tmp_path: Path):
     (tmp_path / "its.xml").write_text(getattr(figures, name), encoding="utf-8")
