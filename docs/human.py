@@ -98,15 +98,15 @@ def names(stage: Stage, qpos: Array, model: mujoco.MjModel) -> Image.Image:
     for kind, points in enumerate((joints, sites)):
         for name, point in points.items():
             sides[point[0] < WIDTH / 2][kind][name] = point
-    for left, both in sides.items():
+    for is_left, both in sides.items():
         rows = {name: (point, kind) for kind in (0, 1) for name, point in both[kind].items()}
         previous = -99.0
         for name, (point, kind) in sorted(rows.items(), key=lambda item: item[1][0][1]):
             color = (INK, SITE)[kind]
             previous = y = max(point[1], previous + 20)
-            x, anchor = (12, "lm") if left else (WIDTH - 12, "rm")
+            x, anchor = (12, "lm") if is_left else (WIDTH - 12, "rm")
             box = draw.textbbox((x, y), name, font(16), anchor=anchor)
-            draw.line([(box[2] + 4 if left else box[0] - 4, y), tuple(point)], fill=color, width=1)
+            draw.line([(box[2] + 4 if is_left else box[0] - 4, y), tuple(point)], fill=color, width=1)
             draw.ellipse([*(point - 4), *(point + 4)], fill=color, outline="white")
             draw.text((x, y), name, color, font(16), anchor=anchor, stroke_width=2, stroke_fill="white")
     draw.text(

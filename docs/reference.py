@@ -286,7 +286,7 @@ def speed() -> Iterator[str]:
     time, length = seconds(solve[1]), duration("run_and_step")
     yield f"- The clip `run_and_step`, {length} of motion with every soft constraint, takes {time}."
     yield (
-        f"- A simpler runner takes {seconds(runner[1])} to within 0.5 % of the optimum. CasADi with IPOPT takes "
+        f"- A simpler running figure takes {seconds(runner[1])} to within 0.5 % of the optimum. CasADi with IPOPT takes "
         f"{factor(ipopt[2])} times as long."
     )
     dense = factor(row("barr", DENSE)[2])
@@ -359,12 +359,12 @@ def quality() -> Iterator[str]:
     yield "|---|---|---|---|"
     energies = [row("quaternions", name) for name in ("ours, 3 variable frames a segment", "RotationSpline", "SQUAD")]
     for column, sets in ((1, "steps of 20 to 90°"), (3, "random rotations")):
-        cells = " | ".join(f"{float(each[column]):.5g}" for each in energies)
-        yield f"| energy of a rotating body / least energy, {sets} | {cells} |"
+        values = " | ".join(f"{float(cells[column]):.5g}" for cells in energies)
+        yield f"| energy of a rotating body / least energy, {sets} | {values} |"
     rebuilt = [row("inbetweening", 10, name) for name in ("ours", "RotationSpline", "SLERP")]
     for column, what, unit in ((4, "error of hands and ankles", "cm"), (6, "sliding of feet on the ground", "cm/s")):
-        cells = " | ".join(f"{each[column]:.2g} {unit}" for each in rebuilt)
-        yield f"| shipped clips rebuilt from every 10th sample: {what} | {cells} |"
+        values = " | ".join(f"{cells[column]:.2g} {unit}" for cells in rebuilt)
+        yield f"| shipped clips rebuilt from every 10th sample: {what} | {values} |"
 
 
 CLAIMS = (  # verdict, claim, measurement of the benchmarks

@@ -31,11 +31,11 @@ PASSIVE = 1e4  # [1] weight of joints without a motor, whose torques the constra
 
 @dataclass(frozen=True)
 class Foot:
-    """The ground reaction on a body, in world axes. All its arrays are nan where the support is unknown.
+    """The ground reaction on a body, in world axes. Where the support is unknown, its arrays are nan.
 
     Attributes:
         name: The name of the body.
-        has_contact: Whether the ground carries it, (T,).
+        has_contact: Whether the ground is known to carry it, (T,).
         force: The force (T, 3) [N]; zero without contact.
         centre: The centre of pressure (T, 3) [m]: mean of the points in contact, weighted by normal force; nan without
             contact.

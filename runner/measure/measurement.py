@@ -11,8 +11,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.contacts import Contact, stances
-from dynsplines.solver.contacts.keyframe_points import KeyframePoints
+from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
@@ -250,11 +249,7 @@ def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[ContactTarget]:
             rolling = Rolling.of(rest, middle.links.Q[:, rest.point.link, k])
             yield ContactTarget("contact", _target(rest, spots[:, k]), group, rolling)
     shortest = Thresholds.of(figure).far_apart if is_imported(clip, timeline) else 0.0
-    free = [
-        stance
-        for stance in inferred(clip, timeline)
-        if stance.last - stance.first > shortest and not any(rest.overlaps(stance) for rest in rests)
-    ]
+    free = [stance for stance in inferred(clip, timeline) if stance.last - stance.first > shortest]
     for stance, group in zip(free, _groups(free, feet).tolist(), strict=True):
         yield ContactTarget("stance", stance, group)
 
@@ -264,7 +259,7 @@ def inferred(clip: Clip, timeline: Timeline) -> tuple[Contact, ...]:
     states = path_of(timeline).at(np.array([key.time for key in clip.keys]))
     frames = [replace(key, state=state) for key, state in zip(clip.keys, states, strict=True)]
     keys = Timeline(tuple(frames), np.zeros((2, timeline.width)))
-    return stances(KeyframePoints.of(clip.figure, keys, clip.context.points, clip.context.surfaces))
+    return replace(clip.context.schedule, keys=keys).stances
 
 
 def _target(contact: Contact, middle: Array) -> Contact:

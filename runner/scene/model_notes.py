@@ -34,20 +34,16 @@ def vertical_notes(model: mujoco.MjModel) -> list[str]:
 
 def _unsupported_equalities(model: mujoco.MjModel) -> Iterator[str]:
     """Yield notes on active constraints of tendons, and on those that hold a link to a mocap body."""
-    tendons, mocap = list[str](), list[str]()
-    for i in np.flatnonzero(model.eq_active0):
-        kind, name = int(model.eq_type[i]), f"'{model.equality(int(i)).name or i}'"
-        ends = model.eq_obj1id[i], model.eq_obj2id[i]
-        if kind in (mujoco.mjtEq.mjEQ_CONNECT, mujoco.mjtEq.mjEQ_WELD):
-            is_site = model.eq_objtype[i] == mujoco.mjtObj.mjOBJ_SITE
-            bodies = [int(model.site_bodyid[end]) if is_site else int(end) for end in ends]
-            mocap += [f"{name} to '{model.body(body).name}'" for body in bodies if model.body_mocapid[body] >= 0]
-        elif kind != mujoco.mjtEq.mjEQ_JOINT:
-            tendons.append(name)
-    if tendons:
-        yield f"equality constraints of tendons are not looked at: {', '.join(tendons)}"
-    if mocap:
-        yield f"mocap bodies hold nothing, so these equality constraints are ignored: {', '.join(mocap)}"
+    attached, names = (mujoco.mjtEq.mjEQ_CONNECT, mujoco.mjtEq.mjEQ_WELD), dict[bool, list[str]]()
+    for i in np.flatnonzero(model.eq_active0).tolist():
+        ends = np.array([model.eq_obj1id[i], model.eq_obj2id[i]])
+        bodies = model.site_bodyid[ends] if model.eq_objtype[i] == mujoco.mjtObj.mjOBJ_SITE else ends
+        is_attached = model.eq_type[i] in attached
+        if (is_attached and (model.body_mocapid[bodies] >= 0).any()) or model.eq_type[i] > mujoco.mjtEq.mjEQ_JOINT:
+            names.setdefault(bool(is_attached), []).append(f"'{model.equality(i).name or i}'")
+    for is_attached, listed_names in names.items():
+        what = "to mocap bodies, which do not move, are ignored" if is_attached else "of tendons are not looked at"
+        yield f"equality constraints {what}: {', '.join(listed_names)}"
 
 
 def _tilted_gravity(model: mujoco.MjModel) -> Iterator[str]:

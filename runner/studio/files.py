@@ -63,8 +63,8 @@ class Files:
 
     async def figures(self) -> dict[str, list[str]]:
         """Return the figures of which there can be a new clip: shipped ones, and models in the folder."""
-        found = sorted(path.name for path in self.folder.iterdir() if path.suffix.lower() in MODELS)
-        return {"figures": [*models.figures(), *found]}
+        local = sorted(path.name for path in self.folder.iterdir() if path.suffix.lower() in MODELS)
+        return {"figures": [*models.figures(), *local]}
 
     async def new(self, *, figure: str) -> str:
         """Open a new clip of a figure. Raises UserError while the present clip is not saved."""

@@ -9,11 +9,11 @@ export interface Axes {
   out: (point: THREE.Vector3) => THREE.Vector3; into: (point: THREE.Vector3) => THREE.Vector3;
 }
 
-export const axesOf = (stage: Stage, thing: Obstacle): Axes => {
-  const at = new THREE.Vector3().fromArray((thing.position as number[] | undefined) ?? [0, 0, 0]), pieces = model.stage?.pieces ?? [];
+export const axesOf = (stage: Stage, obstacle: Obstacle): Axes => {
+  const at = new THREE.Vector3().fromArray((obstacle.position as number[] | undefined) ?? [0, 0, 0]), pieces = model.stage?.pieces ?? [];
   const near = (given: number[]) => at.distanceTo(new THREE.Vector3().fromArray(given)) < 1e-4;
-  const piece = pieces.find((each) => each.kind === thing.kind && each.name === thing.name) ?? pieces.find((each) => each.kind === thing.kind && near(each.position));
-  const body = thing.body === undefined || thing.body === null ? -1 : model.stage?.bodies.indexOf(thing.body as string) ?? -1;
+  const piece = pieces.find((each) => each.kind === obstacle.kind && each.name === obstacle.name) ?? pieces.find((each) => each.kind === obstacle.kind && near(each.position));
+  const body = obstacle.body === undefined || obstacle.body === null ? -1 : model.stage?.bodies.indexOf(obstacle.body as string) ?? -1;
   const group = stage.figure?.groups[body];
   const within = group ? group.quaternion.clone() : new THREE.Quaternion(), place = group ? group.position.clone() : new THREE.Vector3();
   return {

@@ -10,20 +10,20 @@ const rounded = (place: THREE.Vector3): number[] => place.toArray().map((value) 
 const ends = ({ from, to }: Obstacle): THREE.Vector3[] => [from, to].map((end) => new THREE.Vector3().fromArray(end as number[]));
 
 /** Where the arrows of an obstacle are: in its middle, on a step's front edge. */
-const placeOf = (thing: Obstacle): THREE.Vector3 | undefined => {
-  if (thing.kind === "step") return new THREE.Vector3(thing.x as number, (thing.y as number) ?? 0, thing.height as number);
-  if (thing.position) return new THREE.Vector3().fromArray(thing.position as number[]);
-  if (!thing.from || !thing.to) return undefined;
-  const [from, to] = ends(thing);
+const placeOf = (obstacle: Obstacle): THREE.Vector3 | undefined => {
+  if (obstacle.kind === "step") return new THREE.Vector3(obstacle.x as number, (obstacle.y as number) ?? 0, obstacle.height as number);
+  if (obstacle.position) return new THREE.Vector3().fromArray(obstacle.position as number[]);
+  if (!obstacle.from || !obstacle.to) return undefined;
+  const [from, to] = ends(obstacle);
   return from.add(to).multiplyScalar(0.5);
 };
 
 /** The obstacle's entries after its arrows were dragged to a position. */
-const movedTo = (thing: Obstacle, place: THREE.Vector3): Record<string, unknown> => {
+const movedTo = (obstacle: Obstacle, place: THREE.Vector3): Record<string, unknown> => {
   const [x, y, z] = rounded(place);
-  if (thing.kind === "step") return { x, y, height: Math.max(0.02, z) };
-  if (thing.position) return { position: [x, y, z] };
-  const by = place.clone().sub(placeOf(thing)!), [from, to] = ends(thing);
+  if (obstacle.kind === "step") return { x, y, height: Math.max(0.02, z) };
+  if (obstacle.position) return { position: [x, y, z] };
+  const by = place.clone().sub(placeOf(obstacle)!), [from, to] = ends(obstacle);
   return { from: rounded(from.add(by)), to: rounded(to.add(by)) };
 };
 
@@ -31,7 +31,7 @@ export class Gizmo {
   private readonly controls: TransformControls;
   private readonly handle = new THREE.Object3D();
   private readonly begin = new THREE.Quaternion();
-  private held: { thing: Obstacle | undefined; revision: number; time: number; waits: boolean; again: boolean } | null = null; // at the start of the drag
+  private held: { obstacle: Obstacle | undefined; revision: number; time: number; waits: boolean; again: boolean } | null = null; // at the start of the drag
 
   constructor(private readonly stage: Stage) {
     this.controls = new TransformControls(stage.camera, stage.canvas);
@@ -51,8 +51,8 @@ export class Gizmo {
   }
 
   private place(): void {
-    const { figure } = this.stage, thing = model.joint === null ? this.thing() : undefined;
-    const own = thing && placeOf(thing), at = thing && own && axesOf(this.stage, thing).out(own);
+    const { figure } = this.stage, obstacle = model.joint === null ? this.obstacle() : undefined;
+    const own = obstacle && placeOf(obstacle), at = obstacle && own && axesOf(this.stage, obstacle).out(own);
     const joint = model.stage?.joints.find((each) => each.name === model.joint);
     if (model.playing || !figure || !(joint ?? at)) {
       this.hide();
@@ -94,13 +94,13 @@ export class Gizmo {
     this.stage.draw();
   }
 
-  private thing(): Obstacle | undefined {
+  private obstacle(): Obstacle | undefined {
     const { obstacle, document } = model;
     return document?.obstacles.find((each) => each.kind === obstacle?.kind && each.index === obstacle?.index);
   }
 
   private start(): void {
-    this.held = { thing: this.thing(), revision: model.document?.revision ?? 0, time: model.time, waits: false, again: false };
+    this.held = { obstacle: this.obstacle(), revision: model.document?.revision ?? 0, time: model.time, waits: false, again: false };
     this.stage.orbit.enabled = false;
     this.begin.copy(this.handle.quaternion);
   }
@@ -133,8 +133,8 @@ export class Gizmo {
     this.held = null;
     this.stage.orbit.enabled = true;
     if (model.joint !== null) await act("drop", { time: held.time, partial: model.partial });
-    else if (model.obstacle && held.thing) {
-      await change(addressOf(model.obstacle), movedTo(held.thing, axesOf(this.stage, held.thing).into(this.handle.position)), held.revision);
+    else if (model.obstacle && held.obstacle) {
+      await change(addressOf(model.obstacle), movedTo(held.obstacle, axesOf(this.stage, held.obstacle).into(this.handle.position)), held.revision);
     }
     if (!this.held) this.stage.override = null;
     this.stage.draw();

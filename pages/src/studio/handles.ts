@@ -23,7 +23,7 @@ export class Handles {
   private readonly ball = new THREE.SphereGeometry(1, 14, 10);
   private readonly paint = new THREE.MeshBasicMaterial({ color: 0xffb454, depthTest: false, transparent: true, opacity: 0.95 });
   private shown: Handle[] = [];
-  private held: { handle: Handle; thing: Obstacle; revision: number; entries: Entries } | null = null;
+  private held: { handle: Handle; obstacle: Obstacle; revision: number; entries: Entries } | null = null;
 
   constructor(private readonly stage: Stage) {
     const { canvas } = stage;
@@ -49,22 +49,22 @@ export class Handles {
     this.stage.draw();
   }
 
-  private thing(): Obstacle | null {
+  private obstacle(): Obstacle | null {
     const { obstacle, document } = model;
     if (!obstacle || model.playing || !this.stage.figure) return null;
     return document?.obstacles.find((each) => each.kind === obstacle.kind && each.index === obstacle.index) ?? null;
   }
 
-  private handles(thing: Obstacle): Handle[] {
-    if (thing.kind === "step") return this.ofStep(thing);
-    const { turn, out, into, within } = axesOf(this.stage, thing), at = vector(thing.position), radius = thing.radius as number;
+  private handles(obstacle: Obstacle): Handle[] {
+    if (obstacle.kind === "step") return this.ofStep(obstacle);
+    const { turn, out, into, within } = axesOf(this.stage, obstacle), at = vector(obstacle.position), radius = obstacle.radius as number;
     const handle = (direction: THREE.Vector3, away: number, entries: Handle["entries"]): Handle => ({
       at: out(at.clone().addScaledVector(direction, away)), along: direction.clone().applyQuaternion(within), entries,
     });
     const moved = (direction: THREE.Vector3, by: number) => at.clone().addScaledVector(direction, by / 2).toArray();
     const wider = (direction: THREE.Vector3) => handle(direction, radius, (by) => ({ radius: Math.max(LEAST / 2, radius + by) }));
-    if (thing.kind === "box") {
-      const size = thing.size as number[];
+    if (obstacle.kind === "box") {
+      const size = obstacle.size as number[];
       return [0, 1, 2].flatMap((k) => [1, -1].map((sign) => {
         const direction = AXES[k].clone().multiplyScalar(sign).applyQuaternion(turn);
         return handle(direction, size[k] / 2, (given) => {
@@ -73,9 +73,9 @@ export class Handles {
         });
       }));
     }
-    if (thing.kind === "sphere") return AXES.map((axis) => wider(axis));
-    if (thing.from && thing.to) {
-      const ends = [vector(thing.from), vector(thing.to)], along = ends[1].clone().sub(ends[0]).normalize();
+    if (obstacle.kind === "sphere") return AXES.map((axis) => wider(axis));
+    if (obstacle.from && obstacle.to) {
+      const ends = [vector(obstacle.from), vector(obstacle.to)], along = ends[1].clone().sub(ends[0]).normalize();
       const side = new THREE.Vector3().crossVectors(along, Math.abs(along.z) < 0.9 ? AXES[2] : AXES[0]).normalize();
       at.copy(ends[0]).add(ends[1]).multiplyScalar(0.5);
       return [
@@ -83,7 +83,7 @@ export class Handles {
         wider(side),
       ];
     }
-    const length = thing.length as number, long = AXES[2].clone().applyQuaternion(turn);
+    const length = obstacle.length as number, long = AXES[2].clone().applyQuaternion(turn);
     return [
       ...[1, -1].map((sign) => {
         const direction = long.clone().multiplyScalar(sign);
@@ -96,8 +96,8 @@ export class Handles {
     ];
   }
 
-  private ofStep(thing: Obstacle): Handle[] {
-    const { x, height, y = 0, length = 3, width = 2.4 } = thing as unknown as Record<string, number>;
+  private ofStep(obstacle: Obstacle): Handle[] {
+    const { x, height, y = 0, length = 3, width = 2.4 } = obstacle as unknown as Record<string, number>;
     const at = (u: number, v: number, z: number) => new THREE.Vector3(x + u, y + v, z), most = (side: number, by: number) => Math.max(by, LEAST - side);
     return [
       { at: at(length / 2, 0, height), along: AXES[2], entries: (by) => ({ height: height + most(height, by) }) },
@@ -111,8 +111,8 @@ export class Handles {
   }
 
   private place(): void {
-    const thing = this.thing();
-    this.shown = thing && !this.held ? this.handles(thing) : this.held ? this.shown : [];
+    const obstacle = this.obstacle();
+    this.shown = obstacle && !this.held ? this.handles(obstacle) : this.held ? this.shown : [];
     while (this.spots.children.length < this.shown.length) {
       const spot = new THREE.Mesh(this.ball, this.paint);
       spot.renderOrder = 11;
@@ -141,12 +141,12 @@ export class Handles {
   }
 
   private down(event: PointerEvent): void {
-    const thing = this.thing(), handle = thing && event.button === 0 ? this.found(event) : null;
-    if (!thing || !handle) return;
+    const obstacle = this.obstacle(), handle = obstacle && event.button === 0 ? this.found(event) : null;
+    if (!obstacle || !handle) return;
     event.stopImmediatePropagation();
     this.stage.orbit.enabled = false;
     this.stage.canvas.setPointerCapture(event.pointerId);
-    this.held = { handle, thing, revision: model.document!.revision, entries: {} };
+    this.held = { handle, obstacle, revision: model.document!.revision, entries: {} };
   }
 
   private move(event: PointerEvent): void {
@@ -168,26 +168,26 @@ export class Handles {
     }
     held.entries = Object.fromEntries(Object.entries(held.handle.entries(by, to)).map(([name, value]) => [name, rounded(value)]));
     toast(Object.entries(held.entries).map(([name, value]) => `${name} ${[value].flat().map((each) => short(each as number)).join(" ")} m`).join(", "), "note");
-    this.outline({ ...held.thing, ...held.entries } as Obstacle);
+    this.outline({ ...held.obstacle, ...held.entries } as Obstacle);
     this.stage.draw();
   }
 
   /** How large it would be. */
-  private outline(thing: Obstacle): void {
-    const { frame } = this, { turn, out, within } = axesOf(this.stage, { ...thing, position: this.held!.thing.position } as Obstacle);
-    const { x, height, y = 0, length = thing.kind === "step" ? 3 : 1, width = 2.4, radius } = thing as unknown as Record<string, number>;
+  private outline(obstacle: Obstacle): void {
+    const { frame } = this, { turn, out, within } = axesOf(this.stage, { ...obstacle, position: this.held!.obstacle.position } as Obstacle);
+    const { x, height, y = 0, length = obstacle.kind === "step" ? 3 : 1, width = 2.4, radius } = obstacle as unknown as Record<string, number>;
     frame.geometry.dispose();
     frame.quaternion.copy(within).multiply(turn);
-    frame.position.copy(out(vector(thing.position)));
+    frame.position.copy(out(vector(obstacle.position)));
     let whole: THREE.BufferGeometry;
-    if (thing.kind === "step") {
+    if (obstacle.kind === "step") {
       whole = new THREE.BoxGeometry(length, width, height);
       frame.position.set(x + length / 2, y, height / 2);
       frame.quaternion.identity();
-    } else if (thing.kind === "box") whole = new THREE.BoxGeometry(...(thing.size as [number, number, number]));
-    else if (thing.kind === "sphere") whole = new THREE.IcosahedronGeometry(radius, 1);
+    } else if (obstacle.kind === "box") whole = new THREE.BoxGeometry(...(obstacle.size as [number, number, number]));
+    else if (obstacle.kind === "sphere") whole = new THREE.IcosahedronGeometry(radius, 1);
     else {
-      const ends = thing.from && thing.to ? [vector(thing.from), vector(thing.to)] : null;
+      const ends = obstacle.from && obstacle.to ? [vector(obstacle.from), vector(obstacle.to)] : null;
       whole = new THREE.CylinderGeometry(radius, radius, ends ? ends[0].distanceTo(ends[1]) : length, 12).rotateX(Math.PI / 2);
       if (ends) {
         frame.position.copy(out(ends[0].clone().add(ends[1]).multiplyScalar(0.5)));
@@ -202,8 +202,8 @@ export class Handles {
   private async up(event: PointerEvent): Promise<void> {
     const { held } = this;
     if (!held || event.button !== 0) return;
-    const { thing, entries, revision } = held;
+    const { obstacle, entries, revision } = held;
     this.cancel();
-    if (Object.keys(entries).length) await change(addressOf(thing), entries, revision);
+    if (Object.keys(entries).length) await change(addressOf(obstacle), entries, revision);
   }
 }

@@ -8,26 +8,26 @@ import { showTab } from "./panels";
 import type { Stage } from "./stage";
 
 const STILL = 4; // [px] that a click may move
-const NEAR = 6; // [px] beside the figure from where it is taken
+const NEAR = 6; // [px] beside the figure at which a figure is still picked
 
-/** A drag: the grabbed point, the plane in which it moves, and where it is to go next, if it waits for an answer. */
+/** A drag: the grabbed point, the plane in which it moves, and its next target while an answer is pending. */
 interface Held {
   body: number; offset: number[]; plane: THREE.Plane; x: number; y: number; time: number;
   moved: boolean; waits: boolean; next: THREE.Vector3 | null; ended: boolean;
 }
 
 /** Where a ray meets an obstacle. */
-const meets = (stage: Stage, thing: Obstacle, ray: THREE.Ray): THREE.Vector3 | null => {
-  const { turn, out, within } = axesOf(stage, thing), { x = 0, y = 0, height = 0, radius = 0, length = thing.kind === "step" ? 3 : 0, width = 2.4 } = thing as unknown as Record<string, number>;
+const meets = (stage: Stage, obstacle: Obstacle, ray: THREE.Ray): THREE.Vector3 | null => {
+  const { turn, out, within } = axesOf(stage, obstacle), { x = 0, y = 0, height = 0, radius = 0, length = obstacle.kind === "step" ? 3 : 0, width = 2.4 } = obstacle as unknown as Record<string, number>;
   const vector = (given: unknown) => new THREE.Vector3().fromArray((given as number[] | undefined) ?? [0, 0, 0]);
-  if (thing.kind !== "box" && thing.kind !== "step") {
-    const ends = thing.from && thing.to ? [vector(thing.from), vector(thing.to)] : [-1, 1].map((sign) => new THREE.Vector3(0, 0, (sign * length) / 2).applyQuaternion(turn).add(vector(thing.position)));
+  if (obstacle.kind !== "box" && obstacle.kind !== "step") {
+    const ends = obstacle.from && obstacle.to ? [vector(obstacle.from), vector(obstacle.to)] : [-1, 1].map((sign) => new THREE.Vector3(0, 0, (sign * length) / 2).applyQuaternion(turn).add(vector(obstacle.position)));
     const near = new THREE.Vector3();
     return ray.distanceSqToSegment(out(ends[0]), out(ends[1]), near) < radius ** 2 ? near : null;
   }
-  const step = thing.kind === "step", middle = step ? new THREE.Vector3(x + length / 2, y, height / 2) : out(vector(thing.position));
+  const step = obstacle.kind === "step", middle = step ? new THREE.Vector3(x + length / 2, y, height / 2) : out(vector(obstacle.position));
   const frame = new THREE.Matrix4().compose(middle, step ? new THREE.Quaternion() : within.clone().multiply(turn), new THREE.Vector3(1, 1, 1));
-  const box = new THREE.Box3().setFromCenterAndSize(new THREE.Vector3(), step ? new THREE.Vector3(length, width, height) : vector(thing.size));
+  const box = new THREE.Box3().setFromCenterAndSize(new THREE.Vector3(), step ? new THREE.Vector3(length, width, height) : vector(obstacle.size));
   return ray.clone().applyMatrix4(frame.clone().invert()).intersectBox(box, new THREE.Vector3())?.applyMatrix4(frame) ?? null;
 };
 
@@ -86,9 +86,9 @@ export class Hands {
 
   /** Selects the nearest obstacle at a point of the page, or nothing. */
   private choose(event: PointerEvent): void {
-    const ray = this.stage.through(event), away = (thing: Obstacle) => meets(this.stage, thing, ray)?.distanceTo(ray.origin) ?? Infinity;
-    const found = (model.document?.obstacles ?? []).map((thing) => ({ thing, far: away(thing) })).filter(({ far }) => far < Infinity)
-      .sort((a, b) => a.far - b.far)[0]?.thing;
+    const ray = this.stage.through(event), away = (obstacle: Obstacle) => meets(this.stage, obstacle, ray)?.distanceTo(ray.origin) ?? Infinity;
+    const found = (model.document?.obstacles ?? []).map((obstacle) => ({ obstacle, far: away(obstacle) })).filter(({ far }) => far < Infinity)
+      .sort((a, b) => a.far - b.far)[0]?.obstacle;
     if (!found && !model.obstacle && model.joint === null) return;
     model.obstacle = found ? { kind: found.kind, index: found.index } : null;
     model.joint = null;
@@ -142,7 +142,7 @@ export class Hands {
     if (!held.waits) this.pull(held);
   }
 
-  /** Goes on with the mouse's present position, or lets go after a refusal. */
+  /** Continues with the mouse's present position, or lets go after a refusal. */
   private answered(held: Held, ok: boolean, words = ""): void {
     held.waits = false;
     if (!ok && !held.ended) toast(words, "wrong");

@@ -110,7 +110,7 @@ export const edit = (name: string, given: Message, stroke?: string): Promise<Ans
 /** Sets entries of a table; null removes one. */
 export const change = (at: Address, entries: Message, revision = model.document?.revision, stroke?: string): Promise<Answer> => edit("change", { at, entries, revision }, stroke);
 
-/** Moves keyframes to times [s]; the playhead stays at the one where it is. */
+/** Moves keyframes to times [s]; the playhead stays at its keyframe. */
 export const moveKeys = async (moves: [number, number][], revision = model.document?.revision, stroke?: string): Promise<void> => {
   const { here } = model, to = moves.find(([i]) => i === here)?.[1];
   const done = edit("move_keys", { moves, revision }, stroke);

@@ -193,23 +193,23 @@ const scene = (): void => {
   if (!document || $("panel-scene").hidden) return;
   const { revision, obstacles } = document;
   const adding = Object.entries(NEW).map(([kind, entries]) => el("button", {
-    type: "button", text: `+ ${kind}`, disabled: kind === "step" && obstacles.some((thing) => thing.kind === kind), onclick: () => {
+    type: "button", text: `+ ${kind}`, disabled: kind === "step" && obstacles.some((obstacle) => obstacle.kind === kind), onclick: () => {
       const x = Math.round(100 * (model.now ? model.now.centreAt(model.time)[0] + 0.8 : 0.6)) / 100;
       if (kind === "step") void change(["scene"], { step: { ...entries, x } });
       else void edit("add", { at: ["scene", kind], entries: { ...entries, position: [x, 0, entries.position![2]] } });
     },
   }));
-  const rows = obstacles.map((thing) => {
-    const selected = model.obstacle?.kind === thing.kind && model.obstacle.index === thing.index;
-    const title = `${thing.kind}${thing.name ? ` ‘${thing.name}’` : ""}`;
-    const row = el("div", { "data-id": `${thing.kind} ${thing.index}`, class: `joint${selected ? " selected" : ""}` },
-      el("button", { type: "button", class: "name", text: title, title: "select it on the stage", onclick: () => { model.obstacle = selected ? null : { kind: thing.kind, index: thing.index }; model.joint = null; model.tell("joint"); } }),
-      el("button", { type: "button", class: "axis", text: "✕", "aria-label": `delete the ${title}`, onclick: () => { model.obstacle = null; model.tell("joint"); void edit("remove", { at: addressOf(thing), revision }); } }));
+  const rows = obstacles.map((obstacle) => {
+    const selected = model.obstacle?.kind === obstacle.kind && model.obstacle.index === obstacle.index;
+    const title = `${obstacle.kind}${obstacle.name ? ` ‘${obstacle.name}’` : ""}`;
+    const row = el("div", { "data-id": `${obstacle.kind} ${obstacle.index}`, class: `joint${selected ? " selected" : ""}` },
+      el("button", { type: "button", class: "name", text: title, title: "select it on the stage", onclick: () => { model.obstacle = selected ? null : { kind: obstacle.kind, index: obstacle.index }; model.joint = null; model.tell("joint"); } }),
+      el("button", { type: "button", class: "axis", text: "✕", "aria-label": `delete the ${title}`, onclick: () => { model.obstacle = null; model.tell("joint"); void edit("remove", { at: addressOf(obstacle), revision }); } }));
     const line = el("div", { class: "numbers" });
-    const present = (name: string) => [(model.document?.obstacles.find(({ kind, index }) => kind === thing.kind && index === thing.index) ?? thing)[name]].flat() as number[];
-    for (const [name, value] of Object.entries(thing)) {
+    const present = (name: string) => [(model.document?.obstacles.find(({ kind, index }) => kind === obstacle.kind && index === obstacle.index) ?? obstacle)[name]].flat() as number[];
+    for (const [name, value] of Object.entries(obstacle)) {
       if (["kind", "index", "color", "mass"].includes(name)) continue;
-      const send = (now: number | number[], stroke?: string) => void change(addressOf(thing), { [name]: now }, revision, stroke);
+      const send = (now: number | number[], stroke?: string) => void change(addressOf(obstacle), { [name]: now }, revision, stroke);
       const named = (caption: string, entry: HTMLElement) => line.append(el("label", { class: "axis-name" }, caption, entry));
       if (typeof value === "number") named(name, numberField(`${title} ${name}`, value, "m", send, 0.01));
       else if (Array.isArray(value)) value.forEach((each, i) => named(i ? "xyz"[i] : `${name} x`, numberField(`${title} ${name} ${"xyz"[i]}`, each as number, "m",

@@ -119,10 +119,9 @@ class Person:
 
     def is_specified(self, keys: Timeline) -> Mask:
         """Return whether both keyframes of each segment specify the predicted entries, (K − 1, 51)."""
-        known, is_complete = keys.known, keys.known.all(axis=1, keepdims=True)
         columns = self.quaternions.ravel()
-        turns = np.where(columns >= 0, known[:, columns], is_complete)
-        specified = np.concatenate([known[:, self.position], turns], axis=1)
+        turns = np.where(columns >= 0, keys.known[:, columns], keys.known.all(axis=1, keepdims=True))
+        specified = np.concatenate([keys.known[:, self.position], turns], axis=1)
         return specified[:-1] & specified[1:]
 
     def posture(self, states: Array, ground: float) -> tuple[Array, Array]:

@@ -171,7 +171,7 @@ roots.lid = {position = [0, 1, 1], rotation = {rotvec = [0, 0, 0]}}
 """
     found = solved(FOUR_BAR, keys, tmp_path)
     (ignored,) = [note for note in found.clip.notes if "mocap" in note]
-    assert ignored == "mocap bodies hold nothing, so these equality constraints are ignored: '0' to 'handle'"
+    assert ignored == "equality constraints to mocap bodies, which do not move, are ignored: '0'"
     torn = measured(found)["closed"]
     assert torn["most, m"] < 2e-3
 
