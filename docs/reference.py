@@ -286,8 +286,8 @@ def speed() -> Iterator[str]:
     time, length = seconds(solve[1]), duration("run_and_step")
     yield f"- The clip `run_and_step`, {length} of motion with every soft constraint, takes {time}."
     yield (
-        f"- A simpler running figure takes {seconds(runner[1])} to within 0.5 % of the optimum. CasADi with IPOPT takes "
-        f"{factor(ipopt[2])} times as long."
+        f"- A simpler running figure takes {seconds(runner[1])} to within 0.5 % of the optimum. CasADi with IPOPT "
+        f"takes {factor(ipopt[2])} times as long."
     )
     dense = factor(row("barr", DENSE)[2])
     yield f"- The method is {dense} times as fast as dense SQP, and {sparse()} times as fast as sparse solvers."

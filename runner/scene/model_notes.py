@@ -34,16 +34,19 @@ def vertical_notes(model: mujoco.MjModel) -> list[str]:
 
 def _unsupported_equalities(model: mujoco.MjModel) -> Iterator[str]:
     """Yield notes on active constraints of tendons, and on those that hold a link to a mocap body."""
-    attached, names = (mujoco.mjtEq.mjEQ_CONNECT, mujoco.mjtEq.mjEQ_WELD), dict[bool, list[str]]()
+    attached, names = (int(mujoco.mjtEq.mjEQ_CONNECT), int(mujoco.mjtEq.mjEQ_WELD)), dict[str, list[str]]()
     for i in np.flatnonzero(model.eq_active0).tolist():
-        ends = np.array([model.eq_obj1id[i], model.eq_obj2id[i]])
-        bodies = model.site_bodyid[ends] if model.eq_objtype[i] == mujoco.mjtObj.mjOBJ_SITE else ends
-        is_attached = model.eq_type[i] in attached
-        if (is_attached and (model.body_mocapid[bodies] >= 0).any()) or model.eq_type[i] > mujoco.mjtEq.mjEQ_JOINT:
-            names.setdefault(bool(is_attached), []).append(f"'{model.equality(i).name or i}'")
-    for is_attached, listed_names in names.items():
-        what = "to mocap bodies, which do not move, are ignored" if is_attached else "of tendons are not looked at"
-        yield f"equality constraints {what}: {', '.join(listed_names)}"
+        kind, ends = int(model.eq_type[i]), np.array([model.eq_obj1id[i], model.eq_obj2id[i]])
+        bodies = model.site_bodyid[ends] if model.eq_objtype[i] == int(mujoco.mjtObj.mjOBJ_SITE) else ends
+        if kind in attached and (model.body_mocapid[bodies] >= 0).any():
+            names.setdefault("to mocap bodies, which do not move, are ignored", []).append(_equality_name(model, i))
+        elif kind not in (*attached, int(mujoco.mjtEq.mjEQ_JOINT)):
+            names.setdefault("of tendons are not looked at", []).append(_equality_name(model, i))
+    yield from (f"equality constraints {what}: {', '.join(listed_names)}" for what, listed_names in names.items())
+
+
+def _equality_name(model: mujoco.MjModel, equality: int) -> str:
+    return f"'{model.equality(equality).name or equality}'"
 
 
 def _tilted_gravity(model: mujoco.MjModel) -> Iterator[str]:

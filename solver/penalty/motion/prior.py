@@ -246,5 +246,6 @@ def _segments(person: Person, keys: Timeline, ground: float | None) -> Segments:
     hips, turns = person.posture(states, ground or 0.0)
     count = len(hips)
     offsets, tips = (np.tile(part, (count, 1, 1)) for part in (person.offsets, person.tips))
-    is_placed, on_floor = keys.known[places][..., person.position].all(axis=2), np.full(count, ground is not None)
+    is_placed: Mask = np.asarray(keys.known[places][..., person.position].all(axis=2))
+    on_floor = np.full(count, ground is not None)
     return Segments(hips, turns, offsets, tips, gaps / Size.of(person.figure).time, has_neighbours, is_placed, on_floor)
