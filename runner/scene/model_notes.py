@@ -37,16 +37,13 @@ def _unsupported_equalities(model: mujoco.MjModel) -> Iterator[str]:
     attached, names = (int(mujoco.mjtEq.mjEQ_CONNECT), int(mujoco.mjtEq.mjEQ_WELD)), dict[str, list[str]]()
     for i in np.flatnonzero(model.eq_active0).tolist():
         kind, ends = int(model.eq_type[i]), np.array([model.eq_obj1id[i], model.eq_obj2id[i]])
+        name = f"'{model.equality(i).name or i}'"
         bodies = model.site_bodyid[ends] if model.eq_objtype[i] == int(mujoco.mjtObj.mjOBJ_SITE) else ends
         if kind in attached and (model.body_mocapid[bodies] >= 0).any():
-            names.setdefault("to mocap bodies, which do not move, are ignored", []).append(_equality_name(model, i))
+            names.setdefault("to mocap bodies, which do not move, are ignored", []).append(name)
         elif kind not in (*attached, int(mujoco.mjtEq.mjEQ_JOINT)):
-            names.setdefault("of tendons are not looked at", []).append(_equality_name(model, i))
+            names.setdefault("of tendons are not looked at", []).append(name)
     yield from (f"equality constraints {what}: {', '.join(listed_names)}" for what, listed_names in names.items())
-
-
-def _equality_name(model: mujoco.MjModel, equality: int) -> str:
-    return f"'{model.equality(equality).name or equality}'"
 
 
 def _tilted_gravity(model: mujoco.MjModel) -> Iterator[str]:
