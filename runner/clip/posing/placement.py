@@ -15,7 +15,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.thresholds import Thresholds
-from dynsplines.solver.curve.frame import Frame, TimelineError
+from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.model import kinematics
@@ -38,7 +38,7 @@ from ...errors import UserError, unknown
 from ..table import BodyTable, KeyframeTable, SiteTable
 from .notes import can_move, immovable
 from .places import Places, root_links
-from .standing_feet import Stander, balance_of, is_slow
+from .standing_feet import Stander, balance_of
 
 HEADING = 2.0  # [1/rad] weight of a foot's preferred heading, relative to 1 rad of a limb joint
 ALIKE = 0.5  # [1] largest deviation of a foot's displacement from the mean, relative to the mean
@@ -114,7 +114,7 @@ def with_pose(
         home[columns] = quat.normalised(home[columns])
     also += _planted(figure, keys[k - 1], goals) if k else []
     home = _root_above_feet(figure, home, ~key.fixed, goals, soles)
-    ground = stander.surfaces if is_slow(figure, path, k) else ()
+    ground = stander.surfaces if _is_slow(figure, path, k) else ()
     best = None
     for chosen in ([*goals, *also], goals) if also else (goals,):
         best = posed(figure, home, ~key.fixed, chosen, stander.bends)
@@ -257,6 +257,14 @@ def _touches(figure: Figure, pose: Array, points: Sequence[Point], surfaces: Seq
     """Return whether one of the points touches a surface in a pose (nq,)."""
     height, _ = heights(surfaces, *places_of(points, Samples.still(figure, figure.to_state(pose[None]))))
     return bool((height < Thresholds.of(figure).near_surface).any())
+
+
+def _is_slow(figure: Figure, path: Timeline, k: int) -> bool:
+    """Return whether the roots hardly travel between the keyframes before and after keyframe k."""
+    first, last = max(k - 1, 0), min(k + 1, path.times.size - 1)
+    moves = (path.states[last] - path.states[first])[figure.tables.position_columns[:2]]
+    speed = float(np.linalg.norm(moves, axis=0).max(initial=0.0) / (path.times[last] - path.times[first]))
+    return speed < Thresholds.of(figure).travels
 
 
 def check_search(figure: Figure, key: Frame, placed: Sequence[Contact], where: str) -> None:

@@ -106,14 +106,6 @@ def upright(
     return pose if pose.worst <= NEARLY else posed(figure, home, free, goals, bends, STARTS, preferred=preferred)
 
 
-def is_slow(figure: Figure, path: Timeline, k: int) -> bool:
-    """Return whether the roots hardly travel between the keyframes before and after keyframe k."""
-    first, last = max(k - 1, 0), min(k + 1, path.times.size - 1)
-    moves = (path.states[last] - path.states[first])[figure.tables.position_columns[:2]]
-    speed = float(np.linalg.norm(moves, axis=0).max(initial=0.0) / (path.times[last] - path.times[first]))
-    return speed < Thresholds.of(figure).travels
-
-
 def balance_of(
     figure: Figure, soles: Sequence[Point], goals: Sequence[Goal], share: float = 1.0
 ) -> list[tuple[float, Goal]]:
@@ -224,13 +216,11 @@ class Stander:
                 position = target.place(np.array([key.time]))[:, 0]
                 groups.append([PointGoal.of(self.figure, target.point, position)])
         home, count = figure.to_qpos(frame.state), len(groups)
-        may_shift = is_slow(figure, known.timeline, k) and not frame.fixed[figure.tables.position_columns[:2]].all()
+        root = figure.root
+        may_shift = root is not None and not frame.fixed[figure.links[root.link].qpos + np.arange(2)].all()
         is_determined, missed = np.zeros(figure.width, bool), list[Goal]()
         while groups:
             goals = [goal for group in groups for goal in group]
-            may_shift = (
-                figure.root is not None and not frame.fixed[figure.links[figure.root.link].qpos + np.arange(2)].all()
-            )
             preferred = balance_of(figure, known.soles, goals, STANDING) if may_shift else []
             pose = upright(figure, home, ~frame.fixed, goals, self.bends, preferred)
             if pose.worst > NEARLY and len(groups) == count:

@@ -23,9 +23,7 @@ from ..simulation import Simulation
 from .mjcf_keys import write_keys
 
 ANGLE, DISTANCE = 0.05, 0.05  # [rad] and [m] largest deviations of a scene that follows its motion
-LOST = (
-    2.0  # [1] deviation of a translation, relative to the largest of a scene that follows, at which the figure is lost
-)
+LOST = 2.0  # [1] deviation at which the figure is lost, relative to the largest of a scene that follows
 
 
 def write(sampled: Sampled, path: Path) -> list[str]:
