@@ -15,12 +15,8 @@ from dynsplines.motion import Sampled
 LIMB = read_data("rail_limb.xml").replace("{ridge}", " ".join(["0 .2 .4 .6 .8 .9 1 .9 .8 .6 .4 .2 0"] * 7))
 OBSTACLES = {
     "rail": 'type="capsule" size=".02 .6" euler="90 0 0" pos="0 0 .47"',
-    "ball": 'type="sphere" size=".05" pos="0 0 .44"',
-    "log": 'type="cylinder" size=".05 .5" euler="90 0 0" pos="0 0 .44"',
-    "egg": 'type="ellipsoid" size=".05 .3 .06" pos="0 0 .43"',
     "rock": 'type="mesh" mesh="rock" pos="0 0 .43"',
     "ridge": 'type="hfield" hfield="ridge" pos="0 0 .36"',
-    "beam": 'type="box" size=".03 .4 .03" pos="0 0 .46"',
 }
 CLIP = read_data("limb.toml")
 

@@ -24,7 +24,6 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Attachment, BendLimits, JointRange, joint_ranges
 from dynsplines.solver.surface.points import places_of
 
-HEIGHTS = [(0.7, True), (0.45, False)]
 KNEES = ("left_knee", "right_knee")
 ROUNDING = 0.1  # degrees beyond a range that a soft constraint leaves
 REST = 'figure = "human"\n[[keyframe]]\ntime = 0\nothers = "rest"\n'
@@ -60,7 +59,7 @@ def soles(problem: Clip, k: int) -> Array:
     return np.array([data.site(point.name).xpos for point in problem.context.points])
 
 
-def squat(height: float, *, contacts: bool = False, figure: str = "human") -> Clip:
+def squat(height: float, figure: str = "human") -> Clip:
     """The simplest squat: at rest, the root at a height, at rest again."""
     text = f"""figure = "{figure}"
         [[keyframe]]
@@ -73,8 +72,6 @@ def squat(height: float, *, contacts: bool = False, figure: str = "human") -> Cl
         time = 2
         others = "rest"
         """
-    for point in ("left_heel", "right_heel", "left_toe", "right_toe") if contacts else ():
-        text += f'[[contact]]\npoint = "{point}"\nfrom = 0\nto = 2\n'
     return read(text)
 
 
@@ -98,9 +95,8 @@ def assert_squat(problem: Clip, timeline: Timeline, sunk: float, moved: float, w
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("height", "contacts"), HEIGHTS)
-def test_a_lowered_pelvis_is_a_squat(height, contacts):
-    problem = squat(height, contacts=contacts)
+def test_a_lowered_pelvis_is_a_squat():
+    problem = squat(height := 0.7)
     timeline = inbetween(problem.problem).timeline
     assert_squat(problem, timeline, 1e-3, 5e-3, KNEES)
     qpos = problem.figure.to_qpos(timeline.states[list(timeline.times).index(1.0)])
@@ -109,11 +105,10 @@ def test_a_lowered_pelvis_is_a_squat(height, contacts):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("y", "height"), [(0.08, 0.9), (-0.1, 0.85)])
-def test_who_leans_aside_stays_in_balance_where_the_root_may_move_ahead(y, height):
+def test_who_leans_aside_stays_in_balance_where_the_root_may_move_ahead():
     """Legs stay straighter if the root leaves the feet behind: the centre of mass was before the toes, or behind."""
     first, last = (f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in (0, 2))
-    aside = f'[[keyframe]]\ntime = 1\nroot.position = ["free", {y}, {height}]\n'
+    aside = '[[keyframe]]\ntime = 1\nroot.position = ["free", 0.08, 0.9]\n'
     problem = read(f'figure = "human"\n{first}{aside}{last}')
     path, model = path_of(inbetween(problem.problem).timeline), problem.figure.model
     for qpos in problem.figure.to_qpos(path.at(np.linspace(0, 2, 41))):
@@ -200,10 +195,3 @@ def test_a_contact_specifies_the_position_of_a_foot_without_one_in_keyframes():
     names = [point.name for point in problem.context.points]
     for point, place in places.items():
         np.testing.assert_allclose(soles(problem, 1)[names.index(point)], place, atol=2e-3)
-
-
-@pytest.mark.slow
-def test_a_hand_at_the_floor_is_a_crouch_with_the_feet_where_they_stand():
-    problem = between("sites.left_hand = [0.35, 0.15, 0.1]")
-    np.testing.assert_allclose(soles(problem, 1), soles(problem, 0), atol=1e-3)
-    assert problem.keys[1].state[2] < 0.85
