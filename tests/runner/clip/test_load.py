@@ -430,9 +430,6 @@ def end_speeds(found: Clip) -> np.ndarray:
         (("", RAISED, ""), "clamped"),
         ((ALOFT, "", ""), "clamped end"),
         (("", "", ALOFT), "clamped start"),
-        (("root.position = [-0.5, 0, 0.9]\n", RAISED, RAISED), "clamped end"),
-        ((ALOFT, ALOFT, ALOFT), "clamped"),  # each repeats its neighbour
-        ((ALOFT + RAISED, ALOFT, ALOFT), "clamped end"),
         ((ALOFT + RAISED, ALOFT, "root.position = [0, 0, 1.4]\n"), "free"),
     ],
 )

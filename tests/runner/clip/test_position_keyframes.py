@@ -13,7 +13,7 @@ from problems import HINGE
 from processes import quiet
 from rekeyed import with_keys
 
-from dynsplines import inbetween, recordings, solving
+from dynsplines import recordings, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.clip.mirror import mirrored_tables
@@ -52,6 +52,21 @@ sites.right_hand = {{position = [0.5, -0.3, 1.1], by = "search"}}
 
 def read(text: str, name: str = "c") -> Clip:
     return recordings.from_text(text, name=name)
+
+
+ARM = """<body name="{0}_arm" pos="0 {1} 1"><joint name="{0}_shoulder" axis="0 1 0"/>
+  <geom type="capsule" size=".03" fromto="0 0 0 .3 0 0"/><site name="{0}_hand" pos=".3 0 0"/></body>"""
+ARMS = f"<mujoco><worldbody>{ARM.format('left', 0.2)}{ARM.format('right', -0.2)}</worldbody></mujoco>"
+
+
+def arms(*bodies: str) -> str:
+    """Keyframes of two arms of 0.3 m, one a second."""
+    keys = "".join(f"[[keyframe]]\ntime = {t}\n{body}" for t, body in enumerate(bodies))
+    return f'figure = "arms.xml"\n{keys}'
+
+
+def read_arms(*bodies: str) -> Clip:
+    return recordings.from_text(arms(*bodies), name="arms", spec=mujoco.MjSpec.from_string(ARMS))
 
 
 def second(body: str, first: str = REST) -> str:
@@ -181,15 +196,11 @@ def _columns(problem: Clip, name: str) -> slice:
     return slice(link.qpos, link.qpos + 4)
 
 
-@pytest.mark.slow
 def test_a_search_at_both_ends_of_the_clip_is_met_on_its_given_axes():
-    place = 'others = "{}"\nsites.left_hand = {{position = {}, by = "search"}}\n'
-    first, last = place.format("free", "[0.3, 0.2, 1.1]"), place.format("rest", '["free", "free", 1.3]')
-    problem = read(f"{HEAD}[[keyframe]]\ntime = 0\n{first}[[keyframe]]\ntime = 1\n{last}")
+    place = 'sites.left_hand = {{position = [{}, "free", "free"], by = "search"}}\n'
+    problem = read_arms(place.format(0.2), place.format(0.1))
     at = solving.solve(problem, quiet()).motion.at(np.array([0.0, 1.0]))
-    begin, end = (seen(problem, qpos).site("left_hand").xpos.copy() for qpos in at)
-    assert np.linalg.norm(begin - [0.3, 0.2, 1.1]) < 1e-3
-    assert end[2] == pytest.approx(1.3, abs=1e-3)
+    assert [seen(problem, qpos).site("left_hand").xpos[0] for qpos in at] == pytest.approx([0.2, 0.1], abs=1e-3)
 
 
 KEY = "c.toml: keyframe 2 (t = 0.8 s): "
@@ -216,7 +227,6 @@ MISTAKES = {
         'others = "rest"\nsites.left_heel = [0, 0.09, -0.23]\nbodies.left_foot = {flat = true}',
         ["left_ankle free and body 'left_foot' turned as specified; "],
     ),
-    "a little out of reach": ('others = "rest"\nsites.left_hand = ["free", "free", 0.836]', [" mm off in the"]),
     "nothing free": (
         f'others = "rest"\njoints.{HELD}\nsites.left_heel = [0, 0, 0.2]',
         ["site 'left_heel' cannot move", "every joint on the way to it", "(root, left_hip, left_knee, left_ankle)"],
@@ -240,11 +250,6 @@ MISTAKES = {
     "out of reach of a root that cannot turn": (
         'others = "rest"\nroot.position = "free"\nsites.left_heel = [0, 0.09, 0]\nsites.right_heel = [3, -0.09, 0]',
         ['others = "rest" fixes root.rotation: write root.rotation = "free", or move one of the targets'],
-    ),
-    "out of reach of a free root": (
-        'root.position = "free"\nroot.rotation = "free"\nsites.left_heel = [0, 0.09, 0]\n'
-        'sites.right_heel = [3, -0.09, 0]',
-        ["m off in the nearest pose, with root, right_hip, right_knee, right_ankle free; move one of the targets; "],
     ),
     "every axis free": ('sites.left_heel = ["free", "free", "free"]', ["sites.left_heel: every axis is free"]),
     "a word": ('sites.left_heel = "free"', ["sites.left_heel must be [x, y, z] in metres", "not 'free'"]),
@@ -274,37 +279,30 @@ def test_an_error_is_one_line_that_says_where(mistake):
         assert word in told
 
 
-@pytest.mark.slow
+FAR = "sites.{}_hand = [3, 0, 1]\n"
+
+
 def test_all_places_without_a_pose_are_reported_at_once():
-    far = 'sites.{} = [3, 0, 1]\nothers = "rest"\n'
-    text = f"{REST}[[keyframe]]\ntime = 1\n{far.format('left_hand')}sites.right_heel = [0, -0.09, -0.3]\n"
-    text += f"[[keyframe]]\ntime = 2\n{far.format('right_hand')}"
     with pytest.raises(UserError) as caught:
-        read(text)
+        read_arms('others = "rest"\n', FAR.format("left") + FAR.format("right"), FAR.format("right"))
     told = str(caught.value)
     assert told.count("no pose found that puts site") == 3 and "\n" not in told
     hand = "keyframe 2 (t = 1 s): no pose found that puts site 'left_hand'"
-    assert all(words in told for words in (hand, "'right_heel'", "keyframe 3 (t = 2 s)"))
+    assert all(words in told for words in (hand, "'right_hand'", "keyframe 3 (t = 2 s)"))
 
 
-@pytest.mark.slow
 def test_a_place_without_a_pose_is_as_near_as_it_comes_where_that_is_wanted():
     unmet: list[str] = []
-    text = second('others = "rest"\nsites.left_hand = [3, 0, 1]\n')
-    problem = clip.from_parsed(parse(text, "c", "c.toml"), unmet=unmet)
+    text = arms('others = "rest"\n', "sites.left_hand = [0, 0.2, 3]\n")
+    problem = clip.from_parsed(parse(text, "c", "c.toml"), spec=mujoco.MjSpec.from_string(ARMS), unmet=unmet)
     assert [line.split(" (")[0] for line in unmet] == ["keyframe 2"]
-    hand = seen(problem, problem.keys[1].state).site("left_hand").xpos
-    shoulder = seen(problem, problem.keys[1].state).body("left_upper_arm").xpos
-    way = np.array([3, 0, 1]) - shoulder
-    np.testing.assert_allclose(
-        (hand - shoulder) @ way / np.linalg.norm(way), np.linalg.norm(hand - shoulder), rtol=1e-3
-    )
+    np.testing.assert_allclose(seen(problem, problem.keys[1].state).site("left_hand").xpos, [0, 0.2, 1.3], atol=1e-3)
 
 
 @pytest.mark.slow
 def test_keyframes_are_drawn_as_near_as_they_come(tmp_path: Path, monkeypatch, command):
-    far = second('others = "rest"\nsites.left_hand = [3, 0, 1]\n')
-    (tmp_path / "far.toml").write_text(far, encoding="utf-8")
+    (tmp_path / "arms.xml").write_text(ARMS, encoding="utf-8")
+    (tmp_path / "far.toml").write_text(arms('others = "rest"\n', FAR.format("left")), encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     done = command("render", "far.toml", "--only", "keys", "-o", "far.png", "--size", "96x64")
     assert not done.code and (tmp_path / "far.png").is_file()
@@ -312,8 +310,7 @@ def test_keyframes_are_drawn_as_near_as_they_come(tmp_path: Path, monkeypatch, c
     assert "no pose found that puts site 'left_hand' at (3, 0, 1)" in note and "drawn as near as it comes" in note
 
 
-@pytest.mark.parametrize("height", [0.45, 0.6])
-@pytest.mark.parametrize("feet", ["", "flat"])
+@pytest.mark.parametrize(("height", "feet"), [(0.45, ""), (0.6, "flat")])
 def test_a_hand_that_reaches_down_bends_knees_and_trunk_over_feet_that_point_forward(height: float, feet: str):
     body = f"sites.right_hand = [0.5, -0.2, {height}]\n"
     for side, y in (("left", 0.09), ("right", -0.09)) if feet else ():
@@ -345,11 +342,11 @@ sites.right_hand = [0.25, 0.6, 0.4]
 
 
 def test_a_flat_foot_keeps_its_heading_where_it_stays_in_its_position():
-    problem = read(second(LUNGE))
+    turned = LUNGE.replace("left_foot = {flat = true}", "left_foot = {flat = true, heading = 20}")
+    problem = read(second(turned))
     first, lunge = (seen(problem, key.state) for key in problem.keys)
     assert heading(lunge, "right") == pytest.approx(heading(first, "right"), abs=1e-4)
-    turned = LUNGE.replace("right_foot = {flat = true}", "right_foot = {flat = true, heading = 20}")
-    assert heading(seen(problem, read(second(turned)).keys[1].state), "right") == pytest.approx(20, abs=1e-4)
+    assert heading(lunge, "left") == pytest.approx(20, abs=1e-4)
 
 
 def test_a_free_height_lifts_the_other_foot_out_of_the_floor():
@@ -371,14 +368,11 @@ def test_a_foot_that_the_search_lifts_between_two_keyframes_does_not_stand():
     rest = '[[keyframe]]\ntime = {}\nothers = "rest"\n'
     text = f'figure = "human"\n{rest.format(0)}[[keyframe]]\ntime = 1\n'
     text += f'sites.left_heel = {{position = [0.1, 0.09, 0.25], by = "search"}}\n{rest.format(2)}'
-    motion = inbetween(recordings.from_text(text, name="c"))
-    assert not [violation for violation in motion.violations if violation.kind == "placement"]
-    stances = motion.clip.context.schedule.stances
+    stances = read(text).context.schedule.stances
     assert {stance.point.name for stance in stances} == {"right_heel", "right_toe"}
 
 
-@pytest.mark.parametrize("others", ["previous", "free"])
-@pytest.mark.parametrize("height", [0.05, 0.1])
+@pytest.mark.parametrize(("height", "others"), [(0.05, "previous"), (0.1, "free")])
 def test_a_foot_raised_by_its_heel_alone_has_its_toes_out_of_the_floor(height, others):
     """The nearest pose had a straight ankle, and toes 3 cm below the floor."""
     raised = f"""root.position = [0.08, 0, 0.92]
@@ -394,10 +388,9 @@ others = "{others}"
     assert data.site("left_toe").xpos[2] == pytest.approx(0, abs=1e-4)
 
 
-@pytest.mark.parametrize("heading", [0, 80])
-def test_the_trunk_follows_two_feet_that_are_placed_elsewhere(heading):
+def test_the_trunk_follows_two_feet_that_are_placed_elsewhere():
     """It stayed behind as far as the legs reach, so that the figure crouched, deeper with every keyframe."""
-    text, angle = REST, np.radians(heading)
+    text, angle = REST, np.radians(heading := 80)
     turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
     for k in range(1, 5):
         text += f'[[keyframe]]\ntime = {3 * k}\nothers = "previous"\nroot.position = "free"\n'

@@ -333,11 +333,10 @@ ROD = """<mujoco><worldbody><body name="arm" pos="0 0 1"><joint name="lift" axis
 def test_a_narrow_obstacle_inside_a_wide_geom_is_reported(model, geom, row, box, above, is_penalized):
     scene = f"[[scene.box]]\nname = 'post'\n{box.format(above + (0.6 if model is DECK else 0.45))}\n"
     off = "" if is_penalized else "[[penalty]]\nkind = 'collision'\nweight = 0\n"
-    solved = inbetween(read(scene + off + keys(row, row), model))
-    data = kinematics(solved.model, solved.at(0.0))
-    geoms = [solved.model.geom(name).id for name in (geom, "post")]
-    assert mujoco.mj_geomDistance(solved.model, data, *geoms, 0.1, None) < -0.02
-    assert any(v.kind == "penetration" and v.amount > 0.02 for v in solved.violations)
+    problem = read(scene + off + keys(row, row), model)
+    data = kinematics(posed := problem.figure.model, problem.keys[0].state)
+    assert mujoco.mj_geomDistance(posed, data, *(posed.geom(name).id for name in (geom, "post")), 0.1, None) < -0.02
+    assert any(v.kind == "penetration" and v.amount > 0.02 for v in wrong(problem))
 
 
 def deepest(problem: Clip, rate: float) -> float:
@@ -486,26 +485,17 @@ def test_a_figure_that_falls_too_slowly_or_too_fast_floats(gravity):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("seconds", "legs"), [(0.45, ""), (0.3, REST)])
-def test_a_jump_with_one_keyframe_in_the_air_falls_freely(seconds, legs):
+def test_a_jump_with_one_keyframe_in_the_air_falls_freely():
     crouch = at(0, 0, 0.75, REST) + (
         "sites = {left_heel = [-0.055, 0.09, 0], right_heel = [-0.055, -0.09, 0]}\n"
         "bodies = {left_foot = {flat = true}, right_foot = {flat = true}}\n"
     )
-    poses = (REST, crouch, f"root.position = [0, 0, 1.2]\n{legs}", crouch, REST)
-    found = inbetween(read(keys(*poses, times=np.cumsum([0, 0.5, seconds, seconds, 0.7]))))
+    poses = (REST, crouch, f"root.position = [0, 0, 1.2]\n{REST}", crouch, REST)
+    found = inbetween(read(keys(*poses, times=(0, 0.5, 0.8, 1.1, 1.8))))
     assert found.violations == []
     t = np.linspace(-0.1, 0.1, 9)
-    height = [kinematics(found.model, found.at(0.5 + seconds + after)).subtree_com[1][2] for after in t]
+    height = [kinematics(found.model, found.at(0.8 + after)).subtree_com[1][2] for after in t]
     assert 2 * np.polyfit(t, height, 2)[0] == pytest.approx(-9.81, abs=1)
-
-
-@pytest.mark.slow
-def test_a_jump_that_hovers_beside_its_flight_is_reported():
-    """Without a crouch, the figure rises slowly, is in free fall around the top, and comes down slowly."""
-    jump = read(keys(REST, "root.position = [0, 0, 1.2]", REST))
-    assert jump.context.schedule.flights
-    assert [each.kind for each in inbetween(jump).violations] == ["float"]
 
 
 # recordings
@@ -593,8 +583,8 @@ def test_edited_motions_have_the_violations_of_their_samples_and_not_of_the_clip
 
 @pytest.mark.slow
 def test_why_the_search_ended_is_in_the_file(tmp_path):
-    rows = [Keyframe(0, others="rest"), Keyframe(0.8, root={"position": [0.7, 0, 1.2]}, others="rest")]
-    found = inbetween(build("human", rows, scene={"step": {"x": 0.4, "height": 0.27}}, solve={"evaluations": 2}))
+    rows = [Keyframe(t, root={"position": [0, 0, z]}, others="rest") for t, z in ((0, 1), (0.8, 1.4), (1, 1))]
+    found = inbetween(build("spinner", rows, solve={"evaluations": 2, "tolerance": 1e-12}))
     assert [each.kind for each in found.violations].count("search") == 1
     found.save(tmp_path / "m.npz")
     assert motion.load(tmp_path / "m.npz").report == {}
@@ -607,7 +597,7 @@ def test_why_the_search_ended_is_in_the_file(tmp_path):
     assert [each["text"] for each in again.report()["violations"]] == [each.text for each in found.violations]
     assert str(again.report()).splitlines()[0].startswith("violation: ")
     again.save(tmp_path / "measured.npz")
-    assert motion.load(tmp_path / "measured.npz").report["keyframes"] == 2
+    assert motion.load(tmp_path / "measured.npz").report["keyframes"] == 3
 
 
 def test_the_bounds_of_the_page_are_those_of_the_code():
