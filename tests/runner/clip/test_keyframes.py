@@ -167,7 +167,7 @@ def test_hinges_are_posed_in_the_winding_of_the_keyframe_before(tmp_path: Path, 
     assert data.site("tip").xpos == pytest.approx([*place, 1], abs=1e-6)
 
 
-FAST = ((0, 0), (0.6, 0), (0.9, -120))
+FAST = ((0, 0), (0.5, 0), (0.9, -90))
 
 
 def read_held(keys: tuple[tuple[float, float], ...]) -> Clip:
@@ -191,7 +191,7 @@ def turned_joints(problem: Clip, qpos: Array) -> dict[str, float]:
 
 @pytest.mark.slow
 def test_an_arm_and_the_body_are_held_before_a_fast_motion_of_the_arm() -> None:
-    problem, hold = read_held(FAST), np.linspace(0, 0.6, 200)
+    problem, hold = read_held(FAST), np.linspace(0, 0.5, 200)
     raw = problem.figure.to_qpos(path_of(problem.problem.raw).at(hold))
     assert turned_joints(problem, raw)["right_shoulder"] > 10
     motion = inbetween(problem)
