@@ -60,6 +60,14 @@ class Keyframe:
             moved by inverse kinematics.
         qpos: (nq,) complete configuration in MuJoCo's order. Joints, roots, sites and bodies that are also specified
             replace its values; `others` then has no effect.
+
+    Examples:
+        >>> from dynsplines import Keyframe, build
+        >>> rest = Keyframe(0.0, others="rest")
+        >>> arm_forward = Keyframe(0.5, joints={"left_shoulder": {"rotvec": [0, -90, 0]}}, others="previous")
+        >>> squat = Keyframe(1.0, root={"position": [0, 0, 0.7]})  # the solver chooses the joints
+        >>> build("human", [rest, arm_forward, squat], name="exercise")
+        <Clip exercise: 1.00 s, 3 keyframes (1 partial), 15 penalties, 39 DOF>
     """
 
     time: float
@@ -117,6 +125,18 @@ def build(
 
     Raises:
         UserError: Entries do not fit the figure. The message is one line that names the keyframe and the argument.
+
+    Examples:
+        >>> from dynsplines import Keyframe, build, inbetween
+        >>> pendulum = '''
+        ... <mujoco><worldbody><body name="rod" pos="0 0 1"><joint name="hinge" axis="0 1 0"/>
+        ...   <geom type="capsule" size=".02" fromto="0 0 0 0 0 -.5"/></body></worldbody></mujoco>'''
+        >>> keys = [Keyframe(0.0, joints={"hinge": -40}), Keyframe(0.5, joints={"hinge": 40})]  # degrees
+        >>> clip = build(pendulum, keys, name="swing", penalties={"torque": 0.1}, solve={"ends": "free"})
+        >>> print(clip)
+        <Clip swing: 0.50 s, 2 keyframes, 5 penalties, 1 DOF>
+        >>> inbetween(clip).at([0.0, 0.5]).round(3).tolist()  # radians
+        [[-0.698], [0.698]]
     """
     with file_access.allowed(allow_outside):
         spec, called = spec_of(figure)
@@ -154,6 +174,16 @@ def load(
 
     Raises:
         UserError: For an invalid clip. The message is one line that names the file, the keyframe and the key.
+
+    Examples:
+        >>> from dynsplines import load
+        >>> load("tumble")
+        <Clip tumble: 3.00 s, 7 keyframes, 5 penalties, 6 DOF>
+        >>> load('''
+        ... figure = "spinner"
+        ... keyframe = [{time = 0, others = "rest"}, {time = 1, others = "rest", root.position = [0.5, 0, 1]}]
+        ... ''')
+        <Clip clip: 1.00 s, 2 keyframes, 5 penalties, 6 DOF>
     """
     if not isinstance(source, str | os.PathLike):
         raise UserError(
@@ -189,6 +219,11 @@ def inbetween(clip: Clip | str | os.PathLike[str], *, progress: bool = False) ->
 
     Raises:
         UserError: For an invalid clip.
+
+    Examples:
+        >>> from dynsplines import inbetween, load
+        >>> inbetween(load("tumble"))
+        <Motion tumble: 3.00 s, 7 keyframes, 15 variable frames, 6 DOF>
     """
     heard = Progress() if progress else silent()
     problem = clip if isinstance(clip, Clip) else load(clip)
@@ -207,6 +242,11 @@ def load_motion(source: str | os.PathLike[str]) -> Motion:
 
     Raises:
         UserError: For any other file.
+
+    Examples:
+        >>> from dynsplines import inbetween, load_motion
+        >>> load_motion(inbetween("tumble").save("tumble.npz"))
+        <Motion tumble: 3.00 s, 7 keyframes, 15 variable frames, 6 DOF>
     """
     if not files.is_motion(os.fspath(source)):
         raise UserError(f"'{source}': a motion is an .npz file; load opens a clip, import_motion a recording")
@@ -238,6 +278,12 @@ def import_motion(
 
     Raises:
         UserError: For an invalid file, or one that does not fit the figure. The message is one line.
+
+    Examples:
+        >>> from dynsplines import import_motion, inbetween
+        >>> table = inbetween("tumble").export("table.csv", fps=60)
+        >>> import_motion(table, figure="spinner")
+        <Motion table: 3.00 s, 181 keyframes, 6 DOF>
     """
     from ..exchange.motion_import import import_recording
 

@@ -38,7 +38,7 @@ from ..system.quantity import length, positive
 
 
 class Report(dict[str, Any]):
-    """Measurements of a motion: a dict of plain numbers whose keys contain the unit, printed as two tables."""
+    """Measurements of a motion: nested dicts whose keys contain the units, printed as violations and a table."""
 
     def __str__(self) -> str:
         out = io.StringIO()
@@ -144,6 +144,14 @@ class Motion:
 
         Raises:
             UserError: For times outside the motion.
+
+        Examples:
+            >>> from dynsplines import inbetween
+            >>> motion = inbetween("tumble")
+            >>> motion.at(0.0).tolist()  # position [m] and quaternion of the root
+            [0.0, 0.0, 1.2, 1.0, 0.0, 0.0, 0.0]
+            >>> motion.at([0.0, 1.5, 3.0]).shape
+            (3, 7)
         """
         times = self._times(t)
         return self.saved.at(times.ravel()).reshape(*times.shape, self.model.nq)
@@ -169,6 +177,14 @@ class Motion:
 
         Raises:
             UserError: For times outside the motion, or both arguments.
+
+        Examples:
+            >>> from dynsplines import inbetween
+            >>> run = inbetween("tumble").sampled(100)
+            >>> run.time.shape, run.qpos.shape, run.qvel.shape
+            ((301,), (301, 7), (301, 6))
+            >>> run.bodies.position.shape  # of the world and the aeroplane
+            (301, 2, 3)
         """
         if times is None:
             return Sampled.of(self.saved, self.fps if fps is None else positive(fps, "fps ="))
@@ -183,8 +199,8 @@ class Motion:
     def forces(self, fps: float | None = None, *, times: ArrayLike | None = None) -> Forces:
         """Return joint torques and ground reactions at equal time steps or given times.
 
-        They are MuJoCo's inverse dynamics. The ground reactions are estimated: they supply as much of the motion as
-        points in contact can by pressure and friction. Where contacts are unknown, forces are nan.
+        They are those of MuJoCo's inverse dynamics. The ground reactions are estimated: pressure and friction at the
+        points in contact supply as much of the required force as they can. Where contacts are unknown, forces are nan.
 
         Args:
             fps: Samples per second [1/s]; default: those of the motion.
@@ -197,18 +213,34 @@ class Motion:
 
         Raises:
             UserError: For times outside the motion, or both arguments.
+
+        Examples:
+            >>> from dynsplines import Keyframe, build, inbetween
+            >>> stand = inbetween(build("human", [Keyframe(0.0, others="rest"), Keyframe(0.5, others="rest")]))
+            >>> forces = stand.forces(times=[0.25])
+            >>> [foot.name for foot in forces.feet]
+            ['left_foot', 'right_foot']
+            >>> weight = 9.81 * stand.model.body_subtreemass[1]
+            >>> f"{sum(foot.force[0, 2] for foot in forces.feet) / weight:.2f}"
+            '1.00'
         """
         return Forces.of(self.sampled(fps, times=times))
 
     def report(self) -> Report:
         """Return measurements of the spline through the keyframes ("before") and of the solution ("after").
 
-        The motion is sampled more finely than in the search.
-
-        The first call takes about a second; the result is cached.
+        The motion is sampled more finely than in the search. The result is cached.
 
         Returns:
             The measurements, under "before" and "after".
+
+        Examples:
+            >>> from dynsplines import inbetween
+            >>> report = inbetween("tumble").report()
+            >>> report["before"]["objective"] > report["after"]["objective"]
+            True
+            >>> sorted(report["after"]["terms"])
+            ['acceleration.angular', 'acceleration.linear', 'collision.body', 'posture', 'unit']
         """
         return self._report
 
@@ -224,7 +256,17 @@ class Motion:
 
     @property
     def violations(self) -> list[Violation]:
-        """The violations, worst first; empty if there are none. Computed once."""
+        """The violations, worst first; empty if there are none. The result is cached.
+
+        Examples:
+            >>> from dynsplines import Keyframe, build, inbetween
+            >>> low = Keyframe(0.5, root={"position": [0, 0, 0.1]}, others="rest")
+            >>> worst = inbetween(build("spinner", [Keyframe(0.0, others="rest"), low])).violations[0]
+            >>> print(worst)
+            keyframe 2 itself: propeller_1 is 31 mm in the floor at 0.50 s
+            >>> worst.kind, worst.unit, worst.bound, worst.keyframe
+            ('penetration', 'm', 0.005, 2)
+        """
         return list(self._violations)
 
     @cached_property
@@ -243,6 +285,13 @@ class Motion:
 
         Raises:
             UserError: For another figure, or a shorter motion.
+
+        Examples:
+            >>> from dynsplines import inbetween
+            >>> motion = inbetween("tumble")
+            >>> difference = motion.difference(motion.before)
+            >>> print(f"{100 * difference.distance:.1f} cm at the {difference.where}, {difference.angle:.1f}°")
+            0.8 cm at the nose, 1.4°
         """
         edits.check_alike(self.saved, other.saved)
         recorded = thinning.recorded_of(self.saved, 1.0, 1.0)
@@ -326,6 +375,12 @@ class Motion:
 
         Raises:
             UserError: For an unknown format, or data that it cannot hold.
+
+        Examples:
+            >>> from dynsplines import inbetween
+            >>> path = inbetween("tumble").export("tumble.csv", fps=60)
+            >>> print(path.read_text().splitlines()[0])
+            time,spin.x,spin.y,spin.z,spin.qw,spin.qx,spin.qy,spin.qz
         """
         from ..exchange import formats, quantities
 
@@ -351,6 +406,12 @@ class Motion:
 
         Raises:
             UserError: For another extension, or if the file cannot be written.
+
+        Examples:
+            >>> from dynsplines import inbetween, load
+            >>> motion = inbetween("tumble")
+            >>> print(motion.save("tumble.npz"), load(motion.save("tumble.toml")))
+            tumble.npz <Clip tumble: 3.00 s, 7 keyframes, 5 penalties, 6 DOF>
         """
         target = Path(path)
         if names := self.saved.search.get("custom penalties"):
@@ -380,6 +441,13 @@ class Motion:
 
         Raises:
             UserError: For a figure whose joints are not in mirrored pairs.
+
+        Examples:
+            >>> from dynsplines import Keyframe, build, inbetween
+            >>> left = Keyframe(0.5, root={"position": [0, 0.2, 1], "rotation": {"heading": 30}})
+            >>> motion = inbetween(build("spinner", [Keyframe(0.0, others="rest"), left]))
+            >>> print(f"{motion.at(0.5)[1]:.1f} m, {motion.mirrored().at(0.5)[1]:.1f} m")
+            0.2 m, -0.2 m
         """
         return Motion(edits.mirrored(self.saved))
 
@@ -395,6 +463,11 @@ class Motion:
 
         Raises:
             UserError: For invalid numbers, or if both or neither are given.
+
+        Examples:
+            >>> from dynsplines import inbetween
+            >>> inbetween("tumble").retimed(1.5).duration, inbetween("tumble").retimed(duration=6).duration
+            (2.0, 6.0)
         """
         if (speed is None) == (duration is None):
             raise UserError("give speed, such as 1.5, or duration, in seconds: one of them")
@@ -415,6 +488,11 @@ class Motion:
 
         Raises:
             UserError: For an interval that is empty or not within the motion.
+
+        Examples:
+            >>> from dynsplines import inbetween
+            >>> inbetween("tumble").trimmed(0.5, 2.0)
+            <Motion tumble: 1.50 s, 4 keyframes, 8 variable frames, 6 DOF>
         """
         begin, end = self.start if first is None else first, self.end if last is None else last
         return Motion(edits.trimmed(self.saved, begin, end))
@@ -449,6 +527,12 @@ class Motion:
 
         Raises:
             UserError: For another figure, or an invalid duration.
+
+        Examples:
+            >>> from dynsplines import inbetween
+            >>> motion = inbetween("tumble")
+            >>> motion.joined(motion.trimmed(0.5, 2.0), transition=0.5).duration
+            5.0
         """
         return Motion(edits.joined(self.saved, other.saved, transition, silent()))
 
@@ -465,6 +549,13 @@ class Motion:
 
         Raises:
             UserError: For a motion that cannot be cleaned, or an invalid length.
+
+        Examples:
+            >>> from dynsplines import import_motion, inbetween
+            >>> recording = import_motion(inbetween("tumble").export("recording.csv"), figure="spinner")
+            >>> clean = recording.cleaned("1cm")
+            >>> clean.difference(recording).distance < 0.01
+            True
         """
         from ..clean.command import clean_motion
 
@@ -487,6 +578,13 @@ class Motion:
 
         Raises:
             UserError: For invalid bounds.
+
+        Examples:
+            >>> from dynsplines import import_motion, inbetween
+            >>> recording = import_motion(inbetween("tumble").export("recording.csv"), figure="spinner")
+            >>> thin = recording.thinned("2cm")
+            >>> len(recording.key_times), len(thin.key_times)
+            (91, 8)
         """
         bound = thinning.bound_of(max_error, max_angle, ("max_error =", "max_angle ="))
         return Motion(thinning.thinned(self.saved, *bound, solve=solve, progress=silent()))
