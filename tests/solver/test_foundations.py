@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import json
-import os
-import subprocess
-import sys
 from dataclasses import dataclass
 
 import numpy as np
 import pytest
+import shipped
 from figures import TINY, figure_of
 from gradients import taylor_slope
 from hypothesis import given, settings
@@ -20,18 +17,19 @@ from scipy.spatial.transform import Rotation
 from threadpoolctl import ThreadpoolController
 
 from dynsplines import models
-from dynsplines.clip import load as clips
 from dynsplines.solver import compiled
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.cache import Cache, cache_key, cached_by_content
 from dynsplines.solver.cone import projection, unsupplied
+from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
-from dynsplines.solver.inbetween import one_thread
+from dynsplines.solver.inbetween import inbetween, one_thread
+from dynsplines.solver.penalty import RootAcceleration
 from dynsplines.solver.posing import inverse_kinematics, posed, reached
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import midpoints, split
 from dynsplines.solver.search.quadratic import Layout, QuadraticModel
-from dynsplines.system.threads import THREADS
 
 component = st.floats(-2, 2, allow_nan=False).map(lambda x: round(x, 6))
 
@@ -242,9 +240,8 @@ needs_kernel = pytest.mark.skipif(compiled.kernel is None, reason="the kernel wa
 
 
 @needs_kernel
-@pytest.mark.parametrize("name", ["run_and_step", "walk_loop"])
-def test_a_model_by_the_kernel_is_numpys(name, monkeypatch):
-    problem = clips.load(name).problem
+def test_a_model_by_the_kernel_is_numpys(monkeypatch):
+    problem = shipped.loaded("walk_loop").problem
     discretised = problem.objective.on(split(problem.raw, midpoints(problem.raw)))
     x = discretised.unknowns.start
     gradient = discretised(x).gradient
@@ -300,28 +297,14 @@ def test_linear_algebra_has_one_thread_inside_and_as_many_as_before_afterwards()
     assert threads() == before
 
 
-BUSY = """
-import json
-from dynsplines import load
-from dynsplines.solver import Settings, inbetween
-from threadpoolctl import threadpool_info
-
-def threads():
-    return [library["num_threads"] for library in threadpool_info() if library["user_api"] == "blas"]
-
-clip, seen, before = load("tumble"), [], threads()
-inbetween(clip.with_problem(settings=Settings(max_evaluations=2)).problem, improved=lambda _: seen.append(threads()))
-print(json.dumps([before, seen, threads()]))
-"""
-
-
-@pytest.mark.slow
 def test_a_search_in_a_program_of_the_user_has_one_thread_and_gives_the_others_back() -> None:
-    environment = {name: value for name, value in os.environ.items() if name not in THREADS}
-    environment["OPENBLAS_NUM_THREADS"] = "2"
-    done = subprocess.run([sys.executable, "-c", BUSY], env=environment, capture_output=True, text=True, check=True)
-    before, seen, after = json.loads(done.stdout)
-    if not before or set(before) == {1}:
-        pytest.skip("linear algebra has one thread here anyway")
-    assert seen and {count for counts in seen for count in counts} == {1}
-    assert after == before
+    seen: list[set[int]] = []
+    figure = figure_of(TINY)
+    keys = [Frame.key(time, figure.model.qpos0 + time * np.eye(11)[0]) for time in (0.0, 1.0, 1.5)]
+    problem = Problem(figure, keys, [(RootAcceleration(), 1.0)], Settings(max_evaluations=3))
+    with ThreadpoolController().limit(limits=2, user_api="blas"):
+        before = threads()
+        inbetween(problem, improved=lambda _: seen.append(threads()))
+        after = threads()
+    assert before == after == {2}
+    assert seen and all(counts == {1} for counts in seen)

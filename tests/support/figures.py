@@ -39,7 +39,6 @@ FIGURES = {
     "ball tree, world": (BALL_TREE, "world"),
     "ball tree, joint": (BALL_TREE, "joint"),
     "every joint": (EVERY_JOINT, "joint"),
-    "every joint, world where it can be": (EVERY_JOINT, "auto"),
     "mixed": (MIXED, "auto"),
 }
 
@@ -55,9 +54,8 @@ CHAIN = (
     '<mujoco><worldbody><body><joint type="ball"/><geom size=".1" pos="0 0 .2"/><body pos="0 0 .4"><joint type="{}"/>'
     '<geom size=".1" pos="0 0 .2"/></body></body></worldbody></mujoco>'
 )
-HUMAN_AND_CHAINS = [
-    (models.figure_text("human"), "world"),
-    (models.figure_text("human"), "joint"),
+CHAINS = [
+    (BALL_TREE, "world"),
     (CHAIN.format("ball"), "world"),
     (CHAIN.format("hinge"), "joint"),
 ]

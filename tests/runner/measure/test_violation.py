@@ -10,6 +10,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
+import shipped
 from oracles import kinematics
 from paper.penetration import penetration
 from processes import quiet
@@ -306,7 +307,7 @@ def test_between_frames_a_path_in_the_floor_is_found_as_deep_as_it_is():
 
 @pytest.mark.slow
 def test_depths_are_mujocos():
-    problem = clip.load("jump_over_box")
+    problem = shipped.loaded("jump_over_box")
     found = [each for each in wrong(problem) if each.kind == "penetration"]
     run = Sampled.of(solving.unsolved(problem).motion, 240.0)
     seen = penetration(problem.figure.model, run.time, run.qpos)

@@ -303,6 +303,11 @@ APPROXIMATE = {"peak", "skate", "skate on a slope", "support"}  # kinds with a m
 OF_LENGTHS = {"unit", "tracking", "prior"}  # kinds that depend on the lengths of quaternions
 
 
+@pytest.fixture(params=["ball tree, world", "every joint", "mixed"])
+def figure(request: pytest.FixtureRequest) -> Figure:
+    return figure_named(request.param)
+
+
 @pytest.fixture(params=KINDS)
 def kind(request: pytest.FixtureRequest) -> str:
     return request.param
@@ -379,10 +384,9 @@ PLACED |= {
 }
 
 
-@pytest.mark.parametrize("coordinates", ["world", "joint"])
 @pytest.mark.parametrize("name", [name for name in KINDS if name not in PLACED])
-def test_a_motion_moved_and_turned_about_the_vertical_costs_the_same(name, coordinates, rng) -> None:
-    penalty, samples = KINDS[name](figure_named(f"ball tree, {coordinates}"), rng)
+def test_a_motion_moved_and_turned_about_the_vertical_costs_the_same(name, rng) -> None:
+    penalty, samples = KINDS[name](figure_named("ball tree, joint"), rng)
     turn, shift = quat.from_rotation_vector(np.array([0.0, 0, 2.1])), np.array([1.3, -0.7, 0])
     moved = [np.array(part) for part in (samples.y, samples.y_d, samples.y_dd)]
     tables = samples.figure.tables
@@ -462,12 +466,11 @@ SIMILAR = [
 ]
 
 
-@pytest.mark.parametrize("coordinates", ["world", "joint"])
 @pytest.mark.parametrize(("name", "factor"), SIMILAR)
 def test_a_mirrored_motion_costs_the_same_and_one_of_a_larger_figure_as_much_more_as_specified(
-    name: str, factor: float, coordinates: str, rng: np.random.Generator
+    name: str, factor: float, rng: np.random.Generator
 ) -> None:
-    penalty, samples = KINDS[name](figure_named(f"ball tree, {coordinates}"), rng)
+    penalty, samples = KINDS[name](figure_named("ball tree, world"), rng)
     figure, along = imaged(samples.figure, factor)
     parts = (part * along / factor ** (order / 2) for order, part in enumerate((samples.y, samples.y_d, samples.y_dd)))
     values = image(penalty, factor).evaluate(Samples(figure, *parts, t=np.sqrt(factor) * samples.t))

@@ -159,7 +159,7 @@ def test_stiff_one_sided_residuals_are_bounds(rng):
 
 
 @given(st.integers(0, 10_000))
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=8, deadline=None)
 def test_curved_residuals_are_minimised_as_by_scipy(seed):
     """Rosenbrock's valley and its mirror images, from random poses, all at once; each costs no more than alone."""
     begin = np.random.default_rng(seed).uniform(-2, 2, (5, 2))
@@ -239,7 +239,7 @@ def everything(figure: Figure) -> Mask:
 
 
 @pytest.mark.slow
-@settings(max_examples=4, deadline=None)
+@settings(max_examples=2, deadline=None)
 @given(seed=st.integers(0, 10**6), side=st.sampled_from(["left", "right"]), limb=st.sampled_from(["heel", "hand"]))
 def test_only_what_is_free_moves_and_what_is_missed_is_told(seed, side, limb):
     figure, rng = HUMAN["world"], np.random.default_rng(seed)
@@ -322,7 +322,7 @@ SHOULDER = """<mujoco><compiler angle="degree"/><worldbody>
 def test_places_that_need_joints_at_the_very_ends_of_their_ranges_are_met(rng):
     figure = figure_of(SHOULDER)
     ends = figure.model.jnt_range
-    for _ in range(20):
+    for _ in range(8):
         qpos = np.where(rng.random(3) < 0.6, ends[np.arange(3), rng.integers(2, size=3)], rng.uniform(*ends.T))
         target = seen(figure, qpos).site("tip").xpos.copy()
         assert posed(figure, np.radians([0, 30, 0]), np.ones(3, bool), [SiteGoal("tip", target)]).is_met
@@ -390,7 +390,7 @@ def test_what_is_out_of_reach_is_missed_by_the_gap():
     np.testing.assert_allclose(found.qpos, [0, 0, 0, 0.2], atol=1e-2)
 
 
-DRAWS = 10
+DRAWS = 6
 ENDS = ("left_hand", "right_hand")
 
 

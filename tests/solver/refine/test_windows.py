@@ -113,7 +113,7 @@ def test_long_clips_of_large_figures_are_long_and_loops_never(monkeypatch):
 @pytest.mark.slow
 def test_a_clip_in_windows_costs_no_more_than_the_whole_and_meets_its_keyframes(request):
     keys, ends, slope = long_keys()[:15], "clamped", np.zeros((2, FIGURE.width))
-    alike = Settings(variable=2, frames=42, tolerance=1e-4)
+    alike = Settings(variable=1, frames=14, tolerance=1e-4)
     whole = inbetween(Problem(FIGURE, keys, penalties(), alike, ends=ends, end_slope=slope))
     request.getfixturevalue("short")
     seen: list[tuple[Improvement, Path]] = []
@@ -146,7 +146,7 @@ class Counted(CovariantAcceleration):
 @pytest.mark.slow
 def test_ctrl_c_anywhere_in_the_middle_returns_a_whole_motion_no_worse_than_the_raw_one(short):
     keys, terms = long_keys(partial=True)[:15], [(Counted(), 1.0), *penalties()[1:]]
-    settings, values = Settings(variable=1, frames=28, tolerance=1e-3), []
+    settings, values = Settings(variable=1, frames=14, tolerance=1e-2), []
     Counted.calls = Counted.stop_at = 0
     inbetween(Problem(FIGURE, keys, terms, settings))
     total = Counted.calls

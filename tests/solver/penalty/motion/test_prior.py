@@ -7,9 +7,10 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 import pytest
+import shipped
 from scipy.spatial.transform import Rotation
 
-from dynsplines import load, models
+from dynsplines import models
 from dynsplines.clip.build import Clip
 from dynsplines.clip.person import person_of
 from dynsplines.solver import quaternion as quat
@@ -25,7 +26,7 @@ from dynsplines.solver.penalty.motion.prior import Person
 @pytest.fixture(scope="module")
 def walk() -> Clip:
     """A walk with every fourth keyframe, 0.56 s apart."""
-    clip = load("walk_and_turn")
+    clip = shipped.loaded("walk_and_turn")
     raw = clip.context.keys
     keys = timeline(raw, raw.times[::4], raw.states[::4])
     return replace(clip, context=replace(clip.context, schedule=replace(clip.context.schedule, keys=keys)))
@@ -134,7 +135,7 @@ def test_trust_is_zero_between_keyframes_close_in_time_or_very_far_apart(walk: C
 
 def test_a_loop_is_predicted_across_its_seam(walk: Clip) -> None:
     """A loop has the same prediction as in the middle of its repetitions."""
-    loop = load("walk_loop")
+    loop = shipped.loaded("walk_loop")
     keys, person = loop.context.keys, walker(loop)
     assert keys.ends == "periodic"
     length = keys.times[-1] - keys.times[0]
