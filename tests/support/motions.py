@@ -13,10 +13,9 @@ from texts import read_data
 
 from dynsplines import models, solving
 from dynsplines.clip import load as clip
-from dynsplines.clip import load as clips
 from dynsplines.clip.posing.places import sole_points
 from dynsplines.exchange import formats
-from dynsplines.exchange.motion_import import read_recording
+from dynsplines.exchange.motion_import import ImportedMotion, read_recording
 from dynsplines.motion import Sampled, Saved
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
@@ -126,6 +125,12 @@ def moved(fps: float = 24.0, text: str = PUPPET, name: str = "puppet", count: in
     spec = mujoco.MjSpec.from_string(text)
     found = clip.from_qpos(name, compose(spec), np.arange(count) / 12.0, qpos, fps, name)
     return solving.unsolved(found).motion
+
+
+def uncleaned(recording: ImportedMotion) -> Saved:
+    """A recording as it is."""
+    parts = recording.name, recording.scene, recording.time, recording.qpos, recording.fps, recording.name
+    return solving.unsolved(clip.from_qpos(*parts)).motion
 
 
 # A motion as a bad recording has it: it slides, sinks and hovers, shakes, and misses samples.
@@ -241,7 +246,7 @@ TOE = np.array([0.17, -0.061])  # [m] centre of the round tip of the sole from t
 def kneeling(fps: float, pitch: float) -> Take:
     """The human on the left sole and the right toe, whose centres stay; the right foot ends with this pitch [rad]."""
     scene = compose(figure_spec("human"))
-    figure = clips.figure_of(scene, "kneeling")
+    figure = clip.figure_of(scene, "kneeling")
     model = figure.model
     time = np.arange(round(SECONDS * fps) + 1) / fps
     share = np.clip((time - RISES_FROM) / (RISES_UNTIL - RISES_FROM), 0, 1)
