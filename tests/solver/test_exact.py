@@ -11,15 +11,13 @@ from figures import figure_of
 from scipy.spatial.transform import Rotation
 
 from dynsplines.solver.array import Array
-from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.quadrature import gauss_nodes
-from dynsplines.solver.curve.spline import Path, path_of
+from dynsplines.solver.curve.spline import Path
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.euler_lagrange import WeakForm
-from dynsplines.solver.refine.subdivision import midpoints
 from dynsplines.solver.solution import Solution
 
 ONE_BALL = '<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>'
@@ -66,34 +64,6 @@ def energy(path: Path) -> float:
     rate = q_dd / np.sqrt(b) - 2 * s * q_d / b**1.5
     rate -= np.sum(rate * unit, axis=1, keepdims=True) * unit
     return float(w @ np.sum(rate**2, axis=1))
-
-
-def test_the_path_itself_comes_close_to_the_exact_one() -> None:
-    t = np.linspace(0, 6, 601)
-    found = motion(0, 15).path.at(t)
-    found /= np.linalg.norm(found, axis=1, keepdims=True)
-    np.testing.assert_allclose(found, exact(0).at(t), atol=1e-4)
-
-
-def through_exact(seed: int, variable: int) -> Timeline:
-    """The spline through samples of the exact path, `variable` in every segment, with the exact end slopes."""
-    path = exact(seed)
-    times = np.linspace(0, 6, 6 * (variable + 1) + 1)
-    frames = [
-        Frame(float(t), q, np.full(4, i % (variable + 1) == 0))
-        for i, (t, q) in enumerate(zip(times, path.at(times), strict=True))
-    ]
-    return Timeline(tuple(frames), path.at(np.array([0.0, 6.0]), 1))
-
-
-def test_what_the_weak_form_still_promises_falls_as_the_fourth_power_for_samples_of_the_exact_path() -> None:
-    objective = motion(0, 1).objective
-    left = []
-    for variable in (1, 3, 7):
-        timeline = through_exact(0, variable)
-        weak = WeakForm(objective, path_of(timeline))
-        left.append(weak.decrements(midpoints(timeline)).sum())
-    assert left[0] > 8 * left[1] > 64 * left[2] > 0
 
 
 @pytest.mark.parametrize(

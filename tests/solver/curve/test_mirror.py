@@ -175,20 +175,3 @@ def test_frames_turned_at_random_have_mirrored_places_and_come_back(rng, names, 
         np.testing.assert_allclose(mirror.configurations(mirror.configurations(qpos)), qpos, atol=1e-9)
         np.testing.assert_allclose(mirror.states(mirror.states(state)), state, atol=1e-9)
         np.testing.assert_allclose(mirror.states(state + slope), mirror.states(state) + mirror.slopes(slope), atol=1e-9)
-
-
-@pytest.mark.parametrize("place", [0.2, 0.02], ids=["arms", "fingers"])
-@pytest.mark.parametrize("joint", ['axis="0 1 0"', 'type="slide" axis="1 0 0"'])
-def test_pairs_name_the_sides_of_names_without_any(joint, place):
-    parts = "".join(
-        f'<body pos="0 {y} 0"><joint name="part_{n}" {joint}/><geom size=".1"/></body>'
-        for n, y in ((1, place), (2, -place))
-    )
-    figure = figure_of(f'<mujoco><worldbody><body><freejoint/><geom size=".5"/>{parts}</body></worldbody></mujoco>')
-    with pytest.raises(MirrorError, match="no partner on the other side for: 'part_1', 'part_2'"):
-        Mirror.of(figure)
-    qpos = np.array([0, 0, 0, 1, 0, 0, 0, 0.3, 0.1])
-    for pair in (("part_1", "part_2"), ("part_2", "part_1")):
-        np.testing.assert_allclose(Mirror.of(figure, [pair, ("x", "y")]).configurations(qpos)[7:], [0.1, 0.3])
-    with pytest.raises(MirrorError, match="'part_2' and 'part_1' differ"):
-        Mirror.of(figure, [("part_1", "part_1"), ("part_1", "part_2")])

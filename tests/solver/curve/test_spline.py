@@ -110,24 +110,6 @@ SHORT = LEAST_PER_SPAN / MOST_SAMPLES
 
 
 @pytest.mark.parametrize(
-    ("points", "knots", "count"),
-    [
-        (60, KNOTS, 60),
-        (49, KNOTS, 49),
-        (1, KNOTS, 48),  # a quarter of a second in three seconds: a twelfth, of which four make 48
-        (1, [0.0, 0.1, 0.3], 12),
-        (1, [0.0, 0.1, 0.301], 13),
-        (1, [0.0, SHORT, 1.0], MOST_SAMPLES),
-    ],
-)
-def test_even_samples_lie_in_the_middles_of_equal_cells_and_four_in_the_shortest_span_at_least(points, knots, count):
-    t, w = Quadrature("uniform", points).nodes(np.array(knots))
-    cell = (knots[-1] - knots[0]) / count
-    np.testing.assert_allclose(t, knots[0] + cell * (np.arange(count) + 0.5), rtol=1e-12)
-    np.testing.assert_allclose(w, np.full(count, cell), rtol=1e-12)
-
-
-@pytest.mark.parametrize(
     ("longest", "cuts", "edges"),
     [
         (2.0, (), [1, 1.25, 2, 4]),

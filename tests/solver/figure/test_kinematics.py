@@ -7,38 +7,19 @@ from unittest import mock
 import mujoco
 import numpy as np
 import pytest
-from figures import assert_near, figure_of, with_armature
-from gradients import jacobian, taylor_slope
+from figures import assert_near, figure_of
+from gradients import jacobian
 from oracles import kinematics, mujoco_forces
-from random_models import random_figure, random_samples
+from random_models import random_samples
 
 from dynsplines.solver import compiled
-from dynsplines.solver.array import Array, Index
+from dynsplines.solver.array import Index
 from dynsplines.solver.figure.adjoint import Cotangent, Quantity
 from dynsplines.solver.figure.dynamics import RootWrench, height, weight
-from dynsplines.solver.figure.effort_rows import Pushes, joint_rows, wrench_rows
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.model import boxes
 from dynsplines.solver.figure.wrenches import Wrenches
-from dynsplines.solver.penalty import Torque
-
-
-@pytest.mark.parametrize("name", ["x", "x_d", "x_dd", "omega", "alpha", "rotation"])
-def test_the_adjoint_of_each_quantity_has_taylor_slope_two(figure, rng, name):
-    samples = random_samples(figure, rng)
-    weights = rng.normal(size=getattr(samples.links, name).shape)
-    cotangent = Cotangent(samples)
-    if name == "rotation":
-        cotangent.accumulate("turn", np.cross(samples.links.rotation, weights, axis=0).sum(axis=1))
-    else:
-        cotangent.accumulate(name, weights)
-    gradients = cotangent.gradients()
-
-    def value(point: np.ndarray) -> float:
-        return float(np.sum(weights * getattr(Samples(figure, *point).links, name)))
-
-    assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), np.stack(gradients), rng) > 1.95
 
 
 @pytest.mark.parametrize("direction", ["accumulate", "buffer"])
@@ -121,89 +102,3 @@ def test_a_slender_rod_is_as_high_as_it_is_long_and_has_a_weight_without_gravity
     assert height(figure_of(text), 1) == pytest.approx(2)
     floating = text.replace("<worldbody>", '<option gravity="0 0 0"/><worldbody>')
     assert weight(figure_of(floating), 1) == pytest.approx(9.81 * 6)
-
-
-def test_the_adjoint_has_taylor_slope_two(figure, rng):
-    samples = random_samples(figure, rng)
-    bars = rng.normal(size=(3, 3, samples.count))
-    cotangent = Cotangent(samples)
-    RootWrench(samples, 1).pull_back(cotangent, *bars)
-
-    def value(point: np.ndarray) -> float:
-        wrench = RootWrench(Samples(figure, *point), 1)
-        return float(np.sum(bars * np.array([wrench.force, wrench.moment, wrench.centre])))
-
-    gradients = np.stack(cotangent.gradients())
-    assert taylor_slope(value, np.stack([samples.y, samples.y_d, samples.y_dd]), gradients, rng) > 1.95
-
-
-SEEDS = range(12)
-
-
-def some_pushes(samples: Samples, root: int, rng: np.random.Generator) -> Pushes:
-    """On links of one root's tree, two at one sample and link."""
-    link = rng.choice(np.flatnonzero(samples.figure.tables.path[:, root]), 7)
-    at = np.sort(rng.integers(0, samples.count, 7))
-    link[1], at[1] = link[0], at[0]
-    return Pushes(at, link, rng.normal(0, 0.1, (3, 7)), rng.normal(0, 50, (3, 7)))
-
-
-def swept(samples: Samples, root: int, pushes: Pushes | None) -> Array:
-    """The wrench's rows by one adjoint sweep each, (S, 6, 3, N)."""
-    at = np.repeat(np.arange(samples.count), 6)
-
-    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-        bars = np.zeros((2, 3, rows.size))
-        bars[rows % 6 // 3, rows % 3, np.arange(rows.size)] = 1.0
-        wrench = RootWrench(copies, root)
-        if pushes is None:
-            wrench.pull_back(cotangent, bars[0], bars[1])
-            return
-        push, copy = np.nonzero(pushes.at[:, None] == at[rows])  # every row's own copy gets its sample's
-        own = Pushes(copy, pushes.link[push], pushes.offset[:, push], pushes.force[:, push])
-        own.pull_back(wrench, cotangent, bars[0], bars[1])
-
-    return jacobian(samples, at, seeded).reshape(samples.count, 6, 3, -1)
-
-
-def check_wrench(figure: Figure, rng: np.random.Generator) -> int:
-    """Compares those of every free root; how many there are."""
-    samples, roots = random_samples(figure, rng), figure.tables.free_links
-    for root in roots:
-        for pushes in (None, some_pushes(samples, root, rng)):
-            wrench = RootWrench(samples, root)
-            found = wrench_rows(wrench, pushes)
-            assert_near(found, swept(samples, root, pushes), 1e-10)
-            assert_near(wrench_rows(wrench, pushes, moment=False), found[:, :3], 1e-12)
-    return roots.size
-
-
-def check_efforts(figure: Figure, rng: np.random.Generator) -> int:
-    """Compares the rows of all joints' efforts with sweeps of the torque; how many there are."""
-    samples = random_samples(figure, rng)
-    (efforts,) = Torque().residuals(samples)
-    count = len(efforts.value)
-    at = np.repeat(np.arange(samples.count), count)
-
-    def seeded(copies: Samples, cotangent: Cotangent, rows: Index) -> None:
-        bar = np.zeros((count, rows.size))
-        bar[rows % count, np.arange(rows.size)] = 1.0
-        (own,) = Torque().residuals(copies)
-        own.pulled_back(cotangent, bar)
-
-    if count:
-        expected = jacobian(samples, at, seeded).reshape(samples.count, count, 3, -1)
-        assert_near(joint_rows(samples), expected, 1e-10)
-    return count
-
-
-def test_rows_of_efforts_are_those_of_the_adjoint_sweep(figure, rng):
-    assert check_wrench(figure, rng) == figure.tables.free_links.size > 0
-    assert check_efforts(figure, rng) > 0
-    assert check_efforts(with_armature(figure, rng), rng) > 0
-
-
-@pytest.mark.parametrize("coordinates", ["auto", "joint"])
-def test_so_they_are_on_random_models(coordinates):
-    assert sum(check_wrench(*random_figure(seed, coordinates)) for seed in SEEDS) > 5
-    assert sum(check_efforts(*random_figure(seed, coordinates)) for seed in SEEDS) > 50

@@ -35,22 +35,6 @@ def test_one_evaluation_sees_that_there_is_nothing_to_search():
     assert (found.x.size, found.evaluations, found.stop) == (0, 1, Stop.CONVERGED)
 
 
-def test_e_falls_strictly_and_improved_is_called_for_each(rng):
-    problem, told = Watched(problem_of(rng)), []
-    found = GaussNewton()(problem, tolerance=1e-9, improved=lambda *each: told.append(each))
-    counts, evaluations, points = zip(*told, strict=True)
-    values = [evaluation.value for evaluation in evaluations]
-    assert len(values) > 3
-    assert np.all(np.diff(values) < 0)
-    assert counts[0] == 1
-    assert values == [problem.values[count - 1] for count in counts]
-    for count, x in zip(counts, points, strict=True):
-        np.testing.assert_array_equal(x, problem.points[count - 1])
-    assert found.value == values[-1] == min(problem.values)
-    assert found.evaluations == len(problem.values)
-    np.testing.assert_array_equal(found.x, points[-1])
-
-
 def test_the_budget_is_kept_where_every_step_is_refused(rng):
     def spoil(k: int, found: Evaluation) -> Evaluation:
         return found if k == 1 else Evaluation(found.value + 1e9, found.gradient, found.parts)
