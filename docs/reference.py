@@ -76,7 +76,10 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
     ),
     "root, roots.NAME": (
         table.RootTable,
-        {"position": "in the world, in metres", "rotation": "a rotation in the world"},
+        {
+            "position": "in the world, in metres; default: as `others` specifies",
+            "rotation": "a rotation in the world; default: as `others` specifies",
+        },
     ),
     "a rotation": (table.RotationTable, ROTATION),
     "sites.NAME": (
@@ -101,7 +104,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "point": "a site, foot, geom or body",
             "from": "the start, in seconds",
             "to": "the end, in seconds",
-            "position": "in the world, in metres; default: the position in the keyframes of this interval",
+            "position": "in the world, in metres; default: the position in the keyframes of this interval, if there is "
+            "one",
         },
     ),
     "[[grasp]]": (
@@ -151,22 +155,24 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
         table.SolveTable,
         {
             "coordinates": 'what rotations of the spline are relative to, the world or the parent joint; "auto" is '
-            '"world" for a figure with ball joints',
-            "ends": 'the ends of the motion; if not set, "free" with the exceptions in [ends](keyframes.md#ends)',
+            '"world" for a figure with ball joints, otherwise "joint"',
+            "ends": "the ends of the motion; default: see [ends](keyframes.md#ends)",
             "travel": "the displacement of the root in one cycle of a loop, in metres; default: as in the keyframes",
             "turn": "the rotation of the root in one cycle of a loop, in degrees; default: as in the keyframes",
-            "variable": "variable frames between two keyframes at the start of the search; default 2; in a long clip 3",
+            "variable": "variable frames between two keyframes at the start of the search; default 2, in a long clip "
+            "3, and more between distant keyframes",
             "frames": "the maximum number of variable frames; default: 3 between two keyframes, or 10 per second if "
             "that is more",
             "criterion": 'how the solver finds the intervals into which it inserts frames: "weak" (the default) by '
-            'the predicted decrease of the objective, "residual" by the Euler-Lagrange residual; see '
-            "[the paper](paper.md)",
+            'the predicted decrease of the objective, "residual" by the Euler-Lagrange residual, "objective" by their '
+            'share of the objective, "resolution" by its change with twice the samples',
             "threshold": "the value of the criterion below which no frame is inserted; default 0.001",
-            "optimiser": 'the NLopt algorithm that refines the motion at the end: "lbfgs" (the default), "slsqp", '
-            '"ccsaq", "tnewton", "var2", or "none"',
+            "optimiser": 'the NLopt algorithm that refines the result of the Gauss-Newton steps: "lbfgs" (the '
+            'default), "slsqp", "ccsaq", "tnewton", "var2", or "none"',
             "evaluations": "the maximum number of evaluations of the objective after an insertion of frames; "
             "default 250",
-            "tolerance": "the relative decrease of the objective at which the search ends; default 0.001",
+            "tolerance": "the search ends when a step is predicted to decrease the objective by less than this share; "
+            "default 0.001",
             "quadrature": "the quadrature rule of the objective",
             "samples": "samples between two neighbouring frames, default 3, and more where these would miss a "
             'collision; with "uniform": samples in the whole clip, default 100',
@@ -225,7 +231,9 @@ def keys_table(heading: str, fields: dict[str, FieldInfo], texts: dict[str, str]
     yield ""
     yield "| key | value |"
     yield "|---|---|"
-    yield from (f"| `{key}` | {meaning(text, fields[key])}{default(fields[key])} |" for key, text in texts.items())
+    for key, text in texts.items():
+        suffix = "" if "; default: " in text else default(fields[key])
+        yield f"| `{key}` | {meaning(text, fields[key])}{suffix} |"
     yield ""
 
 
@@ -284,7 +292,7 @@ def speed() -> Iterator[str]:
     yield f"{cores()}:"
     yield ""
     time, length = seconds(solve[1]), duration("run_and_step")
-    yield f"- The clip `run_and_step`, {length} of motion with every soft constraint, takes {time}."
+    yield f"- The clip `run_and_step`, {length} of motion, takes {time}."
     yield (
         f"- A simpler running figure takes {seconds(runner[1])} to within 0.5 % of the optimum. CasADi with IPOPT "
         f"takes {factor(ipopt[2])} times as long."
@@ -307,7 +315,7 @@ def times() -> Iterator[str]:
     yield "| task | time |"
     yield "|---|---|"
     solve = row("clip", "solve, subdivision included")
-    yield f"| solve `run_and_step` with every soft constraint | {seconds(solve[1])} |"
+    yield f"| solve `run_and_step` | {seconds(solve[1])} |"
     first = row("clip", "`dynsplines solve`: start to its first line about a path")
     yield f"| from the start of `dynsplines solve` to the first line of its progress | {seconds(first[1])} |"
     for count in (480, 1000):

@@ -83,11 +83,13 @@ class Options(Table):
         | None
     ) = None
     margin: Annotated[Real, Field(ge=0, le=0.1)] | None = Field(
-        default=None, description="distance to keep, m; for the parts body and self"
+        default=None, description="distance to keep, m; for the parts body and self; default 0"
     )
     points: Names | None = Field(default=None, description="sites instead of heels and toes")
     self: Flag = Field(default=True, description="true or false; default true")
-    reach: Annotated[Real, Field(gt=0, le=1)] | None = Field(default=None, description="m")
+    reach: Annotated[Real, Field(gt=0, le=1)] | None = Field(
+        default=None, description="height scale, m; default 0.033 for no_slip, 0.3 for grounded"
+    )
     bend_joints: Names | None = Field(default=None, description="ball joints that are knees or elbows")
     least_bend: Annotated[Real, Field(ge=-360, le=360)] | None = Field(
         default=None, description="smallest angle, degrees; default 0"
@@ -100,13 +102,15 @@ class Options(Table):
         default=None, description="their upward axis; default: upward at rest"
     )
     intervals: Annotated[list[tuple[Number, Number]] | None, "a list of [from, to] in seconds"] = Field(
-        default=None, description="flights, [from, to] in s"
+        default=None, description="flights, [from, to] in s; default: inferred"
     )
     angular: Annotated[Real, Field(ge=0, le=1e6)] | None = Field(
         default=None, description="weight of the moment relative to the force; default 0"
     )
-    friction: Annotated[Real, Field(gt=0, le=10)] | None = Field(default=None, description="coefficient")
-    period: Annotated[Real, Field(gt=0, le=60)] | None = Field(default=None, description="duration of a cycle, s")
+    friction: Annotated[Real, Field(gt=0, le=10)] | None = Field(default=None, description="coefficient; default 0.8")
+    period: Annotated[Real, Field(gt=0, le=60)] | None = Field(
+        default=None, description="duration of a cycle, s; default: inferred"
+    )
 
 
 @dataclass(frozen=True)
@@ -418,7 +422,7 @@ KINDS = {
         ), ("reach",)),
         Kind("posture", (Part(0.7, "velocity of joints and roots", _posture),)),
         Kind("prior", (
-            Part(1.0, "distance from the poses of people between such keyframes", _prior),
+            Part(1.0, "distance from the motion that is predicted for a person", _prior),
         ), is_default=False),
         Kind("limits", (
             Part(1.0, "knees and elbows bent backward, sideways or twisted", _bend, "bend", tracking=1e7),
@@ -429,7 +433,7 @@ KINDS = {
         Kind("equality", (Part(300.0, "violation of <equality> constraints", _equality),)),
         Kind("upright", (
             Part(1.0, "tilt of the trunk in keyframes that leave the rotation of the root free", _trunk, "trunk"),
-            Part(0.1, "movement of a root away from its positions and rotations in the two keyframes", _root, "root"),
+            Part(0.1, "movement of a root beyond its poses in two neighbouring keyframes", _root, "root"),
             Part(30.0, "tilt of listed bodies, such as a head or a tray", _bodies, "bodies", "bodies"),
         ), ("bodies", "axis")),
         Kind("flight", (
