@@ -21,7 +21,7 @@ from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.model import geom_name
 from dynsplines.solver.objective import Objective
-from dynsplines.solver.surface.heights import height_above
+from dynsplines.solver.surface.heights import heights
 from dynsplines.solver.surface.points import displacements, places_of
 from dynsplines.solver.surface.touch import counts_all, movers
 from dynsplines.solver.tolerances import TINY
@@ -153,7 +153,8 @@ def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
     if not clip.context.points or not clip.context.surfaces:
         return {}
     centres, radii = places_of(clip.context.points, samples)
-    low = np.abs(height_above(clip.context.surfaces, centres, radii[:, None])) < Thresholds.of(clip.figure).near_surface
+    height, _ = heights(clip.context.surfaces, centres, radii)
+    low = np.abs(height) < Thresholds.of(clip.figure).near_surface
     steps = displacements(centres[:2])
     together = low[:, 1:] & low[:, :-1]
     pace = np.diff(samples.t)

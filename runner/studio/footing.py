@@ -14,6 +14,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.model import kinematics
 from dynsplines.solver.posing import FloorClearance, PointGoal
 from dynsplines.solver.surface import Surface
+from dynsplines.solver.surface.heights import heights
 from dynsplines.solver.surface.points import Point, body_points
 from dynsplines.solver.surface.surface import Plane
 from dynsplines.solver.surface.touch import LEVEL
@@ -91,14 +92,13 @@ class Footing:
             out |= {link for link, length in zip(links, lengths, strict=True) if length < END * max(lengths)}
         return frozenset(out)
 
-    def height(self, position: Array) -> float:
-        """Return the height [m] of a position (3,) above the surface below it; infinite without a surface."""
-        heights = [float(np.ravel(surface.height(position.reshape(3, 1)))[0]) for surface in self.surfaces]
-        return min(heights, default=np.inf)
+    def heights(self, centres: Array, radii: Array) -> Array:
+        """Return the heights (n,) [m] of spheres with centres (n, 3) above the surfaces below them."""
+        return heights(self.surfaces, centres.T[..., None], radii)[0][:, 0]
 
     def clearance(self, foot: Spheres, data: mujoco.MjData) -> float:
         """Return the height [m] of a foot's lowest point above the ground."""
-        return float((np.array([self.height(centre) for centre in foot.centres(data)]) - foot.radii).min())
+        return float(self.heights(foot.centres(data), foot.radii).min())
 
     def fixed(self, foot: Spheres, data: mujoco.MjData) -> PointGoal:
         """Return the goal that fixes a foot."""
@@ -109,8 +109,7 @@ class Footing:
         """Return the goal that moves a foot down to the ground, free to slide."""
         outermost = foot.outermost(data)
         positions = outermost.centres(data)
-        heights = [self.height(position) for position in positions]
-        positions[:, 2] += outermost.radii - heights
+        positions[:, 2] -= self.heights(positions, outermost.radii)
         positions[:, :2] = np.nan
         return PointGoal("sole", foot.body, outermost.offsets, positions)
 

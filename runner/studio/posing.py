@@ -131,9 +131,9 @@ class Poser:
     def _stands(self, link: int) -> bool:
         """Return whether a sole point of a link is on the ground."""
         points = [point for point in self.soles if point.link == link]
-        positions = [PointGoal.of(self.figure, point).places(self.data)[0] for point in points]
-        heights = [self.footing.height(position) for position in positions]
-        return any(height - point.radius < STANDING for height, point in zip(heights, points, strict=True))
+        positions = np.array([PointGoal.of(self.figure, point).places(self.data)[0] for point in points]).reshape(-1, 3)
+        radii = np.array([point.radius for point in points])
+        return bool((self.footing.heights(positions, radii) < STANDING).any())
 
     def _support(self, grip: Grip, hanging: Sequence[Spheres]) -> SupportPolygon | None:
         """Return the support polygon of the standing feet in the grip's pose and the limb's feet in the present one."""
@@ -219,7 +219,7 @@ class Poser:
         """Return whether a foot at a position (3,) [m] of its point, if level, is on or close to the ground."""
         rest = self.footing.rest
         bottom = float((foot.centres(rest)[:, 2] - foot.radii).min()) - self._point(grip, rest)[2]
-        return self.footing.height(position) + bottom < STANDING
+        return float(self.footing.heights(position[None], np.zeros(1))[0]) + bottom < STANDING
 
     @staticmethod
     def _point(grip: Grip, data: mujoco.MjData) -> Array:

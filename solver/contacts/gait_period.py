@@ -19,7 +19,7 @@ from ..figure.dynamics import STANDARD_GRAVITY
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..surface import Surface
-from ..surface.heights import height_above
+from ..surface.heights import heights
 from ..surface.points import Point, places_of
 from .gait import GaitCycle, PoseProcess
 from .pose_vectors import PoseVectors
@@ -224,7 +224,7 @@ class Gait:
         """Return positions (3, p, T) and heights (p, T) [m] of the sole points."""
         samples = Samples.still(self.figure, states)
         centres, _ = places_of(self.points, samples)
-        return centres, height_above(self.surfaces, centres)
+        return centres, heights(self.surfaces, centres, np.zeros(len(self.points)))[0]
 
 
 def _refined(process: PoseProcess, tried: Array, gain: Array, i: int) -> float:

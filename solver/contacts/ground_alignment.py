@@ -16,7 +16,7 @@ from ..curve.recording import Track
 from ..figure.figure import Figure, JointKind, quaternion_columns
 from ..figure.kinematics import Samples
 from ..surface import Surface
-from ..surface.heights import height_above, height_over
+from ..surface.heights import height_over, heights
 from ..surface.points import Point, arrays_of, places_of
 from .contact import Contact, within
 from .thresholds import Thresholds
@@ -46,8 +46,7 @@ def move_to_ground(recorded: Track, points: Sequence[Point], surfaces: Sequence[
     if not points or not surfaces:
         return recorded
     places = _places(recorded, points)
-    radii = np.array([[point.radius] for point in points])
-    lowest = height_above(surfaces, places, radii)
+    lowest, _ = heights(surfaces, places, np.array([point.radius for point in points]))
     lift = -float(np.percentile(lowest.min(axis=0), LOWEST))
     return recorded.moved([0, 0, lift]) if abs(lift) > Thresholds.of(recorded.figure).same_spot else recorded
 

@@ -13,6 +13,7 @@ from ..curve.frame import Timeline
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..surface import Surface
+from ..surface.heights import heights
 from ..surface.points import Point, arrays_of, displacements, placed
 from .thresholds import Thresholds
 
@@ -80,21 +81,17 @@ class KeyframePoints:
 
     @property
     def heights(self) -> Array:
-        """The heights of the points' lowest spots above the highest surface below them, (n, K) [m]; ∞ without one."""
+        """The heights of the points' lowest spots above the highest surface below them, (n, K) [m]; FAR without one."""
         return self._heights[0]
 
     @property
     def nearest(self) -> Index:
-        """The index of the surface that `heights` refers to, (n, K)."""
+        """The index of the surface that `heights` refers to, (n, K); −1 without one."""
         return self._heights[1]
 
     @cached_property
     def _heights(self) -> tuple[Array, Index]:
-        if not self.surfaces:
-            return np.full(self.centres.shape[1:], np.inf), np.full(self.centres.shape[1:], -1)
-        heights = np.array([surface.height(self.centres) for surface in self.surfaces]) - self.radii[:, None]
-        nearest = np.argmin(heights, axis=0)
-        return np.take_along_axis(heights, nearest[None], axis=0)[0], nearest
+        return heights(self.surfaces, self.centres, self.radii)
 
     @cached_property
     def is_known(self) -> Mask:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ..array import Array, Index
 from ..tolerances import TINY
-from .surface import FAR, UPRIGHT
+from .surface import DEEP, FAR, UPRIGHT
 
 SIDEWAYS = 4.0  # [1] κ, the factor on distances to faces that do not point up
 
@@ -129,9 +129,8 @@ class Box:
         across, along = self._sides
         over = (np.abs(local[across]) <= self.half[across]) & (np.abs(local[along]) <= self.half[along])
         height = local[top] * sign - self.half[top]
-        if not self.buried:
-            over &= height > -2 * self.half[top]
-        return np.where(over, height, np.inf)
+        bottom = -DEEP if self.buried else max(-DEEP, -2 * self.half[top])
+        return np.where(over & (height >= bottom), height, np.inf)
 
     def beside(self, points: Array, radius: Array, most: Array) -> tuple[Index, Array]:
         """Return the spheres beside the box whose lowest points are near its top.

@@ -10,13 +10,12 @@ from ..array import Array, Index
 from .box import Box
 from .surface import Plane, Surface
 
-DEEP = 0.15  # [m] depth below its top from which a point is beside or below a surface
 FAR = 1e3  # [m] height where there is no surface
 BESIDE = 0.05  # [m] handicap in height of ground beside a point, relative to ground below it
 
 
 def height_over(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[Array, Array]:
-    """Return the signed height of spheres above the nearest supporting surface below them, and its gradient.
+    """Return the signed height of spheres above the highest surface below them, and its gradient.
 
     Args:
         points: Centres, (3, n, S) [m].
@@ -62,21 +61,10 @@ def heights(surfaces: Sequence[Surface], points: Array, radius: Array) -> tuple[
     height, nearest = np.full(points.shape[1:], FAR), np.full(points.shape[1:], -1)
     for i, surface in enumerate(surfaces):
         over = surface.height(points) - radius[:, None]
-        lower = (over >= -DEEP) & (over < height)
+        lower = over < height
         np.copyto(height, over, where=lower)
         nearest[lower] = i
     return height, nearest
-
-
-def height_above(surfaces: Sequence[Surface], points: Array, radius: Array | float = 0.0) -> Array:
-    """Return the signed height of spheres above the highest surface below them, infinite without one.
-
-    Args:
-        points: Centres, (3, ...) [m].
-        radius: Radii, (...) [m], or 0 for points.
-    """
-    above = (surface.height(points) for surface in surfaces)
-    return np.min([np.full(points.shape[1:], np.inf), *above], axis=0) - radius
 
 
 def height_gradients(surfaces: Sequence[Surface], nearest: Index, points: Array) -> Array:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..array import Array, Index
 from ..tolerances import TINY
-from .surface import FAR
+from .surface import DEEP, FAR
 
 LEAST_RISE = 0.05  # minimum z of a normal of a surface to stand on
 
@@ -60,7 +60,7 @@ class Solid(ABC):
     def height(self, points: Array) -> Array:
         flat = points.reshape(3, -1)
         bottom, top = self.span(flat)
-        return np.where(flat[2] >= bottom, flat[2] - top, np.inf).reshape(points.shape[1:])
+        return np.where(flat[2] >= np.fmax(bottom, top - DEEP), flat[2] - top, np.inf).reshape(points.shape[1:])
 
     def up(self, points: Array) -> Array:
         _, top = self.span(points)

@@ -12,6 +12,7 @@ from ..array import Array
 
 UPRIGHT = 0.7  # [1] z of the unit normal above which a face points up and can support a figure
 FAR = -np.inf  # depth of a sphere outside the margin
+DEEP = 0.15  # [m] depth below the top of a solid from which a point is beside it or below it
 GROUNDED = 0.01  # [m] maximum gap to the floor of solids that stand on it
 
 
@@ -45,7 +46,10 @@ class Surface(Protocol):
         ...
 
     def height(self, points: Array) -> Array:
-        """Return the signed height of points (3, ...) above the surface [m]; infinite if it is not below them."""
+        """Return the signed height of points (3, ...) above the surface [m]; infinite if it is not below them.
+
+        A point deeper in a solid than `DEEP` came from beside it, so the solid is not below it.
+        """
         ...
 
     def up(self, points: Array) -> Array:

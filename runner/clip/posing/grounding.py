@@ -21,8 +21,9 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.dynamics import height
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.surface import Surface
-from dynsplines.solver.surface.heights import DEEP, FAR, heights
+from dynsplines.solver.surface.heights import FAR, heights
 from dynsplines.solver.surface.points import Point, body_points, free_root, hanging, placed
+from dynsplines.solver.surface.surface import DEEP
 
 HANGING = 0.15  # largest height above the ground, relative to the figure's, of a standing one, as in rest poses
 

@@ -31,7 +31,7 @@ from dynsplines.solver.posing import (
     same_heading,
 )
 from dynsplines.solver.surface import Surface
-from dynsplines.solver.surface.heights import height_above, heights
+from dynsplines.solver.surface.heights import heights
 from dynsplines.solver.surface.points import Point, body_points, hanging, places_of
 
 from ...errors import UserError, unknown
@@ -212,8 +212,8 @@ def _raised(
 
 def _depths(figure: Figure, qpos: Array, soles: Sequence[Point], surfaces: Sequence[Surface]) -> Array:
     """Return the depths (n,) [m] of sole points below the ground in a pose (nq,), negative above it."""
-    places, radii = places_of(soles, Samples.still(figure, figure.to_state(qpos[None])))
-    return -height_above(surfaces, places, radii[:, None])[:, 0]
+    height, _ = heights(surfaces, *places_of(soles, Samples.still(figure, figure.to_state(qpos[None]))))
+    return -height[:, 0]
 
 
 def _planted(figure: Figure, before: Frame, goals: Sequence[Goal]) -> list[Goal]:

@@ -24,8 +24,6 @@ from dynsplines.solver.surface import (
     static_surfaces,
 )
 from dynsplines.solver.surface.heights import (
-    DEEP,
-    FAR,
     clearance_gradients,
     clearances,
     ground_at,
@@ -34,7 +32,7 @@ from dynsplines.solver.surface.heights import (
     heights_nearby,
 )
 from dynsplines.solver.surface.static import DOWN
-from dynsplines.solver.surface.surface import GROUNDED
+from dynsplines.solver.surface.surface import DEEP, GROUNDED
 from dynsplines.solver.surface.touch import SCENERY, bolted, counts_all, grounds, movers, solids
 
 SCENE = read_data("surfaces.xml")
@@ -268,11 +266,19 @@ def test_what_just_touches_is_not_in_it_and_what_is_any_nearer_is(name):
             assert surface.near(where, np.array([radius])).all() == near
 
 
-def test_of_two_surfaces_as_high_as_each_other_the_first_is_the_nearest_and_deep_below_is_neither():
+def test_of_two_surfaces_as_high_as_each_other_the_first_is_the_nearest_and_a_floor_is_below_at_any_depth():
     floors = [Plane(name, np.zeros(3), np.array([0.0, 0, 1])) for name in ("one", "other")]
-    for z, height, nearest in ((0.5, 0.25, 0), (0.25 - DEEP, -DEEP, 0), (0.25 - DEEP - DIGIT, FAR, -1)):
+    for z in (0.5, -3.0):
         found, which = heights(floors, np.array([[[0.0]], [[0.0]], [[z]]]), np.array([0.25]))
-        assert (found.item(), which.item()) == (height, nearest)
+        assert (found.item(), which.item()) == (z - 0.25, 0)
+
+
+def test_a_point_deep_in_a_box_came_from_beside_it_and_is_above_what_the_box_stands_on():
+    half = np.array([0.5, 0.5, 0.5])
+    floor, block = Plane("floor", -half, np.array([0.0, 0, 1])), Box("block", np.zeros(3), np.eye(3), half)
+    for deep, height, nearest in ((DEEP - 0.01, 0.01 - DEEP, 1), (DEEP + 0.01, 1 - DEEP - 0.01, 0)):
+        found, which = heights([floor, block], np.array([[[0.0]], [[0.0]], [[0.5 - deep]]]), np.zeros(1))
+        assert which.item() == nearest and found.item() == pytest.approx(height, abs=1e-12)
 
 
 ARM = read_data("meshed_arm.xml")
