@@ -115,18 +115,10 @@ class Contact:
 
 
 def stances(soles: KeyframePoints) -> tuple[Contact, ...]:
-    """Return the stances of points inferred from keyframes.
-
-    In both of two neighbouring keyframes, the point is near a surface and every joint from the root to the point is
-    set. The two positions are close to each other (12 mm and 5 cm for an adult, see `Thresholds`), and the point moves
-    slower than 0.35 m/s.
-    """
-    limits = soles.limits
-    drift = np.minimum(limits.same_spot, limits.fast * np.diff(soles.keys.times))
-    stays = soles.is_near[:, :-1] & soles.is_near[:, 1:] & (soles.moves < drift)
+    """Return the stances of points inferred from keyframes: one for each segment in which a point stays."""
     is_exact = soles.is_fixed[:, :-1] & soles.is_fixed[:, 1:]
     return tuple(
-        between_keyframes(soles, i, k, 1.0 if is_exact[i, k] else HELD) for k, i in np.argwhere(stays.T).tolist()
+        between_keyframes(soles, i, k, 1.0 if is_exact[i, k] else HELD) for k, i in np.argwhere(soles.stays.T).tolist()
     )
 
 

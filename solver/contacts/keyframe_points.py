@@ -109,6 +109,22 @@ class KeyframePoints:
         return np.asarray((np.abs(self.heights) < self.limits.near_surface) & self.is_known)
 
     @property
+    def stays(self) -> Mask:
+        """Whether the point is planted between two successive keyframes, (n, K − 1).
+
+        In both, its position is known and near a surface. The two positions are close to each other (12 mm and 5 cm for
+        an adult, see `Thresholds`), and the point moves slower than 0.35 m/s.
+        """
+        drift = self.limits.farthest_planted(np.diff(self.keys.times))
+        return np.asarray(self.is_near[:, :-1] & self.is_near[:, 1:] & (self.moves < drift))
+
+    @property
+    def strides(self) -> Mask:
+        """Whether the point moves so far between two successive keyframes that it swings (8 cm for an adult),
+        (n, K − 1)."""
+        return np.asarray((self.moves > self.limits.strode) & self.is_known[:, :-1] & self.is_known[:, 1:])
+
+    @property
     def touches(self) -> Mask:
         """Whether the lowest of the points is on the ground, (K,)."""
         return np.asarray(self.heights.min(axis=0, initial=np.inf) < self.limits.clear)

@@ -10,6 +10,9 @@ from dataclasses import dataclass, field, fields
 from functools import lru_cache
 from typing import Any
 
+import numpy as np
+
+from ..array import Array
 from ..figure.figure import Figure
 from ..figure.size import Size
 
@@ -85,6 +88,10 @@ class Thresholds:
     # Reports
     push_off: float = _seconds(0.32)  # longest time between contact and free fall, before and after a jump together
     brushes: float = _metres(0.005)  # height of a heel or toe that drags
+
+    def farthest_planted(self, seconds: Array) -> Array:
+        """Return how far [m] a planted point moves at most in a time [s]."""
+        return np.minimum(self.same_spot, self.fast * seconds)
 
     @classmethod
     def of(cls, figure: Figure) -> Thresholds:

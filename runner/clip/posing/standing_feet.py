@@ -342,10 +342,10 @@ class _KnownPositions:
         if before is None or after is None:
             return self.centres[i, neighbours[0]]
         spot, landed = self.centres[i, before], self.centres[i, after]
-        if np.linalg.norm(landed - spot) >= self.limits.same_spot:
+        seconds = self.times[after] - self.times[before]
+        if np.linalg.norm(landed - spot) >= self.limits.farthest_planted(seconds):
             return None
-        share = (self.timeline.times[k] - self.times[before]) / (self.times[after] - self.times[before])
-        return spot + share * (landed - spot)
+        return spot + (self.timeline.times[k] - self.times[before]) / seconds * (landed - spot)
 
     def _is_set(self, point: Point, k: int) -> bool:
         links = self.figure.limb(self.figure.links[point.link].body)

@@ -50,8 +50,7 @@ class SwingSegments:
         Time and distance are those of an adult. They are scaled to the size of the figure.
         """
         feet, limits = KeyframePoints.of(figure, keys, points), Thresholds.of(figure)
-        moves = (feet.moves > limits.strode) & feet.is_known[:, 1:] & feet.is_known[:, :-1]
-        return cls(keys.times, moves & (np.diff(keys.times) <= limits.shortly))
+        return cls(keys.times, feet.strides & (np.diff(keys.times) <= limits.shortly))
 
     def at(self, t: Array) -> Mask:
         """Return whether the points swing at times t (S,) [s], (n, S)."""
