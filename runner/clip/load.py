@@ -25,6 +25,7 @@ from ..scene.assets import Scene, taken_along
 from ..scene.compose import KINDS, Obstacle, compiled, compose, figure_spec, stage
 from ..scene.configuration import first_wrong, unlike_joints
 from .build import Clip, build, build_following, edits_of, solve_of
+from .half_cycle import whole_cycle
 from .parse import Parsed, check_times, keyframe_label, read, table_of
 from .pose import pose, soles_of
 from .posing import notes
@@ -96,6 +97,8 @@ def from_parsed(
         scene, figure = like.scene, like.figure
     else:
         scene, figure = scene_and_figure(source, figure_file, spec)
+    source = whole_cycle(source, figure)
+    table = source.table
     follows = None if table.recording is None else followed(table.recording, figure, recording, where)
     keys, placed, unreached = pose(source, figure, None if follows is None else follows.pose)
     if unreached and unmet is None:
@@ -288,6 +291,7 @@ def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | No
 def of_motion(saved: Saved) -> Clip:
     """Return the clip that a saved motion solves, with the keyframes and the ends of the motion itself."""
     source = Parsed.of(saved.text, saved.name, saved.name)
+    source = whole_cycle(source, saved.figure)
     source = source.with_solve(solve_of(saved, source.table.solve), [key.time for key in saved.keys])
     places = Places(saved.figure, soles_of(saved.figure, saved.keys))
     placed = [point for row in source.table.keyframe for point in targets_of(places, row, saved.name)[1]]

@@ -26,6 +26,7 @@ from .table import (
     BodyTable,
     BoxTable,
     ClipTable,
+    ContactTable,
     KeyframeTable,
     PenaltyTable,
     RootTable,
@@ -36,7 +37,6 @@ from .table import (
     SphereTable,
     Table,
 )
-from .text import rotation
 
 Placed = TypeVar("Placed", bound=Table)
 Obstacle = TypeVar("Obstacle", BoxTable, SphereTable, BarTable)
@@ -138,7 +138,7 @@ def mirrored_tables(clip: ClipTable, figure: Figure, mirror: Mirror) -> ClipTabl
         scene=_scene(clip.scene),
         solve=_solve(clip.solve),
         penalty=[_penalty(entry, sides) for entry in clip.penalty],
-        contact=[_placed(row.changed(point=sides.other(row.point)), "position") for row in clip.contact],
+        contact=[_contact(row, sides) for row in clip.contact],
         grasp=[
             _placed(row.changed(hand=sides.other(row.hand), body=sides.other(row.body)), "position")
             for row in clip.grasp
@@ -151,6 +151,15 @@ def mirrored_keyframe(row: KeyframeTable, figure: Figure, mirror: Mirror) -> Key
     """Return one keyframe's table for the mirrored figure; raises UserError for a keyframe without a mirror image."""
     _check_symmetric(row.others, figure, mirror)
     return _keyframe(row, _Sides.of(figure, mirror))
+
+
+def mirrored_contact(row: ContactTable, figure: Figure, mirror: Mirror) -> ContactTable:
+    """Return one contact's table for the mirrored figure; raises UserError for a point without a partner."""
+    return _contact(row, _Sides.of(figure, mirror))
+
+
+def _contact(row: ContactTable, sides: _Sides) -> ContactTable:
+    return _placed(row.changed(point=sides.other(row.point)), "position")
 
 
 def _check_symmetric(others: str, figure: Figure, mirror: Mirror) -> None:
@@ -287,7 +296,7 @@ def _in_parent(table: RotationTable, reflection: Array) -> RotationTable:
 
 def _with_rotation(table: Turned, quaternion: Array) -> Turned:
     names = {*RotationTable.model_fields, *({"flat"} & table.model_fields_set)}
-    return table.without(*names).changed(rotvec=rotation(quaternion).rotvec)
+    return table.without(*names).changed(rotvec=RotationTable.of(quaternion).rotvec)
 
 
 def _rotation(table: Turned) -> Turned:

@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 import numpy as np
+from numpy.typing import ArrayLike
 from pydantic import BaseModel, ConfigDict, Field, Strict, model_validator
 
 from ..system.quantity import LARGEST
@@ -32,6 +33,7 @@ Place = Annotated[tuple[Number, Number, Number], "[x, y, z] in metres"]
 Axes = Annotated[tuple[Axis, Axis, Axis], '[x, y, z] in metres, each a number or "free"']
 KEY = "key:"  # prefix of the name of a <key> of the model
 ROTATION = "{rotvec = [x, y, z]}, {euler = [...], order = ...} or {quat = [w, x, y, z]}"
+DIGITS = 9  # decimal places of degrees, finer than the rounding of conversions (1e-11 rad)
 UP, IDENTITY = np.array([0.0, 0.0, 1.0]), np.array([1.0, 0.0, 0.0, 0.0])  # the vertical; no rotation, wxyz
 ModelKey = Annotated[str, Strict(), Field(pattern=f"^{KEY}.+")]
 
@@ -62,6 +64,11 @@ class Table(BaseModel):
         return out
 
 
+def degrees(radians: float) -> float:
+    """Return an angle in degrees, rounded to `DIGITS` places; zero has no sign."""
+    return round(float(np.degrees(radians)), DIGITS) + 0.0
+
+
 class RotationTable(Table):
     """A rotation in one of several notations, followed by a heading about the vertical."""
 
@@ -78,6 +85,14 @@ class RotationTable(Table):
     @property
     def is_heading(self) -> bool:
         return self.heading is not None and self.model_fields_set.isdisjoint({"rotvec", "euler", "quat", "order"})
+
+    @classmethod
+    def of(cls, quaternion: ArrayLike) -> RotationTable:
+        """Return the table of a rotation, a quaternion (4,) wxyz: its rotation vector in degrees."""
+        from dynsplines.solver import quaternion as quat  # imported here, see `quaternion`
+
+        x, y, z = (degrees(x) for x in quat.rotation_vector(quat.normalised(quaternion)))
+        return RotationTable(rotvec=(x, y, z))
 
     def quaternion(self, rest: Array = IDENTITY) -> Array:
         """Return the rotation as a quaternion, (4,) wxyz.
@@ -324,7 +339,7 @@ class SolveTable(Table):
     """End conditions of the spline and settings of the search; None: chosen automatically."""
 
     coordinates: Literal["auto", "world", "joint"] = "auto"
-    ends: Literal["free", "clamped", "clamped start", "clamped end", "periodic"] = "free"
+    ends: Literal["free", "clamped", "clamped start", "clamped end", "periodic", "mirrored"] = "free"
     travel: Place | None = None
     turn: Annotated[Real, Field(ge=-360, le=360)] | None = None
     variable: Annotated[Whole, Field(ge=0, le=50)] | None = None

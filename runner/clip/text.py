@@ -8,11 +8,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-from numpy.typing import ArrayLike
-
 from dynsplines import models
-from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 
@@ -24,9 +20,8 @@ from ..system.output import Replacement, check_target
 from .build import around
 from .load import scene_and_figure
 from .parse import Parsed, table_of
-from .table import ClipTable, KeyframeTable, RootTable, RotationTable, SolveTable, Table
+from .table import ClipTable, KeyframeTable, RootTable, RotationTable, SolveTable, Table, degrees
 
-DIGITS = 9  # decimal places of degrees, finer than the rounding of conversions (1e-11 rad)
 TomlTable = dict[str, Any]  # a table as a file has it, of keys that its reader checks
 BARE = re.compile(r"[A-Za-z0-9_-]+")
 
@@ -94,16 +89,6 @@ def keyframe_tables(figure: Figure, keys: Sequence[Frame]) -> list[KeyframeTable
     return [_keyframe(figure, key) for key in keys]
 
 
-def rotation(quaternion: ArrayLike) -> RotationTable:
-    """Return the table of a rotation: its rotation vector in degrees."""
-    x, y, z = (_angle(x) for x in quat.rotation_vector(quat.normalised(quaternion)))
-    return RotationTable(rotvec=(x, y, z))
-
-
-def _angle(radians: float) -> float:
-    return round(float(np.degrees(radians)), DIGITS) + 0.0
-
-
 def _keyframe(figure: Figure, key: Frame) -> KeyframeTable:
     """Return the table of a keyframe, unchecked: a state may exceed a file's limits, which loading reports."""
     root: RootTable | None = None
@@ -119,16 +104,16 @@ def _keyframe(figure: Figure, key: Frame) -> KeyframeTable:
             axes = slice(link.qpos, link.qpos + 3)
             pairs = zip(key.state[axes].tolist(), key.fixed[axes], strict=True)
             place = {"position": tuple(x if is_fixed else "free" for x, is_fixed in pairs)}
-            turn = {"rotation": rotation(value)} if fixed else {}
+            turn = {"rotation": RotationTable.of(value)} if fixed else {}
             table = RootTable.unchecked(**(place if key.fixed[axes].any() else {}), **turn)
             if link is first:
                 root = table
             elif table.model_fields_set:
                 roots[link.name] = table
         elif fixed and columns is not None:
-            joints[link.name] = rotation(value)
+            joints[link.name] = RotationTable.of(value)
         elif fixed:
-            joints[link.name] = _angle(value) if link.kind is JointKind.HINGE else value
+            joints[link.name] = degrees(value) if link.kind is JointKind.HINGE else value
     named = {"root": root if root is not None and root.specified else None, "roots": roots, "joints": joints}
     return KeyframeTable.unchecked(time=float(key.time), **{name: value for name, value in named.items() if value})
 

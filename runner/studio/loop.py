@@ -28,6 +28,8 @@ from dynsplines.solver.solution import Improvement, Solution
 
 from .. import recordings
 from ..clip.build import Clip
+from ..clip.half_cycle import MIRRORED
+from ..clip.parse import table_of
 from ..errors import UserError, located, one_line
 from ..scene.file_access import allowed
 from . import paths
@@ -138,6 +140,10 @@ class SolverLoop:
         """
         before = self.clip
         clip = recordings.from_text(text, name=name, where=place, folder=Path(folder), like=before)
+        if table_of(text, place).solve.ends == MIRRORED:
+            raise UserError(
+                f"{place}: the studio edits whole cycles; write one: dynsplines mirror {place} --append -o NEW.toml"
+            )
         present = None if before is None or self.solution is None else self.solution.timeline
         if path is not None:
             present = pickle.loads(path)  # data of this program only

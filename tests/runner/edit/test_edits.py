@@ -24,7 +24,7 @@ from dynsplines.clip import text as clip_text
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
 from dynsplines.clip.table import RotationTable
-from dynsplines.clip.text import rotation, tables, written
+from dynsplines.clip.text import tables, written
 from dynsplines.edit import edits
 from dynsplines.edit import files as edit_files
 from dynsplines.errors import UserError
@@ -244,7 +244,7 @@ def test_odd_names_and_texts_survive_being_written():
 def test_rotations_are_written_as_one_would_write_them(rng):
     for size in 10.0 ** rng.uniform(-12, 0, 200):
         q = quat.normalised([1, *(size * rng.normal(size=3))]) * rng.choice([-1, 1])
-        rotvec = rotation(q).rotvec or ()
+        rotvec = RotationTable.of(q).rotvec or ()
         again = quat.from_rotation_vector(np.radians(rotvec))
         assert quat.angle_between(q, again) < 1e-10
         assert all(x == 0 or abs(x) >= 1e-9 for x in rotvec)
@@ -252,8 +252,8 @@ def test_rotations_are_written_as_one_would_write_them(rng):
         (quat.from_rotation_vector([np.radians(30), 1e-18, -1e-18]), (30.0, 0.0, 0.0)),
         (quat.from_rotation_vector(np.radians([30.000013, 0, 0])), (30.000013, 0.0, 0.0)),
     ):
-        assert rotation(q) == RotationTable(rotvec=rotvec)
-    assert str(rotation([1, 0, -1e-17, 0]).rotvec) == "(0.0, 0.0, 0.0)"
+        assert RotationTable.of(q) == RotationTable(rotvec=rotvec)
+    assert str(RotationTable.of([1, 0, -1e-17, 0]).rotvec) == "(0.0, 0.0, 0.0)"
 
 
 ROUND = read_data("sides.toml")
