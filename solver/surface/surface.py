@@ -12,7 +12,7 @@ from ..array import Array
 
 UPRIGHT = 0.7  # [1] z of the unit normal above which a face points up and can support a figure
 FAR = -np.inf  # depth of a sphere outside the margin
-DEEP = 0.15  # [m] depth below the top of a solid from which a point is beside it or below it
+DEEP = 0.15  # [m] depth below its top from which a solid no longer supports a point
 GROUNDED = 0.01  # [m] maximum gap to the floor of solids that stand on it
 
 
@@ -48,7 +48,7 @@ class Surface(Protocol):
     def height(self, points: Array) -> Array:
         """Return the signed height of points (3, ...) above the surface [m]; infinite if it is not below them.
 
-        A point deeper in a solid than `DEEP` came from beside it, so the solid is not below it.
+        A point deeper in a solid than `DEEP` entered it through a side, so the solid does not support it.
         """
         ...
 
