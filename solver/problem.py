@@ -111,9 +111,11 @@ class Problem:
     """Keyframes of a figure, and the soft constraints on the motion between them.
 
     Attributes:
+        figure: The figure.
         keys: At least two keyframes in order of time. Their states are configurations qpos (nq,), with masks of the
             fixed entries.
         penalties: The soft constraints f with their weights α.
+        settings: The settings of the search.
         ends: The end conditions: "free", "clamped", "clamped start", "clamped end" or "periodic".
         end_slope: The time derivatives y' of the N entries of the state at the start and the end, (2, N) [1/s times
             their units]. Rows of ends that are not clamped have no effect. None: zero.

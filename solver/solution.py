@@ -27,6 +27,7 @@ class Improvement:
         round: The index of the round.
         value: E.
         parts: The contributions of terms, by name.
+        build: Returns the timeline of this evaluation.
     """
 
     evaluation: int
@@ -46,6 +47,9 @@ class Solution:
     """The result of in-betweening.
 
     Attributes:
+        figure: The figure.
+        objective: The objective E that the search minimised.
+        timeline: The frames of the solution, including variable frames.
         raw: The timeline of the spline through the keyframes alone.
         trace: (evaluation, round, E, parts) of every improvement. E may rise where a round begins.
         evaluations: The number of evaluations.
@@ -72,12 +76,18 @@ class Solution:
         return self.evaluations == 0 and all(map(np.array_equal, *pairs))
 
     def at(self, t: ArrayLike) -> Array:
-        """Return MuJoCo configurations qpos (S, nq) at times t (S,) [s] of the clip, with unit quaternions.
+        """Return MuJoCo configurations at given times.
+
+        Args:
+            t: One time, or (S,) times [s].
+
+        Returns:
+            qpos (S, nq), with unit quaternions.
 
         Raises:
             ValueError: A time is outside the motion.
         """
         first, last = self.path.span
         if np.any(np.asarray(t) < first - ROUNDING) or np.any(np.asarray(t) > last + ROUNDING):
-            raise ValueError(f"the motion runs from {first:g} to {last:g} s; there is nothing to see outside")
+            raise ValueError(f"the motion runs from {first:g} to {last:g} s; give times within")
         return self.figure.to_qpos(self.path.at(np.atleast_1d(np.asarray(t, float))))

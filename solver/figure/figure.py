@@ -107,12 +107,14 @@ class Link:
 class Figure:
     """A jointed figure: links, the columns of its state, and the conversions between state and qpos.
 
+    Link 0 is the world, and every other link has one joint. `body_link` (nbody,) contains the link of each body,
+    `body_offset` (nbody, 3) [m] and `body_turn` (nbody, 4), wxyz, its origin and its orientation in the link. `tables`
+    contains the links' constants as arrays.
+
     Attributes:
-        coordinates: "world" or "joint"; "auto" becomes "world" where that makes a difference.
-        body_link: The link of each body, (nbody,).
-        body_offset: Each body's origin in its link, (nbody, 3) [m].
-        body_turn: Each body's orientation in its link, (nbody, 4) wxyz.
-        tables: The links' constants as arrays.
+        model: The MuJoCo model.
+        coordinates: What rotations in the state are relative to: "world", or "joint" for the parent. "auto" becomes
+            "world" for figures with ball joints.
     """
 
     model: mujoco.MjModel
@@ -193,7 +195,14 @@ class Figure:
         return out
 
     def to_qpos(self, state: ArrayLike) -> Array:
-        """Return configurations (..., nq), with unit quaternions, of states (..., N) with quaternions of any length."""
+        """Return MuJoCo configurations of states.
+
+        Args:
+            state: States (..., N), with quaternions of any length above 0.
+
+        Returns:
+            qpos (..., nq), with unit quaternions.
+        """
         state = np.asarray(state, float)
         qpos = state.copy()
         for i, link in enumerate(self.links[1:], start=1):
@@ -239,7 +248,15 @@ class Figure:
         return tuple(tuple(self.limb(self.links[end].body)) for end in ends)
 
     def point_on_link(self, body: int, position: ArrayLike) -> tuple[int, Array]:
-        """Return the link of points in a body's frame (..., 3) [m], and the points in the link's frame."""
+        """Return points of a body in the frame of its link.
+
+        Args:
+            body: MuJoCo's id of the body.
+            position: Points (..., 3) in the body's frame [m].
+
+        Returns:
+            The index of the link, and the points (..., 3) in the link's frame [m].
+        """
         offset = quat.rotated(self.body_turn[body], np.asarray(position, float))
         return int(self.body_link[body]), self.body_offset[body] + offset
 

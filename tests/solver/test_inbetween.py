@@ -264,5 +264,5 @@ def test_a_motion_is_seen_from_its_first_keyframe_to_its_last_and_a_rounding_bey
     assert found.at(0.7).shape == (1, 2)
     np.testing.assert_allclose(found.at([-ROUNDING, 2 + 0.9 * ROUNDING]), found.at([0.0, 2.0]), atol=1e-7)
     for outside in (-1.1 * ROUNDING, 2 + 1.1 * ROUNDING):
-        with pytest.raises(ValueError, match="from 0 to 2 s; there is nothing to see outside"):
+        with pytest.raises(ValueError, match="from 0 to 2 s; give times within"):
             found.at([0.5, outside])
