@@ -1,17 +1,17 @@
-"""What the tests would miss: random mutations of the solver, one at a time, each against the fast tests of its module.
+"""What the tests would miss: random mutations, one at a time, each against the tests that run its line.
 
-    python benchmarks/mutations.py --count 200 --seed 1         200 random places of solver/
-    python benchmarks/mutations.py --only solver/search/descent.py     those of some files alone
-    python benchmarks/mutations.py --only solver/search/descent.py:49  every mutation of some lines
+    python benchmarks/mutations.py --record                which tests run which lines: once, half an hour
+    python benchmarks/mutations.py --count 200 --seed 1    200 random places of solver/
+    python benchmarks/mutations.py --only runner/clip      those of a folder or file
+    python benchmarks/mutations.py --only solver/cone.py:49  every mutation of a line
 
 Constants that a module begins with, and numbers with a decimal point in the defaults of a class, are left alone: they
-are choices, each with its reason beside it.
+are choices, each with its reason in a comment.
 
 A mutation is a float times 1.001, an integer one up or down, a comparison, a sign or a product turned round, `and` for
 `or`. No file is touched: a process of its own compiles the mutated source under the name of the module and runs pytest
-in itself, in a time that is bounded: first the tests that are named after the module, then those that use it, then the
-rest of its folder, and with --all the solver's other fast tests. A line each says caught, survived or hung; the last
-line is their sum; results can be kept as JSON.
+in itself, in a time that is bounded: the tests that run the line, the fastest first. A line each says caught, survived
+or hung; the last line is their sum; results can be kept as JSON. `--record` needs the package coverage.
 """
 
 from __future__ import annotations
@@ -30,6 +30,7 @@ import random
 import resource
 import signal
 import sys
+import tempfile
 import time
 from collections import Counter
 from collections.abc import Iterator
@@ -39,11 +40,15 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 TESTS = ROOT / "tests"
-MIRRORS = ("solver", "runner", "models")  # folders of tests that mirror those of the product
+PRODUCT = ("solver", "runner", "models")
+RECORD = Path(tempfile.gettempdir()) / "dynsplines_tests_by_line.json"
+FAILED = RECORD.with_suffix(f".{os.getpid()}.txt")  # the name of the test that caught the last mutant
 SLIGHTLY = 1.001
-SECONDS = 60.0  # of a core, for each file of tests; several times what its fast ones take
+MOST = 200  # tests of a line that are recorded in a process
+FEW = 25  # tests that are tried first, in a process of their own
+SECONDS = 60.0  # of a core, for the tests of a mutant
+MARGIN = 10.0  # of a core [s], beyond what the tests took when they were recorded
 PATIENCE = 10.0  # times as long, on a machine that others use
-IMPORTERS = 6  # files of tests in other folders that are tried, those that use the module most
 HEAVY = (
     "numpy",
     "scipy.linalg",
@@ -168,10 +173,11 @@ def mutated(path: Path, number: int, change: int) -> Mutant:
 
 
 def chosen(count: int, seed: int, only: list[str]) -> list[Mutant]:
-    """Random lines of the solver that can be changed, each once, and a random change of each."""
+    """Random lines of the product that can be changed, each once, and a random change of each."""
     if only and all(":" in name for name in only):
         return [mutant for name in only for mutant in _all_of(*name.split(":"))]
-    files = [ROOT / name for name in only] or sorted((ROOT / "solver").rglob("*.py"))
+    roots = [ROOT / name for name in only or ["solver"]]
+    files = sorted(file for root in roots for file in ([root] if root.is_file() else root.rglob("*.py")))
     lines = [(path, places) for path in files for places in mutants_of(path).values()]
     rng = random.Random(seed)
     rng.shuffle(lines)
@@ -184,65 +190,96 @@ def _all_of(path: str, line: str) -> list[Mutant]:
 
 
 def module_name(path: str) -> str:
-    return "dynsplines." + path.removesuffix(".py").replace("/", ".").removesuffix(".__init__")
+    folder, _, rest = path.removesuffix(".py").partition("/")
+    name = rest if folder == "runner" else f"{folder}/{rest}"
+    return f"dynsplines.{name}".replace("/", ".").removesuffix(".__init__")
 
 
-def tests_of(path: str, *, all_groups: bool = False) -> list[list[str]]:
-    """Files of tests for a file of the solver: those named after it; those of its folder, or of one that this lies in,
-    that use it; others that do, those that use it most; then the rest of its folder, which may reach it in other ways;
-    and at last all others of the solver, where they are asked for."""
-    package, module = Path(path).parent, module_name(path)
-    named = (f"test_{Path(path).stem}.py", f"test_{package.name}_{Path(path).stem}.py")
-    files = [file for folder in MIRRORS for file in sorted((TESTS / folder).rglob("test_*.py"))]
-    first = [file for file in files if file.name in named]
-    used = {file: _uses(file, module, _public(path)) for file in files if file not in first}
-    ranked = sorted((file for file in used if used[file]), key=lambda file: -used[file])
-    beside = [file for file in used if file.parent == TESTS / package]
-    above = [TESTS / package, *(TESTS / package).parents]
-    near = [file for file in ranked if file.parent in above]
-    others = [file for file in ranked if file not in near][:IMPORTERS]
-    rest = [file for file in beside if not used[file]]
-    tried = {*first, *near, *others, *rest}
-    remaining = [file for file in files if all_groups and file not in tried and TESTS / "solver" in file.parents]
-    return [[_test_name(file) for file in group] for group in (first, near, others, rest, remaining) if group]
+class Recorder:
+    """Records which tests run which lines, as a plugin of pytest."""
+
+    def __init__(self) -> None:
+        coverage = importlib.import_module("coverage")  # no dependency of the project
+
+        self.seconds: dict[str, float] = {}
+        self.coverage = coverage.Coverage(data_file=None, include=[str(ROOT / folder / "*") for folder in PRODUCT])
+
+    def pytest_runtest_logstart(self, nodeid: str) -> None:
+        self.coverage.switch_context(nodeid)
+
+    def pytest_runtest_logreport(self, report) -> None:
+        self.seconds[report.nodeid] = self.seconds.get(report.nodeid, 0.0) + report.duration
+
+    def lines(self) -> dict[str, dict[int, list[str]]]:
+        """By file and line, the tests that run it, the fastest first, at most `MOST`."""
+        data = self.coverage.get_data()
+        return {
+            Path(file).relative_to(ROOT).as_posix(): {
+                line: sorted(filter(self.seconds.get, tests), key=self.seconds.__getitem__)[:MOST]
+                for line, tests in data.contexts_by_lineno(file).items()
+            }
+            for file in data.measured_files()
+        }
 
 
-def _public(path: str) -> set[str]:
-    tree = ast.parse((ROOT / path).read_text(encoding="utf-8"))
-    named = {n.name for n in tree.body if isinstance(n, (ast.FunctionDef, ast.ClassDef))}
-    return named | {t.id for n in tree.body if isinstance(n, ast.Assign) for t in n.targets if isinstance(t, ast.Name)}
+def record(part: int, parts: int, target: Path) -> None:
+    """Run every `parts`-th file of tests, and write which tests run which lines, and their durations."""
+    import pytest
+
+    os.chdir(ROOT)
+    recorder, files = Recorder(), sorted(TESTS.rglob("test_*.py"))
+    recorder.coverage.start()
+    options = ["-q", "-p", "no:cacheprovider", "-p", "no:xdist", "-o", "addopts=--import-mode=importlib", "--tb=line"]
+    pytest.main([*options, *map(str, files[part::parts])], plugins=[recorder])
+    recorder.coverage.stop()
+    target.write_text(json.dumps({"seconds": recorder.seconds, "lines": recorder.lines()}), encoding="utf-8")
 
 
-def _uses(file: Path, module: str, public: set[str]) -> int:
-    """Calls in a test file of the names that it imports from a module, directly or by shared test code."""
-    words = Counter(n.id for n in ast.walk(_parsed(file)) if isinstance(n, ast.Name))
-    calls = 0
-    for source, name, called in _imports(file):
-        if f"{source}.{name}" == module or (name in public and (module + ".").startswith(source + ".")):
-            calls += 1 + words[called]
-    return calls
-
-
-def _test_name(file: Path) -> str:
-    return file.relative_to(TESTS).as_posix()
+def record_all() -> None:
+    """Record all tests, in as many processes as there are cores."""
+    parts = os.cpu_count() or 1
+    targets = [RECORD.with_suffix(f".{part}.json") for part in range(parts)]
+    children = []
+    for part, target in enumerate(targets):
+        number = os.fork()
+        if not number:
+            record(part, parts, target)
+            os._exit(0)
+        children.append(number)
+    for number in children:
+        os.waitpid(number, 0)
+    seconds: dict[str, float] = {}
+    lines: dict[str, dict[str, list[str]]] = {}
+    for target in targets:
+        read = json.loads(target.read_text(encoding="utf-8"))
+        seconds |= read["seconds"]
+        for file, tests in read["lines"].items():
+            of_file = lines.setdefault(file, {})
+            for line, names in tests.items():
+                of_file.setdefault(line, []).extend(names)
+        target.unlink()
+    RECORD.write_text(json.dumps({"seconds": seconds, "lines": lines}), encoding="utf-8")
 
 
 @cache
-def _parsed(file: Path) -> ast.Module:
-    return ast.parse(file.read_text(encoding="utf-8"))
+def recorded() -> dict:
+    if not RECORD.exists():
+        raise SystemExit("no record of which tests run which lines: python benchmarks/mutations.py --record")
+    return json.loads(RECORD.read_text(encoding="utf-8"))
 
 
-@cache
-def _imports(file: Path) -> frozenset[tuple[str, str, str]]:
-    """The imports of a file, and of the files of tests/support that it imports: module, name, local name."""
-    imports: set[tuple[str, str, str]] = set()
-    for node in ast.walk(_parsed(file)):
-        if isinstance(node, ast.ImportFrom) and node.module:
-            imports |= {(node.module, alias.name, alias.asname or alias.name) for alias in node.names}
-            shared = TESTS / "support" / f"{node.module}.py"
-            if shared.exists():
-                imports |= {(source, name, "") for source, name, _ in _imports(shared)}
-    return frozenset(imports)
+def tests_of(path: str, line: int, most: float) -> list[list[str]]:
+    """The tests that run a line, the fastest first, as many as take `most` [s] together: a few, and the others."""
+    seconds = recorded()["seconds"]
+    of_file = recorded()["lines"].get(path, {})
+    tests = sorted(set(of_file.get(str(line), [])), key=lambda test: seconds.get(test, most))
+    spent, out = 0.0, list[str]()
+    for test in tests:
+        spent += seconds.get(test, most)
+        if out and spent > most:
+            break
+        out.append(test)
+    return [group for group in (out[:FEW], out[FEW:]) if group]
 
 
 class Instead(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
@@ -267,6 +304,14 @@ class Instead(importlib.abc.MetaPathFinder, importlib.abc.InspectLoader):
         return self.file.endswith("__init__.py")
 
 
+class Failed:
+    """Writes the name of a test that fails into a file, as a plugin of pytest."""
+
+    def pytest_runtest_logreport(self, report) -> None:
+        if report.failed:
+            FAILED.write_text(report.nodeid, encoding="utf-8")
+
+
 def _run(mutant: Mutant | None, tests: list[str]) -> int:
     """Pytest's exit code, in a process of its own with the mutant in place."""
     import pytest
@@ -274,22 +319,11 @@ def _run(mutant: Mutant | None, tests: list[str]) -> int:
     os.chdir(ROOT)
     if mutant is not None:
         sys.meta_path.insert(0, Instead(mutant))
-    words = [
-        "-x",
-        "-q",
-        "-m",
-        "not slow",
-        "-p",
-        "no:cacheprovider",
-        "-p",
-        "no:xdist",
-        "-o",
-        "addopts=--import-mode=importlib",
-    ]
+    words = ["-x", "-q", "-p", "no:cacheprovider", "-p", "no:xdist", "-o", "addopts=--import-mode=importlib"]
     words += ["-W", "ignore::pytest.PytestAssertRewriteWarning", "--hypothesis-seed=0", "--no-header", "--tb=no"]
     sink = open(os.devnull, "w")  # noqa: PTH123, SIM115  # as long as the process is there
     sys.stdout = sys.stderr = sink
-    return int(pytest.main([*words, *(str(TESTS / name) for name in tests)]))
+    return int(pytest.main([*words, *tests], plugins=[Failed()]))
 
 
 def start_process(mutant: Mutant | None, tests: list[str], seconds: float) -> int:
@@ -323,23 +357,25 @@ def ended(number: int, seconds: float) -> int | None:
 
 
 @cache
-def sound(names: tuple[str, ...], seconds: float) -> bool:
-    """Whether tests pass with nothing changed; those that do not can catch nothing."""
-    return ended(start_process(None, list(names), seconds), seconds) in (0, NOTHING_TO_RUN)
+def sound(name: str, seconds: float) -> bool:
+    """Whether a test passes without a mutation; one that does not can catch nothing."""
+    return ended(start_process(None, [name], seconds), seconds) in (0, NOTHING_TO_RUN)
 
 
-def judged(mutant: Mutant, seconds: float, *, all_groups: bool = False) -> Outcome:
+def judged(mutant: Mutant, seconds: float) -> Outcome:
     """A mutant against one group of tests after another, until one catches it or the time is over."""
     start, verdict, tried = time.monotonic(), SURVIVED, []
-    for names in tests_of(mutant.path, all_groups=all_groups):
+    for names in tests_of(mutant.path, mutant.line, seconds):
         tried += names
-        most = seconds * len(names)
+        FAILED.unlink(missing_ok=True)
+        most = MARGIN + 3 * sum(recorded()["seconds"][name] for name in names)
         code = ended(start_process(mutant, names, most), most)
         if code is None:
             verdict = HUNG
         elif code not in (0, NOTHING_TO_RUN):
-            if not sound(tuple(names), most):
-                raise SystemExit(f"{', '.join(names)}: one of them fails, or hangs, as it is")
+            failed = FAILED.read_text(encoding="utf-8") if FAILED.exists() else ""
+            if failed and not sound(failed, most):
+                raise SystemExit(f"{failed}: fails, or hangs, without a mutation")
             verdict = CAUGHT
         if verdict != SURVIVED:
             break
@@ -359,25 +395,28 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--all", action="store_true", help="try what survives on all of the solver's fast tests")
+    parser.add_argument("--record", action="store_true", help="record which tests run which lines")
     parser.add_argument("--skip", type=int, default=0, help="of those chosen, the first so many")
-    parser.add_argument("--seconds", type=float, default=SECONDS, help="of a core, for each file of tests")
+    parser.add_argument("--seconds", type=float, default=SECONDS, help="of a core, for the tests of a mutant")
     parser.add_argument(
         "--only",
         nargs="*",
         default=[],
         metavar="FILE",
-        help="files of solver/, or FILE:LINE for every change of a line",
+        help="files or folders, or FILE:LINE for every change of a line",
     )
     parser.add_argument("--json", type=Path, help="a file to which a line each is added")
     arguments = parser.parse_args()
+    if arguments.record:
+        record_all()
+        return
     sys.path[:0] = [str(TESTS), str(TESTS / "support")]
     for name in HEAVY:
         importlib.import_module(name)
     _without_shrinking()
     verdicts: Counter[str] = Counter()
     for mutant in chosen(arguments.count, arguments.seed, arguments.only)[arguments.skip :]:
-        outcome = judged(mutant, arguments.seconds, all_groups=arguments.all)
+        outcome = judged(mutant, arguments.seconds)
         verdicts[outcome.verdict] += 1
         where = f"{outcome.path}:{outcome.line}"
         print(f"{outcome.verdict:8} {outcome.seconds:6.1f} s  {where}  {outcome.before} → {outcome.after}", flush=True)
