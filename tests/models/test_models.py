@@ -116,21 +116,3 @@ def test_segment_lengths_are_the_scaled_lengths_of_the_table(human: mujoco.MjMod
     drops = {"left_forearm": "upper arm", "left_shin": "thigh", "left_foot": "shank", "chest": "lower trunk"}
     for body, segment in drops.items():
         assert abs(human.body(body).pos[2]) == pytest.approx(LENGTH_SCALE * DE_LEVA[segment][0], abs=1e-3)
-
-
-@pytest.mark.parametrize("name", ["human", "spinner"])
-def test_a_stage_goes_around_a_figure_without_renaming_or_renumbering_it(name: str) -> None:
-    alone = mujoco.MjModel.from_xml_string(models.figure_text(name))
-    figure = mujoco.MjSpec.from_string(models.figure_text(name))
-    stage = mujoco.MjSpec.from_string(models.stage_text())
-    figure.attach(stage, frame=figure.worldbody.add_frame(), prefix="stage/")
-    figure.visual, figure.stat = stage.visual, stage.stat
-    both = figure.compile()
-    assert [both.body(i).name for i in range(both.nbody)] == [alone.body(i).name for i in range(alone.nbody)]
-    np.testing.assert_array_equal(both.qpos0, alone.qpos0)
-    np.testing.assert_allclose(both.body_inertia, alone.body_inertia, rtol=1e-12)
-    assert both.geom("stage/floor").type == mujoco.mjtGeom.mjGEOM_PLANE
-    assert {both.mat(i).name for i in range(both.nmat)} >= {"stage/floor", "stage/step"}
-    assert both.nlight == 2
-    assert (both.vis.global_.offwidth, both.vis.global_.offheight) == (3840, 2160)
-    assert (both.vis.quality.shadowsize, both.vis.quality.offsamples) == (4096, 4)

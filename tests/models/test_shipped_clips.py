@@ -14,10 +14,8 @@ from dynsplines import models
 from dynsplines.measure.violation import violations
 from dynsplines.motion import Sampled
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts.gait_period import Gait
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam, heading_between
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.penalty import SelfContact
 from dynsplines.solver.search.restarts import is_poor_minimum
 from dynsplines.solver.surface.points import places_of
@@ -154,15 +152,6 @@ def test_the_walk_turns_a_quarter_evenly_over_its_middle_steps_and_its_feet_land
     first, last = places[1] - places[0], places[3] - places[2]
     assert first[0] > 0.55 and abs(first[1]) < 0.1
     assert last[1] > 0.55 and abs(last[0]) < 0.1
-
-
-def test_every_third_keyframe_of_the_turning_walk_tells_its_cycle():
-    found = of("walk_and_turn").clip
-    some = raw_timeline(found.figure, list(found.keys[::3]))
-    gait_cycle = Gait(found.figure, some, found.context.points, found.context.surfaces).infer()
-    assert gait_cycle is not None
-    assert gait_cycle.period == pytest.approx(1.12, rel=0.01)
-    assert gait_cycle.slip < 0.15
 
 
 def level(rotations: Array) -> Array:

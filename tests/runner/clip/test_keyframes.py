@@ -167,40 +167,6 @@ def test_hinges_are_posed_in_the_winding_of_the_keyframe_before(tmp_path: Path, 
     assert data.site("tip").xpos == pytest.approx([*place, 1], abs=1e-6)
 
 
-FAST = ((0, 0), (0.5, 0), (0.9, -90))
-
-
-def read_held(keys: tuple[tuple[float, float], ...]) -> Clip:
-    """An arm raised between two holds."""
-    rows = "".join(
-        f'[[keyframe]]\ntime = {t}\nothers = "rest"\njoints.right_shoulder = {{rotvec = [0, {angle}, 0]}}\n'
-        for t, angle in keys
-    )
-    return recordings.from_text(f'figure = "human"\n{rows}', name="c")
-
-
-def turned_joints(problem: Clip, qpos: Array) -> dict[str, float]:
-    """[degrees] by which every ball joint and the root turn from the first configuration (T, nq), at most, by SciPy."""
-    model, out = problem.figure.model, {}
-    for i in np.flatnonzero(model.jnt_type <= int(mujoco.mjtJoint.mjJNT_BALL)):
-        at = model.jnt_qposadr[i] + 3 * int(model.jnt_type[i] == int(mujoco.mjtJoint.mjJNT_FREE))
-        rotations = Rotation.from_quat(qpos[:, at : at + 4], scalar_first=True)
-        out[model.joint(int(i)).name] = float(np.degrees((rotations[0].inv() * rotations).magnitude()).max())
-    return out
-
-
-@pytest.mark.slow
-def test_an_arm_and_the_body_are_held_before_a_fast_motion_of_the_arm() -> None:
-    problem, hold = read_held(FAST), np.linspace(0, 0.5, 200)
-    raw = problem.figure.to_qpos(path_of(problem.problem.raw).at(hold))
-    assert turned_joints(problem, raw)["right_shoulder"] > 10
-    motion = inbetween(problem)
-    qpos = motion.at(hold)
-    assert max(turned_joints(problem, qpos).values()) < 2  # the spine turned by 15 degrees for the arm's sake
-    assert np.linalg.norm(qpos[:, :3] - qpos[0, :3], axis=1).max() < 0.01
-    assert motion.violations == []
-
-
 LURCH = """
 figure = "human"
 [solve]

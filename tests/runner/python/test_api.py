@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import subprocess
 import sys
-from html.parser import HTMLParser
 from pathlib import Path
 from typing import Any
 
@@ -377,26 +376,3 @@ def test_a_motion_shows_itself_as_a_page_of_its_own(motion):
     assert shown.count("<") == 2  # the page itself is escaped
     assert "&lt;script" in shown
     assert 'src="http' not in shown.replace("&quot;", '"')
-
-
-class _Tags(HTMLParser):
-    def __init__(self, text: str) -> None:
-        super().__init__()
-        self.tags: list[tuple[str, dict[str, str | None]]] = []
-        self.feed(text)
-
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        self.tags.append((tag, dict(attrs)))
-
-
-def test_a_motion_plays_in_a_notebook():
-    clip = build("spinner", [Keyframe(0, others="rest"), Keyframe(1, others="previous")])
-    motion = inbetween(clip)
-    assert repr(clip).startswith("<Clip clip: 1.00 s, 2 keyframes")
-    assert repr(motion).startswith("<Motion clip: 1.00 s, 2 keyframes")
-    ((tag, attributes),) = _Tags(motion._repr_html_()).tags
-    page = attributes["srcdoc"]
-    assert tag == "iframe"
-    assert page
-    assert {"script", "title"} <= {name for name, _ in _Tags(page).tags}
-    assert motion.report()._repr_html_().startswith("<pre>")
