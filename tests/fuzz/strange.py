@@ -212,7 +212,7 @@ def _kind_of(name: str, figure: str | None, make: Callable[[Callable[[], bytes],
     """A format of others, of a motion of the robot or the person as we write it."""
     source = partial(_exported, name, figure or "tiny")
     ending = formats.readers()[name].ending
-    return Kind(f"{name}{ending}", source, partial(make, source), partial(_import, name, figure), long, 6, FIGURES)
+    return Kind(f"{name}{ending}", source, partial(make, source), partial(_import, name, figure), long, 3, FIGURES)
 
 
 def _mjcf_source(rng: Rng) -> bytes:
@@ -229,9 +229,9 @@ KINDS = {
         Kind("clip.toml", grammar.CLIP.encode, grammar.mangled_clip, _read_clip, 80_000, 8, FIGURES),
         Kind("table.toml", grammar.CLIP.encode, grammar.random_clip, _read_clip, 20_000, 30, FIGURES),
         Kind("solve.toml", grammar.CLIP.encode, grammar.solvable_clip, _solve, 6_000, 3, FIGURES),
-        Kind("keys.npz", _keys, partial(_of_arrays, _keys), _read_keys, 3_000, 8, FIGURES),
-        Kind("motion.npz", _motion_file, partial(_of_arrays, _motion_file), _read_motion, 4_000, 8),
-        Kind("model.xml", grammar.MODEL.encode, _mjcf_source, _read_mjcf, 3_000, 8),
+        Kind("keys.npz", _keys, partial(_of_arrays, _keys), _read_keys, 3_000, 4, FIGURES),
+        Kind("motion.npz", _motion_file, partial(_of_arrays, _motion_file), _read_motion, 4_000, 4),
+        Kind("model.xml", grammar.MODEL.encode, _mjcf_source, _read_mjcf, 3_000, 4),
         _kind_of("csv", "robot.xml", _of_text, 2_000),
         _kind_of("npz", None, _of_arrays, 2_000),
         _kind_of("mjcf", None, _of_text, 2_000),
