@@ -51,6 +51,7 @@ export class Stage {
   private melting: { from: Path; began: number } | null = null;
   private previous: Path | null = null;
   private wanted = true;
+  private isAwake = false; // whether an animation frame is awaited
   private step = this.software ? 1 : SCALES.length - 1; // of the scales, while something moves
   private quick = 0; // images in a row that came fast
   private drawnAt = SCALES[this.step]; // the scale of the last image, or of the first
@@ -88,10 +89,18 @@ export class Stage {
     });
     new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement!);
     this.resize();
-    requestAnimationFrame(this.tick);
+    this.wake();
   }
 
-  draw(): void { this.wanted = true; }
+  draw(): void {
+    this.wanted = true;
+    this.wake();
+  }
+
+  private wake(): void {
+    if (!this.isAwake) requestAnimationFrame(this.tick);
+    this.isAwake = true;
+  }
 
   /** Looks from a side by name, from where the figure fits, or the obstacles, too; a distance that the user has chosen stays. */
   aim(name: string, whole = false): void {
@@ -231,8 +240,16 @@ export class Stage {
     return new THREE.Vector3(x, y, z);
   }
 
+  /** Animation frames follow each other until nothing moves and all is drawn as well as it can be. */
   private readonly tick = (stamp: number): void => {
-    requestAnimationFrame(this.tick);
+    this.isAwake = false;
+    const orbits = this.advance(stamp);
+    this.stamp = stamp;
+    if (orbits || model.playing || this.wanted || this.drawnAt < this.finest || stamp - this.moved < REST) this.wake();
+  };
+
+  /** Draws what has changed by now. Returns whether the camera still moves on its own. */
+  private advance(stamp: number): boolean {
     if (model.playing) {
       if (this.then !== null) {
         const gap = stamp - this.then;
@@ -245,28 +262,25 @@ export class Stage {
     } else this.then = null;
     const { orbit, camera } = this, high = (LOWEST - orbit.target.z) / camera.position.distanceTo(orbit.target);
     if (this.still?.planes.length) orbit.maxPolarAngle = Math.acos(Math.min(Math.max(high, -1), 1)); // not below the ground
-    orbit.update();
+    const orbits = orbit.update();
     const searching = this.software && (model.status.state === "searching" || model.status.state === "loaded" || isAwaiting());
     const loading = this.software && model.status.state === "loading";
     const yields = searching && (!this.override || isChanging()) && stamp - Math.max(this.moved, changed) < (model.playing ? LEAVE : LEAVE_STILL);
-    if (!this.figure || !(model.now || this.override) || yields) {
-      this.stamp = stamp;
-      return;
-    }
+    if (!this.figure || !(model.now || this.override) || yields) return orbits;
     if (this.wanted) {
       this.pace(stamp);
       this.render(stamp, SCALES[this.step]);
       this.moved = stamp;
     } else if (this.drawnAt < this.finest && stamp - this.moved > (searching || loading ? REST_SEARCHING : REST)) this.render(stamp, this.finest);
-    this.stamp = stamp;
-  };
+    return orbits;
+  }
 
   private get finest(): number { return this.software ? SHARP : 1; }
 
   /** Fewer points while images come slowly. */
   private pace(stamp: number): void {
     const gap = stamp - this.stamp;
-    if (stamp - this.moved > 2 * REST) return;
+    if (stamp - this.moved > REST) return;
     this.quick = gap < FAST ? this.quick + 1 : 0;
     if (gap > SLOW) this.step = Math.max(0, this.step - (gap > 2.5 * SLOW ? 2 : 1));
     else if (this.quick >= SURE) {
