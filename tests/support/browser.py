@@ -20,6 +20,9 @@ GRAPHICS = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swifts
 FLAGS = ["--no-sandbox", "--disable-gpu-compositing", *GRAPHICS]  # only WebGL is drawn by the software GPU
 SOCKETS = """window.sockets = [], window.WebSocket = class extends WebSocket {
   constructor(...all) { super(...all); sockets.push(this); } }"""
+WATCH = """new Promise((done) => {{ const end = performance.now() + 1e3 * {seconds};
+  const look = () => {{ const is = {condition}; is || performance.now() > end ? done(is) : setTimeout(look, 15); }};
+  look(); }})"""
 PATIENCE = 240.0  # [s] of a machine that may have much else to do
 COMMAND = "import sys; from dynsplines.__main__ import main; sys.argv[0] = 'dynsplines'; main()"
 
@@ -87,7 +90,7 @@ def studio(folder: Path, *words: str) -> Iterator[Studio]:
 class Tab:
     """A page of the studio, and what it asked for or complained of."""
 
-    def __init__(self, browser: Any, address: str, width: int = 900, height: int = 600) -> None:
+    def __init__(self, browser: Any, address: str, width: int = 800, height: int = 600) -> None:
         self.page, self.folder = browser.new_page(viewport={"width": width, "height": height}), ""
         self.page.set_default_timeout(1e3 * PATIENCE)
         self.errors: list[str] = []
@@ -108,15 +111,18 @@ class Tab:
         return self.page.evaluate(what)
 
     def until(self, condition: str | Callable[[], bool], seconds: float = PATIENCE) -> None:
-        """Waits until it is so; asked from outside, for the page forbids itself to evaluate text."""
-        end, pause = time.monotonic() + seconds, 0.02
-        while time.monotonic() < end:
-            if condition() if callable(condition) else self.evaluate(condition):
-                return
-            time.sleep(pause)
-            pause = min(1.3 * pause, 0.3)
-        status = self.evaluate("JSON.stringify(studio.model.status)")
-        raise AssertionError(f"never: {condition}; {status} {self.words()!r} {self.errors}")
+        """Wait until a condition holds; the page itself looks at one that is given as text."""
+        if not callable(condition):
+            look = WATCH.format(condition=condition, seconds=seconds)
+            assert self.evaluate(look), f"never: {condition}; {self.state()}"
+            return
+        end = time.monotonic() + seconds
+        while not condition():
+            assert time.monotonic() < end, f"never: {condition}; {self.state()}"
+            time.sleep(0.03)
+
+    def state(self) -> str:
+        return f"{self.evaluate('JSON.stringify(studio.model.status)')} {self.words()!r} {self.errors}"
 
     def settled(self, revision: int | None = None) -> None:
         """Until the search has come to its end."""
@@ -152,8 +158,7 @@ class Tab:
 
     def shown(self) -> None:
         """Until an image has been drawn since."""
-        self.evaluate("void studio.stage.draw()")
-        images = int(self.evaluate("studio.stage.images"))
+        images = int(self.evaluate("(studio.stage.draw(), studio.stage.images)"))
         self.until(f"studio.stage.images > {images}")
 
     def words(self) -> str:

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import asyncio
+import json
 import tomllib
 
+import figures
 import numpy as np
 import pytest
+from oracles import kinematics
 from texts import read_data
 
 from dynsplines import recordings
+from dynsplines.clip.starter import starter
 from dynsplines.errors import UserError
 from dynsplines.studio.actions import Actions
 from dynsplines.studio.document import Document
@@ -196,3 +200,30 @@ def test_a_free_body_has_a_row_of_its_own(tmp_path):
         ("root … ankle", ["root", "hip", "knee", "ankle"]),
         ("crate", ["crate"]),
     ]
+
+
+def test_a_robot_crouches_and_reaches_in_two_drags(tmp_path, monkeypatch):
+    (tmp_path / "android.xml").write_text(figures.ANDROID)
+    text = starter(str(tmp_path / "android.xml"), tmp_path / "robot.toml")
+    text = text.replace("[[keyframe]]", "[solve]\nevaluations = 10\n\n[[keyframe]]", 1)
+    session = Session(Document("robot", text, tmp_path))
+    monkeypatch.setattr(session.solver, "send", here(session))
+    moved = {}
+
+    async def deed(actions):
+        poser = await actions.poser()
+        time, model = 0.5 * session.loaded["keys"][-1]["time"], poser.figure.model
+        for name, by in (("pelvis", [0, 0, -0.12]), ("left_wrist_roll_link", [0.18, 0, 0.06])):
+            body = model.body(name).id
+            place = kinematics(model, actions.at(time, poser)).xpos[body].copy()
+            await actions.grip(time=time, body=body, offset=[0, 0, 0])
+            for share in (0.3, 0.6, 1):
+                await actions.drag(position=place + share * np.array(by))
+            await actions.drop(time=time)
+            await asyncio.sleep(0.1)
+            moved[name] = kinematics(model, actions.at(time, poser)).xpos[body] - place
+
+    live(session, deed)
+    assert moved["pelvis"] == pytest.approx([0, 0, -0.12], abs=5e-3)
+    assert moved["left_wrist_roll_link"] == pytest.approx([0.18, 0, 0.06], abs=5e-3)
+    assert json.loads(session._shown["settled"])["violations"] == []

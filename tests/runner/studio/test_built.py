@@ -57,6 +57,26 @@ def test_the_page_is_small_and_asks_for_nothing_outside():
     assert "MIT License" in program
 
 
+def luminance(colour: str) -> float:
+    """Relative luminance of a colour as #rrggbb, by WCAG."""
+    channels = [int(colour[i : i + 2], 16) / 255 for i in (1, 3, 5)]
+    red, green, blue = (v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4 for v in channels)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+@pytest.mark.parametrize("theme", ["dark", "light"])
+def test_words_stand_out_from_what_is_behind_them(theme):
+    """WCAG's AA: 4.5 : 1 between the colours of text and of what it stands on, 3 : 1 of marks."""
+    style = (PAGES / "src" / "studio" / "style.css").read_text(encoding="utf-8")
+    (block,) = (text for text in re.findall(r"^:root[^{]*\{(.*?)\}", style, re.M | re.S) if f"scheme: {theme}" in text)
+    light = {name: luminance(colour) for name, colour in re.findall(r"--([\w-]+): (#\w{6})", block)}
+    least = {"ink": 4.5, "soft": 4.5, "accent": 3, "key": 3, "bad": 3, "good": 3}
+    pairs = [(high, low, least[high]) for low in ("panel", "raised", "back") for high in least]
+    for high, low, ratio in [*pairs, ("on-accent", "accent", 4.5)]:
+        darker, brighter = sorted((light[high], light[low]))
+        assert (brighter + 0.05) / (darker + 0.05) >= ratio, (high, low)
+
+
 def test_the_lock_file_has_no_addresses():
     lock = json.loads((PAGES / "package-lock.json").read_text())
     assert not [name for name, said in lock["packages"].items() if "resolved" in said]

@@ -2,21 +2,16 @@
 
 from __future__ import annotations
 
-import re
-import signal
-import tomllib
 from pathlib import Path
+from time import sleep
 
 import browser as browsers
-import figures
-import problems
 import psutil
 import pytest
-from browser import Studio, Tab
+from browser import Tab
 from texts import read_data
 
-from dynsplines import models
-from dynsplines.clip.starter import starter
+from dynsplines.studio.document import opened
 
 pytestmark = [
     pytest.mark.slow,
@@ -24,216 +19,188 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning"),
 ]
 
-
-@pytest.fixture(scope="module")
-def browser():
-    with browsers.opened() as found:
-        yield found
-
-
-CRATE = read_data("page_crate.toml")
-
-
-def clip_with_crate():
-    """The tiny clip with a crate that moves."""
-    placed = "\nroots.crate = {position = [1, 0.5, 0], rotation = {rotvec = [0, 0, 90]}}"
-    text = re.sub(r"\ntime = [0-9.]+", lambda found: found[0] + placed, problems.CLIP)
-    return text.replace("[[keyframe]]", CRATE + "\n[[keyframe]]", 1)
-
-
-def assert_part_of_a_thing_moves_in_its_axes(tab):
-    tab.evaluate("void (studio.model.obstacle = {kind: 'box', index: 0}, studio.model.tell('joint'))")
-    tab.until("studio.gizmo.controls.object !== undefined")
-    tab.shown()  # bodies are where an image has put them
-    assert tab.evaluate("studio.gizmo.handle.position.toArray()") == pytest.approx([1, 0.8, 0.1], abs=1e-3)
-    tab.evaluate("void studio.gizmo.start()")
-    tab.changes(lambda: tab.evaluate("void (studio.gizmo.handle.position.x += 0.1, studio.gizmo.end())"))
-    assert tab.evaluate("studio.model.document.obstacles[0].position") == pytest.approx([0.3, -0.1, 0.1], abs=2e-3)
-
-
-def test_work_survives_whatever_is_killed_and_a_part_of_a_thing_moves_in_its_axes(browser, tmp_path):
-    file = problems.written(tmp_path, clip_with_crate())
-    first = file.read_text(encoding="utf-8")
-    running = Studio(tmp_path, "tiny.toml")
-    tab = Tab(browser, running.address)
-    tab.settled()
-
-    # the solver process is killed: another one continues
-    (solver,) = [
-        child
-        for child in psutil.Process(running.process.pid).children()
-        if any("spawn_main" in word for word in child.cmdline())
-    ]
-    solver.kill()
-    tab.until("document.getElementById('toast').textContent.includes('a new one')")
-    tab.settled()
-    tab.seek(0.3)
-    tab.changes(lambda: tab.press("k"))
-
-    # the server is killed: unsaved work is offered
-    running.end(signal.SIGKILL)
-    tab.until("document.getElementById('state').textContent.includes('no connection')")
-    assert file.read_text(encoding="utf-8") == first
-    tab.page.close()
-    with browsers.studio(tmp_path, "tiny.toml") as again:
-        tab = Tab(browser, again.address)
-        assert tab.evaluate("studio.model.document.keys.length") == 3
-        assert tab.page.locator("#offer").is_visible()
-        tab.press("k")
-        tab.until("document.getElementById('toast').textContent.includes('restore or discard')")
-        tab.changes(tab.page.locator("#offer-take").click)
-        tab.until("studio.model.document.keys.length === 4 && document.getElementById('offer').hidden")
-        tab.press("Control+s")
-        tab.until("!studio.model.document.dirty")
-        tab.settled()
-        assert_part_of_a_thing_moves_in_its_axes(tab)
-        tab.changes(lambda: tab.press("Control+z"))
-        tab.page.close()
-    assert len(tomllib.loads(file.read_text(encoding="utf-8"))["keyframe"]) == 4
-    assert not [path for path in tmp_path.iterdir() if path.name.startswith(".")]
+CLIP = read_data("dancer.toml")
+TIMES = "studio.model.document.keys.map((key) => key.time)"
 
 
 @pytest.fixture(scope="module")
-def tab(browser, tmp_path_factory):
-    """A page of a studio that several tests share, each of which leaves the clip as it was."""
-    folder = tmp_path_factory.mktemp("shared")
-    text = models.clip_text("run_and_step").replace("[[keyframe]]", "[solve]\ntolerance = 0.1\n\n[[keyframe]]", 1)
-    (folder / "run.toml").write_text(text, encoding="utf-8")
-    with browsers.studio(folder, "run.toml") as studio:
+def tab(tmp_path_factory):
+    """The page of a studio, which stops searching after edits. Each test leaves the clip as it was."""
+    folder = tmp_path_factory.mktemp("page")
+    for name in ("dancer.xml", "dancer.toml"):
+        (folder / name).write_text(read_data(name), encoding="utf-8")
+    crashed = opened(str(folder / "dancer.toml"))
+    crashed.commit(CLIP.replace("time = 1\n", "time = 1.1\n"), "move a keyframe")
+    crashed.write_unsaved()
+    with browsers.opened() as browser, browsers.studio(folder, "dancer.toml") as studio:
         found = Tab(browser, studio.address)
-        found.folder = str(folder)
+        found.folder, found.process = str(folder), psutil.Process(studio.process.pid)
         found.settled()
+        found.press("g")
+        assert_unsaved_work_is_offered(found)
         yield found
         found.page.close()
 
 
+def assert_unsaved_work_is_offered(tab):
+    assert tab.page.locator("#offer").is_visible()
+    tab.press("k")
+    tab.until("document.getElementById('toast').textContent.includes('restore or discard')")
+    tab.changes(tab.page.locator("#offer-take").click)
+    assert tab.evaluate(TIMES) == [0, 0.3, 0.6, 1.1]
+    assert tab.page.locator("#offer").is_hidden()
+    undo(tab)
+    assert not tab.evaluate("studio.model.document.dirty")
+
+
+def undo(tab):
+    tab.changes(lambda: tab.press("Control+z"))
+
+
+def toast(tab, words):
+    """Waits for a message."""
+    tab.until(f"document.getElementById('toast').textContent.includes({words!r})")
+
+
 def test_an_animators_afternoon(tab):
     folder, page = Path(tab.folder), tab.page
-    file = folder / "run.toml"
-    first = file.read_text(encoding="utf-8")
+    file, place = folder / "dancer.toml", "studio.stage.placeOf({}, [0, 0, 0]).toArray()"
+    foot = place.format("studio.model.stage.bodies.indexOf('left_foot')")
+    tab.press("g")
 
-    # the right foot's keyframe 10 cm up: the figure is taken by the foot and dragged
-    time_of = tomllib.loads(first)["keyframe"][4]["time"]
-    tab.seek(time_of)
+    # a keyframe's foot 10 cm up: the figure is taken by the foot and dragged
+    tab.seek(0.6)
     tab.press("2")
     tab.shown()
-    was = tab.evaluate("studio.stage.placeOf(studio.model.stage.bodies.indexOf('left_foot'), [0,0,0]).toArray()")
-    x, y = tab.on_screen("left_foot", (0.0, 0, 0))
+    before, frames = tab.evaluate(foot), tab.evaluate("studio.model.frames")
+    x, y = tab.on_screen("left_foot")
     scale = y - tab.on_screen("left_foot", (0, 0, 0.1))[1]
-    frames = tab.evaluate("studio.model.frames")
     tab.changes(lambda: tab.drag((x, y), (x, y - abs(scale))))
-    tab.until(f"studio.model.frames > {frames + 2}")
+    tab.until(f"studio.model.frames > {frames + 1}")
     tab.settled()
     tab.shown()
-    now = tab.evaluate("studio.stage.placeOf(studio.model.stage.bodies.indexOf('left_foot'), [0,0,0]).toArray()")
-    assert now[2] - was[2] == pytest.approx(0.1, abs=0.04)
+    assert tab.evaluate(foot)[2] - before[2] == pytest.approx(0.1, abs=0.04)
     lifted = tab.evaluate("JSON.stringify(studio.model.document.keys)")
 
     # a keyframe from the path; an arm of it freed on the timeline
-    tab.seek(1.0)
+    tab.seek(0.8)
     tab.changes(lambda: tab.press("k"))
-    keys = tab.evaluate("studio.model.document.keys.map((key) => key.time)")
-    assert 1.0 in keys
+    assert tab.evaluate(TIMES) == [0, 0.3, 0.6, 0.8, 1]
     tab.press("u")
-    limb = page.locator(f"[data-id='limbleft arm{keys.index(1.0)}']")
-    tab.changes(limb.dblclick)
-    page.locator(f"[data-id='limbleft arm{keys.index(1.0)}'].none").wait_for()
+    tab.changes(page.locator("[data-id='limbleft arm3']").dblclick)
+    page.locator("[data-id='limbleft arm3'].none").wait_for()
     tab.press("u")
 
     # undo twice, redo once
-    tab.changes(lambda: tab.press("Control+z"))
-    tab.changes(lambda: tab.press("Control+z"))
+    undo(tab)
+    undo(tab)
     assert tab.evaluate("JSON.stringify(studio.model.document.keys)") == lifted
     tab.changes(lambda: tab.press("Control+Shift+z"))
-    assert 1.0 in tab.evaluate("studio.model.document.keys.map((key) => key.time)")
+    assert tab.evaluate(TIMES) == [0, 0.3, 0.6, 0.8, 1]
 
     # a contact, drawn over the timeline
     row = page.locator("[data-point='left_toe']").bounding_box()
-    at = [tab.on_timeline(t) for t in (1.7, 2.0)]
-    tab.changes(lambda: tab.drag((at[0], row["y"] + 10), (at[1], row["y"] + 10)))
+    begin, end = (tab.on_timeline(t) for t in (0.65, 0.85))
+    tab.changes(lambda: tab.drag((begin, row["y"] + 10), (end, row["y"] + 10)))
     (contact,) = tab.evaluate("studio.model.document.contacts")
     assert contact["point"] == "left_toe"
-    assert contact["to"] - contact["from"] == pytest.approx(0.3, abs=0.05)
-
-    # saved, and there again, at the same time and seen from the same side
+    assert contact["to"] - contact["from"] == pytest.approx(0.2, abs=0.05)
     tab.press("Control+s")
     tab.until("!studio.model.document.dirty")
     saved = file.read_text(encoding="utf-8")
-    assert saved != first
-    assert [line for line in first.splitlines() if "#" in line and line not in saved] == []
+    assert saved != CLIP
+    assert [line for line in CLIP.splitlines() if "#" in line and line not in saved] == []
+
+    # exported while the page is loaded again, at the same time and seen from the same side; refusals leave dialogs open
+    page.locator("#files").click()
+    page.get_by_role("menuitem", name="Render").click()
+    page.get_by_label("file name of the video").fill("dancer.txt")
+    page.locator("dialog button.main").click()
+    toast(tab, "name ends in .mp4")
+    tab.press("Escape")
+    page.locator("#files").click()
+    page.get_by_role("menuitem", name="Export").click()
+    form, name = page.locator("dialog form").bounding_box(), page.get_by_label("file name")
+    assert page.locator("dialog button.main").bounding_box()["x"] < form["x"] + form["width"] <= 800
+    page.locator("dialog select").select_option("bvh")
+    name.fill("elsewhere/dancer.bvh")
+    name.press("Enter")
+    toast(tab, "plain name")
+    name.fill("dancer.bvh")
+    name.press("Enter")
+    tab.until("document.querySelector('dialog') === null")
     time, view = tab.evaluate("[studio.model.time, studio.stage.camera.position.toArray()]")
     page.reload()
     tab.begun()
     assert not tab.evaluate("studio.model.document.dirty")
     assert tab.evaluate("studio.model.time") == time
     assert tab.evaluate("studio.stage.camera.position.toArray()") == pytest.approx(view, abs=0.02)
+    tab.until((folder / "dancer.bvh").is_file)
+    assert (folder / "dancer.bvh").read_text().startswith("HIERARCHY")
+    tab.until("document.getElementById('task').hidden")
+    assert [path.name for path in folder.iterdir() if "partial" in path.name] == []
 
-    # what is wrong is found, and nothing is once the edits are taken back
+    # violations are found, and none are once the edits are undone
     tab.press("o")
     tab.settled()
-    if tab.evaluate("studio.model.violations.length"):
-        page.locator("#panel-problems .violations button").first.click()
-        assert tab.evaluate("studio.model.time") is not None
+    tab.seek(0)
+    page.locator("#panel-problems .violations button").first.click()
+    assert tab.evaluate("studio.model.time") > 0
     for _ in range(3):
-        tab.changes(lambda: tab.press("Control+z"))
-    assert tab.evaluate("studio.model.document.keys.length") == len(tomllib.loads(first)["keyframe"])
+        undo(tab)
     tab.settled()
     tab.until(page.locator("#nothing-wrong").is_visible)
-
-    # exported and rendered: a refusal leaves the dialog open, and the page may be loaded again meanwhile
-    page.set_viewport_size({"width": 800, "height": 600})
-    page.locator("#files").click()
-    page.get_by_role("menuitem", name="Export").click()
-    form, name = page.locator("dialog form").bounding_box(), page.get_by_label("file name")
-    assert page.locator("dialog button.main").bounding_box()["x"] < form["x"] + form["width"] <= 800
-    page.locator("dialog select").select_option("bvh")
-    name.fill("elsewhere/run.bvh")
-    name.press("Enter")
-    tab.until("document.getElementById('toast').textContent.includes('plain name')")
-    name.fill("run.bvh")
-    name.press("Enter")
-    tab.until(lambda: (folder / "run.bvh").is_file())
-    assert (folder / "run.bvh").read_text().startswith("HIERARCHY")
-    tab.until("document.getElementById('toast').textContent.includes('exported')")
-    tab.until(lambda: page.locator("dialog").count() == 0)
-    page.locator("#files").click()
-    page.get_by_role("menuitem", name="Render").click()
-    page.locator("dialog input[aria-label='file name of the video']").fill("sheet.png")
-    page.locator("dialog input[aria-label='size, pixels']").fill("32x18")
-    page.locator("dialog button.main").click()
-    tab.until(lambda: page.locator("dialog").count() == 0)
-    page.reload()
-    tab.begun()
-    tab.until(lambda: (folder / "sheet.png").is_file(), 100)
-    tab.until(page.locator("#task").is_hidden)
-    assert [path.name for path in folder.iterdir() if "partial" in path.name] == []
-    page.set_viewport_size({"width": 900, "height": 600})
     assert tab.errors == []
     assert all(url.startswith((page.url.split("?")[0], "data:", "blob:")) for url in tab.requested)
     tab.press("Control+s")
     tab.until("!studio.model.document.dirty")
-    assert file.read_text(encoding="utf-8") == first
-    tab.press("p")
-    tab.press("g")  # what follows needs no search
+    assert file.read_text(encoding="utf-8") == CLIP
+    for key in ("Escape", "p", "g"):
+        tab.press(key)
 
 
-REACH = """studio.ask('edit', { name: 'change', at: ['keyframe', 2], entries: { sites: { left_hand: [0, 0, 9] } } })"""
+def test_the_page_goes_on_after_the_solver_process_was_killed(tab):
+    (solver,) = [
+        child for child in tab.process.children() if any("spawn_main" in word for word in child.cmdline())
+    ]  # beside Python's resource tracker
+    solver.kill()
+    toast(tab, "a new one")
+    tab.settled()
+    tab.seek(0.4)
+    tab.changes(lambda: tab.press("k"))
+    undo(tab)
+
+
+def test_a_part_of_a_thing_moves_in_its_axes(tab):
+    tab.evaluate("void (studio.model.obstacle = {kind: 'box', index: 0}, studio.model.tell('joint'))")
+    tab.until("studio.gizmo.controls.object !== undefined")
+    tab.shown()  # bodies are where an image has put them
+    assert tab.evaluate("studio.gizmo.handle.position.toArray()") == pytest.approx([-0.5, 0.8, 0.1], abs=1e-3)
+    tab.evaluate("void studio.gizmo.start()")
+    tab.changes(lambda: tab.evaluate("void (studio.gizmo.handle.position.x += 0.1, studio.gizmo.end())"))
+    (crate,) = tab.evaluate("studio.model.document.obstacles.filter(({ kind }) => kind === 'box')")
+    assert crate["position"] == pytest.approx([0.3, -0.1, 0.1], abs=2e-3)
+    undo(tab)
+    tab.press("Escape")
+
+
+REACH = """studio.ask('edit', { name: 'change', at: ['keyframe', 1], entries: { sites: { left_hand: [0, 0, 9] } } })"""
 
 
 def test_what_makes_no_sense_is_refused_in_words_and_loses_nothing(tab):
     before, page = tab.evaluate("JSON.stringify(studio.model.document.keys)"), tab.page
-    tab.seek(0.26)
+    tab.seek(0.3)
     time_field = page.get_by_label("time [s]")
-    for typed, words in (("0.5", "times must rise"), ("NaN", "finite"), ("", "finite"), ("-1", "times must rise")):
+    for typed, words in (("0.7", "times must rise"), ("NaN", "finite"), ("", "finite"), ("-1", "times must rise")):
         time_field.fill(typed)
         time_field.press("Enter")
-        tab.until(f"document.getElementById('toast').textContent.includes({words!r})")
+        toast(tab, words)
         assert page.locator("#toast").get_attribute("role") == "alert"
         tab.evaluate("void (document.getElementById('toast').textContent = '')")
-    field = page.get_by_label("left_knee x [degrees]")
+    field = page.get_by_label("left_hip x [degrees]")
     field.fill("a lot")
     field.press("Enter")
-    tab.until("document.getElementById('toast').textContent.includes('must be three angles')")
+    toast(tab, "must be three angles")
     answer = tab.evaluate(REACH)
     assert not answer["ok"]
     assert "site 'left_hand' cannot move: every joint on the way to it is given" in answer["words"]
@@ -242,7 +209,7 @@ def test_what_makes_no_sense_is_refused_in_words_and_loses_nothing(tab):
 
 
 def test_everything_has_a_name_and_is_reached_by_the_keyboard(tab):
-    tab.seek(0.26)
+    tab.seek(0.3)
     nameless = tab.evaluate(
         """[...document.querySelectorAll('button, input, select, [role=slider]')].filter((each) =>
         each.offsetParent && !(each.getAttribute('aria-label') || each.textContent.trim() || each.labels?.length ||
@@ -250,54 +217,50 @@ def test_everything_has_a_name_and_is_reached_by_the_keyboard(tab):
     )
     assert nameless == 0
     tab.page.bring_to_front()
-    tab.evaluate("void document.getElementById('files').focus()")
-    seen = {"files"}
+    tab.evaluate(
+        """void (window.focused = new Set(), document.getElementById('files').focus(),
+        document.addEventListener('focusin', ({ target }) => focused.add(target.id)))"""
+    )
     for _ in range(30):
         tab.press("Tab")
-        seen.add(tab.evaluate("document.activeElement.id || document.activeElement.dataset.id || ''"))
-    assert {"files", "go", "which", "views", "tab-pose"} <= seen
+    assert {"go", "which", "views", "tab-pose"} <= set(tab.evaluate("[...focused]"))
     tab.evaluate("void document.querySelector('[data-id=key3]').focus()")
     tab.press("Enter")
     assert tab.evaluate("[...studio.model.keys]") == [3]
-    before = tab.evaluate("studio.model.document.keys[3].time")
     tab.changes(lambda: tab.press("Alt+ArrowRight"))
-    assert tab.evaluate("studio.model.document.keys[3].time") == pytest.approx(before + 1 / 30, abs=1e-3)
-    tab.changes(lambda: tab.press("Control+z"))
+    assert tab.evaluate("studio.model.document.keys[3].time") == pytest.approx(1 + 1 / 30, abs=1e-3)
+    undo(tab)
     tab.evaluate("void document.activeElement.blur()")
     tab.press("?")
     assert tab.page.locator("dialog.help").is_visible()
     tab.press("Escape")
 
 
-TIMES = "studio.model.document.keys.map((key) => key.time)"
-
-
 def test_the_selection_follows_and_what_is_pasted_replaces_what_is_there(tab):
     times = tab.evaluate(TIMES)
-    tab.seek(0.26)
-    assert tab.evaluate("[...studio.model.keys]") == [2]
+    tab.seek(0.3)
+    assert tab.evaluate("[...studio.model.keys]") == [1]
     tab.press("Control+c")
-    tab.seek(1.0)
+    tab.seek(0.8)
     assert tab.evaluate("[...studio.model.keys]") == []
     tab.changes(lambda: tab.press("Control+v"))
-    tab.until("String([...studio.model.keys]) === '8' && studio.model.document.keys[8].time === 1")
+    tab.until("String([...studio.model.keys]) === '3' && studio.model.document.keys[3].time === 0.8")
     tab.changes(lambda: tab.press("Delete"))
     assert tab.evaluate(TIMES) == times
-    tab.seek(0.37)
+    tab.seek(0.6)
     tab.changes(lambda: tab.press("Control+v"))
     assert tab.evaluate(TIMES) == times
-    assert tab.evaluate("studio.model.document.keys.slice(2, 4).map((key) => JSON.stringify(key.joints))[1]") == (
-        tab.evaluate("JSON.stringify(studio.model.document.keys[2].joints)")
-    )
-    tab.changes(lambda: tab.press("Control+z"))
+    copied, pasted = tab.evaluate("studio.model.document.keys.slice(1, 3).map((key) => key.joints)")
+    assert pasted == copied
+    undo(tab)
 
     # a keyframe after the last one; nothing before the beginning
     ruler = tab.page.locator(".ruler").bounding_box()
-    tab.page.mouse.click(tab.on_timeline(2.3), ruler["y"] + 12)
+    tab.page.mouse.click(tab.on_timeline(1.03), ruler["y"] + 12)
     tab.changes(lambda: tab.press("k"))
-    assert tab.evaluate(TIMES) == [*times, 2.3]
+    assert tab.evaluate(TIMES) == [*times, pytest.approx(1.03, abs=0.02)]
     tab.until(f"String([...studio.model.keys]) === '{len(times)}'")
-    tab.changes(lambda: tab.press("Control+z"))
+    undo(tab)
     for _ in range(5):
         tab.press("[")
     tab.drawn()
@@ -314,7 +277,7 @@ LOWEST_SEEN = """(() => { const s = studio.stage; return Math.min(...studio.mode
 
 def test_views_fit_and_what_lies_at_the_pointer_is_named_and_selected(tab):
     page, menu = tab.page, tab.page.locator("#views")
-    tab.seek(0.26)
+    tab.seek(0.3)
     for key, name in (("2", "side"), ("4", "front"), ("1", "quarter")):
         tab.press(key)
         tab.shown()
@@ -338,12 +301,11 @@ def test_views_fit_and_what_lies_at_the_pointer_is_named_and_selected(tab):
     tab.press("0")
     tab.press("2")
 
-    tab.seek(1.62)
-    tab.shown()
+    tab.seek(0.8)
     page.mouse.move(*tab.grip("left_forearm"))
     page.locator("#hover").wait_for()
     assert page.locator("#hover").inner_text() == "left_forearm"
-    page.mouse.click(*tab.on_screen_at([4.2, 0.6, 0.35]))
+    page.mouse.click(*tab.on_screen_at([1.2, 0.6, 0.2]))
     tab.until("studio.model.obstacle?.kind === 'step'")
     assert page.locator("#panel-scene").get_by_label("step height [m]").is_visible()
     tab.press("Escape")
@@ -351,42 +313,46 @@ def test_views_fit_and_what_lies_at_the_pointer_is_named_and_selected(tab):
 
 
 def test_a_file_that_another_program_changes_is_noticed_at_once(tab):
-    file, notice = Path(tab.folder) / "run.toml", tab.page.locator("#outside")
-    first = file.read_text(encoding="utf-8")
-    file.write_text(first.replace("time = 2.2", "time = 2.3"), encoding="utf-8")
-    tab.until(notice.is_visible)
+    file, notice = Path(tab.folder) / "dancer.toml", tab.page.locator("#outside")
+    file.write_text(CLIP.replace("time = 1\n", "time = 1.1\n"), encoding="utf-8")
+    notice.wait_for()
     tab.changes(tab.page.locator("#outside-reload").click)
-    assert tab.evaluate(TIMES)[-1] == 2.3
+    assert tab.evaluate(TIMES)[-1] == 1.1
     assert not tab.evaluate("studio.model.document.dirty")
     file.write_text("nothing = [", encoding="utf-8")
-    tab.until(notice.is_visible)
-    assert "run.toml: line 1" in notice.inner_text()
+    notice.wait_for()
+    assert "dancer.toml: line 1" in notice.inner_text()
     assert tab.page.locator("#outside-reload").is_hidden()
     tab.page.locator("#outside-keep").click()
-    tab.until(notice.is_hidden)
-    tab.changes(lambda: tab.press("Control+z"))
+    notice.wait_for(state="hidden")
+    undo(tab)
     tab.press("Control+s")
     tab.until("!studio.model.document.dirty")
-    assert file.read_text(encoding="utf-8") == first
+    assert file.read_text(encoding="utf-8") == CLIP
 
 
 CONFIRMED = "!studio.pending.size"
+WATCH_FIELD = """void (window.values = [], window.watching = setInterval(
+  () => values.push(Number(document.querySelector('[aria-label="left_hip x [degrees]"]').value)), 4))"""
 
 
 def test_no_press_and_no_typed_number_is_lost_and_a_run_of_presses_is_one_undo(tab):
-    keyboard, field = tab.page.keyboard, tab.page.get_by_label("left_knee x [degrees]")
-    knee = "studio.model.document.keys[2].joints.left_knee"
-    tab.seek(0.26)
+    keyboard, field = tab.page.keyboard, tab.page.get_by_label("left_hip x [degrees]")
+    hip = "studio.model.document.keys[1].joints.left_hip"
+    tab.seek(0.3)
     field.focus()
-    before, undo = tab.evaluate(knee), tab.evaluate("studio.model.document.undo")
-    for i in range(60):
+    before, step = tab.evaluate(hip), tab.evaluate("studio.model.document.undo")
+    tab.evaluate(WATCH_FIELD)
+    for _ in range(60):
         tab.press("ArrowUp")
-        tab.page.wait_for_timeout(20)
-        assert float(field.input_value()) == i + 1  # it never returns to an earlier value
+        sleep(0.02)
+    assert field.input_value() == "60"
     tab.until(CONFIRMED)
-    assert tab.evaluate(knee)["rotvec"][0] == 60
-    tab.changes(lambda: tab.press("Control+z"))
-    assert (tab.evaluate(knee), tab.evaluate("studio.model.document.undo")) == (before, undo)
+    values = tab.evaluate("(clearInterval(watching), values)")
+    assert values == sorted(values)  # it never returns to an earlier value
+    assert tab.evaluate(hip)["rotvec"][0] == 60
+    undo(tab)
+    assert (tab.evaluate(hip), tab.evaluate("studio.model.document.undo")) == (before, step)
 
     field.focus()
     field.select_text()
@@ -394,7 +360,7 @@ def test_no_press_and_no_typed_number_is_lost_and_a_run_of_presses_is_one_undo(t
         keyboard.type(text)
         keyboard.press("Tab")
     tab.until(CONFIRMED)
-    assert tab.evaluate(knee) == {"rotvec": [11, 12, 13]}
+    assert tab.evaluate(hip) == {"rotvec": [11, 12, 13]}
 
     # what is being typed survives what the studio answers
     field.focus()
@@ -403,32 +369,33 @@ def test_no_press_and_no_typed_number_is_lost_and_a_run_of_presses_is_one_undo(t
     tab.changes(lambda: tab.evaluate("void studio.ask('undo')"))
     keyboard.type("2")
     tab.changes(lambda: keyboard.press("Enter"))
-    assert tab.evaluate(knee)["rotvec"][:2] == [42, 12]
-    x, y = tab.middle("[aria-label='left_knee x [degrees]']")
+    assert tab.evaluate(hip)["rotvec"][:2] == [42, 12]
+    x, y = tab.middle("[aria-label='left_hip x [degrees]']")
     tab.changes(lambda: tab.drag((x, y), (x + 41, y)))
     tab.until(CONFIRMED)
-    assert tab.evaluate(knee)["rotvec"][0] == 52
+    assert tab.evaluate(hip)["rotvec"][0] == 52
 
     # the foot on the ground stays when the root is typed lower
-    height, leg = tab.page.get_by_label("root z [m]"), "studio.model.document.keys[2].joints.right_knee"
-    stood, lower = tab.evaluate(leg), round(float(height.input_value()) - 0.05, 3)
+    while tab.evaluate("studio.model.document.undo") != step:
+        undo(tab)
+    height, knee = tab.page.get_by_label("root z [m]"), "studio.model.document.keys[1].joints.left_knee"
+    lower = round(float(height.input_value()) - 0.05, 3)
     height.fill(str(lower))
     tab.changes(lambda: height.press("Enter"))
-    assert tab.evaluate("studio.model.document.keys[2].root.position[2]") == lower
-    assert tab.evaluate(leg) != stood
-    while tab.evaluate("studio.model.document.undo") != undo:
-        tab.changes(lambda: tab.press("Control+z"))
-    assert tab.evaluate(knee) == before
+    assert tab.evaluate("studio.model.document.keys[1].root.position[2]") == lower
+    assert tab.evaluate(knee) > 77
+    undo(tab)
+    assert tab.evaluate(hip) == before
 
 
 NUDGES = (("ArrowRight", 10), ("ArrowLeft", -14))
 
 
-@pytest.mark.parametrize(("selected", "presses"), [([], NUDGES), ([10], NUDGES), ([9, 10], (("ArrowUp", 5),))])
+@pytest.mark.parametrize(("selected", "presses"), [([], NUDGES), ([3], NUDGES), ([2, 3], (("ArrowUp", 5),))])
 def test_every_repeat_of_a_key_moves_or_spreads_the_keyframes(tab, selected, presses):
     """The keyboard repeats a key faster than the studio answers."""
-    keyboard, place = tab.page.keyboard, "studio.model.document.keys[10].time"
-    before, time = tab.evaluate("studio.model.document.keys.slice(9, 11).map((key) => key.time)")
+    keyboard, place = tab.page.keyboard, "studio.model.document.keys[3].time"
+    before, time = tab.evaluate(TIMES)[2:]
     tab.seek(time)
     tab.evaluate(f"studio.model.select({selected})")
     keyboard.down("Alt")
@@ -439,33 +406,34 @@ def test_every_repeat_of_a_key_moves_or_spreads_the_keyframes(tab, selected, pre
         time = before + 1.1**count * (time - before) if key == "ArrowUp" else time + count / 30
         tab.until(f"Math.abs({place} - {time}) < 2e-3")
     keyboard.up("Alt")
-    tab.until(f"studio.model.time === {place}")
-    while tab.evaluate("studio.model.document.undo") is not None:
-        tab.changes(lambda: tab.press("Control+z"))
+    tab.until(f"studio.model.time === {place} && {CONFIRMED}")
+    while tab.evaluate("studio.model.document.dirty"):
+        undo(tab)
     tab.evaluate("studio.model.select([])")
 
 
-def test_a_second_tab_may_take_over(browser, tab):
-    page = browser.new_page(viewport={"width": 900, "height": 600})
-    page.goto(tab.page.url)
-    page.locator("#elsewhere").wait_for()
-    assert tab.page.locator("#elsewhere").is_hidden()
-    page.locator("#take-over").click()
-    tab.page.locator("#elsewhere").wait_for()
-    assert page.evaluate("studio.ask('key', { time: 1.7 })")["ok"]
+SECOND_TAB = """new Promise((done) => {
+  window.second = new WebSocket(sockets.at(-1).url.replace(/tab=[^&]*/, 'tab=second') + '&take');
+  second.onopen = () => { second.send(JSON.stringify({ do: 'key', id: 1, time: 0.8 })); done(null); };
+  second.onclose = ({ code }) => { second.code = code; }; })"""
+
+
+def test_a_second_tab_may_take_over(tab):
+    notice = tab.page.locator("#elsewhere")
+    assert notice.is_hidden()
+    tab.evaluate(SECOND_TAB)
+    notice.wait_for()
     tab.page.locator("#take-over").click()
-    page.locator("#elsewhere").wait_for()
-    tab.until("studio.model.document.keys.some((key) => key.time === 1.7)")
-    tab.changes(lambda: tab.press("Control+z"))
-    page.close()
+    tab.until("studio.model.document.keys.length === 5 && second.code === 4409")
+    assert notice.is_hidden()
+    undo(tab)
 
 
-LOST = "(() => { const answer = studio.ask('key', { time: 1.7 }); sockets.at(-1).close(); return answer; })()"
+LOST = "(() => { const answer = studio.ask('key', { time: 0.8 }); sockets.at(-1).close(); return answer; })()"
 
 
 def test_the_page_reconnects_after_a_loss_in_the_middle_of_an_edit_which_is_applied_once(tab):
-    times = "studio.model.document.keys.map((key) => key.time)"
-    before, count = tab.evaluate(times), tab.evaluate("sockets.length")
+    before, count = tab.evaluate(TIMES), tab.evaluate("sockets.length")
     answer = tab.evaluate(LOST)
     assert not answer["ok"]
     assert "connection to the studio lost" in answer["words"]
@@ -473,14 +441,14 @@ def test_the_page_reconnects_after_a_loss_in_the_middle_of_an_edit_which_is_appl
     tab.until("document.getElementById('state').textContent !== 'no connection to the studio'")
     tab.until(f"studio.model.document.keys.length === {len(before) + 1}")
     assert tab.evaluate("sockets.length") == count + 1
-    tab.changes(lambda: tab.press("Control+z"))
-    assert tab.evaluate(times) == before
+    undo(tab)
+    assert tab.evaluate(TIMES) == before
 
 
 def test_things_are_made_larger_by_hand(tab):
     before, page = tab.evaluate("JSON.stringify(studio.model.document.obstacles)"), tab.page
     tab.press("s")
-    tab.seek(1.62)
+    tab.seek(0.8)
     tab.press("2")
     tab.changes(page.get_by_role("button", name="+ box").click)
     page.get_by_role("button", name="box", exact=True).click()
@@ -494,9 +462,9 @@ def test_things_are_made_larger_by_hand(tab):
     assert now["size"][:2] == box["size"][:2]
     assert now["position"] == pytest.approx([*box["position"][:2], box["position"][2] + grown / 2], abs=2e-3)
     assert page.locator("#panel-scene").get_by_label("box size z [m]").input_value() == str(now["size"][2])
-    tab.changes(lambda: tab.press("Control+z"))
+    undo(tab)
     assert tab.evaluate("studio.model.document.obstacles.at(-1)") == box
-    tab.changes(lambda: tab.press("Control+z"))
+    undo(tab)
     assert tab.evaluate("JSON.stringify(studio.model.document.obstacles)") == before
     tab.press("Escape")
 
@@ -518,9 +486,9 @@ def ring(tab):
 
 
 def test_a_turn_is_let_go_by_escape_and_the_camera_and_the_next_one_go_on(tab):
-    tab.seek(0.26)
+    tab.seek(0.3)
     tab.press("2")
-    choose = "void (studio.model.joint = 'left_knee', studio.model.tell('joint'))"
+    choose = "void (studio.model.joint = 'left_hip', studio.model.tell('joint'))"
     tab.evaluate(choose)
     x, y = ring(tab)
     tab.page.mouse.down()
@@ -534,7 +502,7 @@ def test_a_turn_is_let_go_by_escape_and_the_camera_and_the_next_one_go_on(tab):
     tab.evaluate(choose)
     x, y = ring(tab)
     tab.changes(lambda: tab.drag((x, y), (x, y - 30)))
-    tab.changes(lambda: tab.press("Control+z"))
+    undo(tab)
     tab.press("Escape")
 
 
@@ -543,7 +511,7 @@ def test_arrows_go_when_what_they_move_is_gone(tab):
     tab.changes(tab.page.get_by_role("button", name="+ capsule").click)
     tab.evaluate("void (studio.model.obstacle = {kind: 'capsule', index: 0}, studio.model.tell('joint'))")
     tab.until("studio.gizmo.controls.object !== undefined")
-    tab.changes(lambda: tab.press("Control+z"))
+    undo(tab)
     tab.until("studio.model.obstacle === null && studio.gizmo.controls.object === undefined")
     tab.press("p")
 
@@ -554,29 +522,29 @@ FAILING = """void (sockets.at(-1).send = function(text) {
 
 def test_a_partial_keyframe_specifies_only_the_dragged_limb(tab):
     tab.press("n")
-    tab.seek(1.0)
+    tab.seek(0.8)
     tab.press("3")
     tab.shown()
     x, y = tab.grip("left_forearm")
     tab.evaluate(FAILING)
     tab.drag((x, y), (x + 12, y - 12))
-    tab.until("document.getElementById('toast').textContent.includes('invalid request')")
+    toast(tab, "invalid request")
     tab.until("!studio.hands.busy && studio.stage.override === null && studio.stage.orbit.enabled")
     assert tab.evaluate("delete sockets.at(-1).send")
     tab.changes(lambda: tab.drag((x, y), (x + 12, y - 12)))
-    (key,) = [key for key in tab.evaluate("studio.model.document.keys") if abs(key["time"] - 1.0) < 1e-6]
+    (key,) = [key for key in tab.evaluate("studio.model.document.keys") if abs(key["time"] - 0.8) < 1e-6]
     assert set(key["joints"]) == {"left_shoulder", "left_elbow"}
     assert "root" not in key
     assert key["others"] == "free"
-    tab.changes(lambda: tab.press("Control+z"))
+    undo(tab)
     tab.shown()
     x, y = tab.grip("left_forearm")
-    tab.drag((x, y), (x + 12, y - 12))
-    tab.drag((x + 12, y - 12), (x + 24, y - 24))  # the studio need not have answered to the first
+    tab.drag((x, y), (x + 6, y - 6))
+    tab.drag((x + 6, y - 6), (x + 18, y - 18))  # the studio need not have answered to the first
     tab.until("studio.model.document.undo === 'pose the figure'")
-    tab.changes(lambda: tab.press("Control+z"))
-    tab.changes(lambda: tab.press("Control+z"))
-    assert tab.evaluate("studio.model.document.undo") is None
+    undo(tab)
+    undo(tab)
+    assert not tab.evaluate("studio.model.document.dirty")
     tab.press("n")
 
 
@@ -589,8 +557,8 @@ def test_a_grasp_is_drawn_for_the_hand_of_the_arm_that_is_chosen(tab):
     row.scroll_into_view_if_needed()
     tab.drawn()
     box = row.bounding_box()
-    at = [tab.on_timeline(t) for t in (0.92, 1.15)]
-    tab.drag((at[0], box["y"] + 8), (at[1], box["y"] + 8))
+    begin, end = (tab.on_timeline(t) for t in (0.65, 0.9))
+    tab.drag((begin, box["y"] + 8), (end, box["y"] + 8))
     menu = page.locator("dialog.menu")
     menu.wait_for()
     names = menu.locator("button").all_inner_texts()
@@ -598,67 +566,20 @@ def test_a_grasp_is_drawn_for_the_hand_of_the_arm_that_is_chosen(tab):
     tab.changes(menu.locator("button").first.click)
     (grasp,) = tab.evaluate("studio.model.document.grasps")
     assert (grasp["hand"], grasp["body"]) == ("left_hand", names[0])
-    assert (grasp["from"], grasp["to"]) == (pytest.approx(0.92, abs=0.04), pytest.approx(1.15, abs=0.04))
-    tab.changes(lambda: tab.press("Control+z"))
+    assert (grasp["from"], grasp["to"]) == (pytest.approx(0.65, abs=0.04), pytest.approx(0.9, abs=0.04))
+    undo(tab)
     tab.press("Escape")
     page.locator("[data-hand]").first.wait_for(state="detached")
 
 
 def test_it_fits_windows_of_any_size(tab):
-    for width, height in ((1280, 800), (2560, 1440), (420, 800), (900, 600)):
+    for width, height in ((2560, 1440), (420, 800), (800, 600)):
         tab.page.set_viewport_size({"width": width, "height": height})
         assert tab.evaluate("document.documentElement.scrollWidth") <= width
         assert tab.page.locator("#play").is_visible()
 
 
-def test_words_stand_out_from_what_is_behind_them_dark_and_light(tab):
-    """WCAG's AA: 4.5 : 1 between the colours of text and of what it stands on, 3 : 1 of marks."""
-    for _ in range(2):
+def test_it_is_dark_or_light(tab):
+    for theme in ("light", "dark"):
         tab.page.locator("#theme").click()
-        for low in ("panel", "raised", "back"):
-            for high in ("ink", "soft", "accent", "key", "bad", "good"):
-                assert tab.evaluate(contrast(f"--{high}", f"--{low}")) >= (4.5 if high in ("ink", "soft") else 3.0), (
-                    high
-                )
-        assert tab.evaluate(contrast("--on-accent", "--accent")) >= 4.5
-
-
-def test_a_robot_crouches_and_reaches_in_two_drags(browser, tmp_path):
-    (tmp_path / "android.xml").write_text(figures.ANDROID)
-    text = starter(str(tmp_path / "android.xml"), tmp_path / "robot.toml")
-    (tmp_path / "robot.toml").write_text(text, encoding="utf-8")
-    with browsers.studio(tmp_path, "robot.toml") as studio:
-        tab = Tab(browser, studio.address)
-        middle = tab.evaluate("0.5 * (studio.model.first + studio.model.last)")
-        hand, pelvis = (
-            "left_wrist_roll_link",
-            tab.evaluate("studio.model.stage.bodies[studio.model.stage.joints[0].body]"),
-        )
-        place = "studio.stage.placeOf(studio.model.stage.bodies.indexOf('{}'), [0, 0, 0]).toArray()"
-        tab.seek(middle)
-        tab.press("3")
-        tab.shown()
-        low, far = tab.evaluate(place.format(pelvis)), tab.evaluate(place.format(hand))
-        x, y = tab.grip(pelvis)
-        down = tab.on_screen_at([low[0], low[1], low[2] - 0.12])[1] - tab.on_screen(pelvis)[1]
-        tab.changes(lambda: tab.drag((x, y), (x, y + down)))
-        tab.shown()
-        x, y = tab.grip(hand)
-        tab.changes(lambda: tab.drag((x, y), (x - 1.5 * down, y - 0.5 * down)))
-        tab.settled()
-        tab.seek(middle)
-        assert tab.evaluate(place.format(pelvis))[2] < low[2] - 0.04
-        assert tab.evaluate(place.format(hand))[0] > far[0] + 0.08
-        found = tab.evaluate("studio.model.violations")
-        # keyframe 3 is like the one before, with a leg stretched
-        assert [each for each in found if each["kind"] == "penetration" and each["keyframe"] != 3] == []
-        tab.page.close()
-
-
-def contrast(high: str, low: str) -> str:
-    return f"""(() => {{ const s = getComputedStyle(document.documentElement);
-      const l = (name) => {{ const hex = s.getPropertyValue(name).trim().slice(1);
-        const c = [0, 2, 4].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255)
-          .map((v) => v <= 0.04045 ? v / 12.92 : ((v + 0.055) / 1.055) ** 2.4);
-        return 0.2126 * c[0] + 0.7152 * c[1] + 0.0722 * c[2]; }};
-      const [a, b] = [l('{high}'), l('{low}')].sort((x, y) => y - x); return (a + 0.05) / (b + 0.05); }})()"""
+        assert tab.evaluate("document.documentElement.dataset.theme") == theme
