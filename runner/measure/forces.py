@@ -35,7 +35,7 @@ class Foot:
 
     Attributes:
         name: The name of the body.
-        has_contact: Whether the ground is known to carry it, (T,).
+        has_contact: Whether the ground is known to press against the body, (T,).
         force: The force (T, 3) [N]; zero without contact.
         centre: The centre of pressure (T, 3) [m]: mean of the points in contact, weighted by normal force; nan without
             contact.
@@ -56,7 +56,7 @@ class Forces:
     Attributes:
         sampled: The samples of the motion.
         samples: The same times of its spline.
-        support: What may carry the figure; None without a free root.
+        support: The contacts that may exert forces on the figure; None without a free root.
         model: The motion's model, or one with the same joints whose forces are evaluated.
     """
 

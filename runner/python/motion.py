@@ -393,7 +393,7 @@ class Motion:
 
         The motion file contains the report if it has been computed. Custom soft constraints are not stored; a
         warning lists them. An edited, thinned or imported motion has no clip; the .toml then contains its keyframes
-        only. To change such a motion, let a clip follow its .npz, see [recording].
+        only. To change such a motion, let a clip follow its .npz, see the argument `recording` of `build`.
 
         Args:
             path: Output file.
@@ -514,7 +514,7 @@ class Motion:
 
     @as_python_warnings()
     def joined(self, other: Motion, transition: float = 0.4) -> Motion:
-        """Return the motion followed by another one, which is moved to continue it.
+        """Return the motion followed by another one, which is moved and rotated so that it continues this one.
 
         The transition matches position, velocity and acceleration of both motions.
 
