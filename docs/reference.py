@@ -51,14 +51,14 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
         {
             "figure": "the name of a shipped figure, or the path of an MJCF or URDF file",
             "fps": "samples per second of the output",
-            "keyframe": "the keyframes in order of time: at least two, or one with a recording",
+            "keyframe": "the keyframes in order of time: at least two, or any number with a recording",
             "scene": "obstacles and movable objects",
             "contact": "points that stay at rest for an interval",
             "grasp": "hands that hold a body for an interval",
             "recording": "a recorded motion that the clip follows",
             "penalty": "changes to soft constraints",
             "solve": "settings of the solver",
-            "mirror": "left and right of the figure, for `dynsplines mirror`",
+            "mirror": "left and right of the figure, for mirror images",
         },
     ),
     "[[keyframe]]": (
@@ -154,8 +154,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
     "[solve]": (
         table.SolveTable,
         {
-            "coordinates": 'what rotations of the spline are relative to, the world or the parent joint; "auto" is '
-            '"world" for a figure with ball joints, otherwise "joint"',
+            "coordinates": 'what rotations of the spline are relative to, the world or the parent joint; "auto" '
+            "chooses by the kinds of joints",
             "ends": "the ends of the motion; default: see [ends](keyframes.md#ends)",
             "travel": "the displacement of the root in one cycle of a loop, in metres; default: as in the keyframes",
             "turn": "the rotation of the root in one cycle of a loop, in degrees; default: as in the keyframes",
@@ -164,8 +164,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "frames": "the maximum number of variable frames; default: 3 between two keyframes, or 10 per second if "
             "that is more",
             "criterion": 'how the solver finds the intervals into which it inserts frames: "weak" (the default) by '
-            'the predicted decrease of the objective, "residual" by the Euler-Lagrange residual, "objective" by their '
-            'share of the objective, "resolution" by its change with twice the samples',
+            'the predicted decrease of the objective, "residual" by the Euler-Lagrange residual; see '
+            "[the paper](paper.md)",
             "threshold": "the value of the criterion below which no frame is inserted; default 0.001",
             "optimiser": 'the NLopt algorithm that refines the result of the Gauss-Newton steps: "lbfgs" (the '
             'default), "slsqp", "ccsaq", "tnewton", "var2", or "none"',

@@ -41,8 +41,8 @@ class Settings:
         frames: The maximum number of variable frames in total. None: 12 times the number of segments between keyframes.
             Clip files have a smaller default, see the reference of `[solve]`.
         criterion: The criterion by which intervals between neighbouring frames are split, see `refine.subdivision`:
-            "weak" (predicted decrease of the objective E), "residual" (of the Euler-Lagrange equation, as in the
-            paper), "objective" (E of the interval) or "resolution" (change of E at twice the sampling rate).
+            "weak" (predicted decrease of the objective E) or "residual" (of the Euler-Lagrange equation, as in the
+            paper).
         threshold: An interval is split if its criterion exceeds this value. "weak" is relative to E divided by the
             number of segments between keyframes.
         batch: The maximum share of the segments that are split in one round.

@@ -113,8 +113,8 @@ class Figure:
 
     Attributes:
         model: The MuJoCo model.
-        coordinates: What rotations in the state are relative to: "world", or "joint" for the parent. "auto" becomes
-            "world" for figures with ball joints.
+        coordinates: What rotations in the state are relative to: "world", or "joint" for the parent. "auto" is
+            replaced by one of these, depending on the kinds of joints.
     """
 
     model: mujoco.MjModel
