@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import signal
 import time
 from types import TracebackType
 from typing import Self
@@ -41,10 +40,6 @@ def fails_at_three(bench: Bench, number: int) -> int:
     if number == 3:
         raise ValueError("three is too many")
     return number
-
-
-def is_killed(tool: object, item: object) -> None:
-    os.kill(os.getpid(), signal.SIGKILL)
 
 
 def leaves(tool: object, item: object) -> None:

@@ -34,6 +34,7 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.search.descent import optimised
 from dynsplines.system.progress import Progress
 
 FOLLOWING = 'figure = "tiny.xml"\nfps = 20\n[recording]\nfile = "own.npz"\n'
@@ -145,7 +146,8 @@ def assert_plain(edited: Saved, folder: Path) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ["plain", "following"])
-def test_joined_motions_have_the_samples_of_both(motions, tmp_path, name):
+def test_joined_motions_have_the_samples_of_both(motions, tmp_path, monkeypatch, name):
+    monkeypatch.setattr(edits, "optimised", lambda *problem, **_: optimised(*problem, max_evaluations=5))
     saved, times = motions[name], np.linspace(0, 0.41, 19)
     both = edits.joined(saved, saved, 0.2, quiet())
     assert_same(saved, at(both, times), at(saved, times))
@@ -367,7 +369,8 @@ def holding(poses: dict[float, tuple[float, float]]) -> Motion:
         x, y = (0.3 * wave(np.radians([shoulder, shoulder + elbow])).sum() for wave in (np.cos, np.sin))
         ball = {"position": [x, y, 0], "rotation": {"heading": 0}}
         keys.append(Keyframe(time, joints={"shoulder": shoulder, "elbow": elbow}, roots={"ball": ball}))
-    return inbetween(build(ARM, keys, grasps=[{"hand": "hand", "body": "ball", "from": 0.0, "to": 0.5}]))
+    grasps = [{"hand": "hand", "body": "ball", "from": 0.0, "to": 0.5}]
+    return inbetween(build(ARM, keys, grasps=grasps, solve={"evaluations": 20}))
 
 
 def test_an_arm_on_a_base_keeps_what_it_holds_when_motions_are_joined():

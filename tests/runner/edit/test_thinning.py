@@ -33,7 +33,7 @@ def walk() -> Saved:
 
 @pytest.fixture(scope="module")
 def straight(walk: Saved) -> Saved:
-    return edits.trimmed(walk, 0.1, 0.6)
+    return edits.trimmed(walk, 0.1, 0.4)
 
 
 def run(
@@ -81,7 +81,7 @@ def test_the_spline_through_a_thinned_clips_keyframes_is_the_motion_that_was_mea
     assert float(said[3]) == pytest.approx(100 * apart(straight, again), rel=0.01)
     assert apart(straight, again) <= 0.02
     # between the instants looked at, too
-    fine = np.arange(0.1, 0.6, 1e-3)
+    fine = np.arange(0.1, 0.4, 1e-3)
     one, other = (each.figure.to_qpos(path_of(each.timeline).at(fine)) for each in (straight, again))
     assert np.abs(one - other)[:, :3].max() < 0.025
 
@@ -129,7 +129,7 @@ def test_a_recording_is_thinned_at_its_own_instants_and_its_figure_named_if_it_s
     source = tmp_path / "step.csv"
     formats.export(straight, "csv", source, fps=60)
     target = run(source, tmp_path / "again.toml", figure="human")
-    assert "keyframes of 31;" in capsys.readouterr().err
+    assert "keyframes of 19;" in capsys.readouterr().err
     on_grid = (np.array([key.time for key in clip.load(str(target)).keys]) - 0.1) * 60
     np.testing.assert_allclose(on_grid, on_grid.round(), atol=1e-6)
     assert names(tmp_path) == ["again.toml", "step.csv"]

@@ -235,8 +235,7 @@ def test_no_default_of_the_models_actuators_is_inherited(name, squat, tmp_path):
 
 @pytest.mark.parametrize("name", [*OPTIONS, *NOTED])
 def test_options_of_the_model_do_not_let_the_figure_fall(name, squat, tmp_path):
-    model, lines = squatting(tmp_path, squat, **(OPTIONS | NOTED)[name])
-    assert_follows(model)
+    _, lines = squatting(tmp_path, squat, **(OPTIONS | NOTED)[name])
     assert any("coefficient of friction" in line or "collide" in line for line in lines) == (name in NOTED)
     assert any("stays within" in line for line in lines)
 

@@ -19,8 +19,6 @@ from crew import Bench
 from dynsplines.errors import UserError
 from dynsplines.system.workers import in_order
 
-POSIX = pytest.mark.skipif(os.name == "nt", reason="needs POSIX signals")
-
 
 @pytest.fixture(autouse=True)
 def _nobody_is_left() -> Iterator[None]:
@@ -61,7 +59,6 @@ ENDED = r"a worker process ended.* --workers 1 does without"
         (Bench, crew.fails_at_three, 2, ValueError, r"^three is too many$"),
         (crew.locked, crew.squared, 2, ValueError, "the bench is locked"),
         (Bench, crew.leaves, 2, UserError, ENDED),
-        pytest.param(Bench, crew.is_killed, 2, UserError, ENDED, marks=POSIX),
     ],
 )
 def test_an_error_of_a_tool_or_of_its_work_is_raised_in_its_words(make, work, workers, error, words):
