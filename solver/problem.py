@@ -48,7 +48,7 @@ class Settings:
         batch: The maximum share of the segments that are split in one round.
         optimiser: The name of the NLopt algorithm that refines the result of the Gauss-Newton steps; "none": no
             refinement. An `Optimiser` replaces the whole search.
-        max_evaluations: The maximum number of evaluations of E.
+        max_evaluations: The maximum number of evaluations of E in one round, after an insertion of frames.
         tolerance: The last round ends when a step is predicted to reduce E by a smaller share than this.
         renormalise: Whether each term is divided by its integral over the raw spline (eq. 7).
         quadrature: The quadrature rule of E.

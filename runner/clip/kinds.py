@@ -90,7 +90,7 @@ class Options(Table):
     reach: Annotated[Real, Field(gt=0, le=1)] | None = Field(
         default=None, description="height scale, m; default 0.033 for no_slip, 0.3 for grounded"
     )
-    bend_joints: Names | None = Field(default=None, description="ball joints that are knees or elbows")
+    bend_joints: Names | None = Field(default=None, description="knees and elbows to limit; default: all")
     least_bend: Annotated[Real, Field(ge=-360, le=360)] | None = Field(
         default=None, description="smallest angle, degrees; default 0"
     )
