@@ -178,9 +178,9 @@ def test_soft_constraints_are_listed_with_weights_options_and_units(run):
     assert (done.code, done.err) == (0, "")
     assert [line.split()[0] for line in done.out.splitlines() if not line.startswith(" ")] == list(KINDS)
     assert "collision\n  soles         30  depth of heels and toes" in done.out
-    assert f"{'':20}reach (m)\n" in done.out
+    assert f"{'':20}speed (degrees/s)\n" in done.out
     told = {row["kind"]: row for row in json.loads(run("penalties", "--json").out)}
-    assert told["support"]["options"] == {"friction": "coefficient"}
+    assert told["support"]["options"] == {"friction": "coefficient; default 0.8"}
     assert told["attach"]["options"] == {}
     weights = {part["part"]: part["weight"] for part in told["attach"]["parts"]}
     assert weights == {"stance": 30, "contact": 750, "grasp": 750, "placement": 30}
@@ -226,7 +226,7 @@ def test_help_is_quick_because_it_imports_nothing_heavy(option):
 def test_what_draws_nothing_needs_no_graphics_and_the_threads_requested_change_no_byte(run, tmp_path):
     script = (
         "import sys; from dynsplines import cli\nimported = []\n"
-        "for words in (['solve', 'tiny.toml'], ['report', 'tiny.npz'], ['plot', 'tiny.npz']):\n"
+        "for words in (['solve', 'tiny.toml'], ['report', 'tiny.npz']):\n"
         "    sys.argv = ['dynsplines', *words]\n"
         "    try: cli.main()\n    except SystemExit as end: assert not end.code\n"
         "    imported.append(sorted({'glfw', 'OpenGL', 'matplotlib', 'av', 'PIL'} & set(sys.modules)))\n"
@@ -235,7 +235,7 @@ def test_what_draws_nothing_needs_no_graphics_and_the_threads_requested_change_n
     settings = os.environ | {"MUJOCO_GL": "nonsense", "OMP_NUM_THREADS": "4", "OPENBLAS_NUM_THREADS": "4"}
     command = [sys.executable, "-c", script]
     done = subprocess.run(command, cwd=tmp_path, env=settings, check=True, capture_output=True, text=True)
-    assert done.stdout.splitlines()[-1] == "[[], [], ['PIL', 'matplotlib']]"
+    assert done.stdout.splitlines()[-1] == "[[], []]"
     of_four_threads = (tmp_path / "tiny.npz").read_bytes()
     assert run("solve", "tiny.toml").code == 0
     assert (tmp_path / "tiny.npz").read_bytes() == of_four_threads

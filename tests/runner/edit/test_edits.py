@@ -370,7 +370,7 @@ def holding(poses: dict[float, tuple[float, float]]) -> Motion:
         ball = {"position": [x, y, 0], "rotation": {"heading": 0}}
         keys.append(Keyframe(time, joints={"shoulder": shoulder, "elbow": elbow}, roots={"ball": ball}))
     grasps = [{"hand": "hand", "body": "ball", "from": 0.0, "to": 0.5}]
-    return inbetween(build(ARM, keys, grasps=grasps, solve={"evaluations": 20}))
+    return inbetween(build(ARM, keys, grasps=grasps, solve={"evaluations": 4, "frames": 4}))
 
 
 def test_an_arm_on_a_base_keeps_what_it_holds_when_motions_are_joined():

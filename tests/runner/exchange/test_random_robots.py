@@ -289,7 +289,7 @@ def check_simulation(saved: Saved, folder: Path, expected: Array) -> None:
 
 
 @pytest.mark.slow
-@settings(max_examples=6, deadline=None, database=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=4, deadline=None, database=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
 @given(robot=robots(), spread=st.sampled_from([0.1, 0.6]))
 def test_random_robots_are_exported_imported_and_simulated_as_mujoco_computes(robot: RandomRobot, spread: float):
     with tempfile.TemporaryDirectory() as name:
