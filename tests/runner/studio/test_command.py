@@ -2,36 +2,24 @@
 
 from __future__ import annotations
 
-import subprocess
 import sys
 
 import browser as browsers
 import problems
 import pytest
+from processes import refusal
 
-COMMAND = [sys.executable, "-c", browsers.COMMAND, "studio"]
 
-
-@pytest.mark.slow
 @pytest.mark.parametrize(
     ("words", "told"), [(["--host", "0.0.0.0"], "add --allow-remote to allow it"), (["--port", "70000"], "65535")]
 )
-def test_what_cannot_be_is_one_line_and_exit_code_2(tmp_path, words, told):
-    done = subprocess.run([*COMMAND, *words, "--no-browser"], cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert done.returncode == 2
-    assert told in done.stderr
-    assert len(done.stderr.splitlines()) == 1
-    assert done.stdout == ""
+def test_what_cannot_be_is_one_line_and_exit_code_2(command, words, told):
+    assert told in refusal(command("studio", *words, "--no-browser"))
 
 
-@pytest.mark.slow
-def test_without_its_packages_it_says_which_command_brings_them(tmp_path):
-    hidden = "import sys; sys.modules['tomlkit'] = None; " + browsers.COMMAND.removeprefix("import sys; ")
-    done = subprocess.run(
-        [sys.executable, "-c", hidden, "studio"], cwd=tmp_path, capture_output=True, text=True, check=False
-    )
-    assert done.returncode == 2
-    assert "pip install 'dynamic-splines[studio]'" in done.stderr
+def test_without_its_packages_it_says_which_command_brings_them(command, monkeypatch):
+    monkeypatch.setitem(sys.modules, "tomlkit", None)
+    assert "pip install 'dynamic-splines[studio]'" in refusal(command("studio"))
 
 
 @pytest.mark.slow

@@ -72,7 +72,7 @@ def rows(found, name="keyframe"):
     return tomllib.loads(found.text).get(name, [])
 
 
-@settings(max_examples=50, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@settings(max_examples=30, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(st.lists(deeds, min_size=1, max_size=12))
 def test_undo_after_any_edits_gives_the_first_text_byte_for_byte(some):
     found = document()
