@@ -194,6 +194,7 @@ def motor_torques(model: mujoco.MjModel, qpos: Array, torques: Array) -> Array:
     data, out = mujoco.MjData(model), torques.copy()
     for t in np.flatnonzero(np.isfinite(torques).all(axis=1)):
         set_qpos(model, data, qpos[t])
+        mujoco.mj_tendon(model, data)
         mujoco.mj_makeConstraint(model, data)
         rows = _equality_rows(model, data)
         passive = ~driven & ~is_free & (rows != 0).any(axis=0)
