@@ -15,6 +15,7 @@ import environment
 import numpy as np
 import pytest
 from processes import quiet
+from texts import read_cases
 
 from dynsplines import motion, solving
 from dynsplines.clip import load as clip
@@ -23,34 +24,6 @@ from dynsplines.measure.quantities import keyframe_error
 from dynsplines.picture.show import Look, images
 from dynsplines.scene import file_access
 
-SUITE, GYM = "dm_control/suite/", "gymnasium/envs/mujoco/assets/"
-ROBOTICS, SUITE_OF_ROBOTS = "gymnasium_robotics/envs/assets/", "robosuite/models/assets/"
-FEET = {  # how many sole points each is found to have
-    SUITE + "humanoid.xml": 8,
-    SUITE + "quadruped.xml": 4,
-    SUITE + "dog.xml": 16,
-    SUITE + "cheetah.xml": 2,
-    SUITE + "walker.xml": 4,
-    SUITE + "hopper.xml": 2,
-    SUITE + "fish.xml": 0,
-    SUITE + "swimmer.xml": 0,
-    SUITE + "manipulator.xml": 0,
-    SUITE + "stacker.xml": 0,
-    SUITE + "cartpole.xml": 0,
-    SUITE + "humanoid_CMU.xml": 2,
-    GYM + "ant.xml": 4,
-    GYM + "humanoid.xml": 2,
-    GYM + "half_cheetah.xml": 2,
-    GYM + "walker2d_v5.xml": 4,
-    GYM + "reacher.xml": 0,
-    GYM + "pusher_v5.xml": 0,
-    ROBOTICS + "fetch/reach.xml": 0,
-    ROBOTICS + "hand/manipulate_block.xml": 0,
-    ROBOTICS + "adroit_hand/adroit_hammer.xml": 0,
-    SUITE_OF_ROBOTS + "robots/panda/robot.xml": 0,
-    SUITE_OF_ROBOTS + "robots/spot/robot.xml": 4,
-    SUITE_OF_ROBOTS + "grippers/panda_gripper.xml": 0,
-}
 SMALL = 24  # entries of a configuration up to which the whole report is made
 EVALUATIONS, FRAMES = 4, 4
 
@@ -74,12 +47,12 @@ def model_file(path: str) -> Path:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("path", FEET)
-def test_a_model_by_others_becomes_a_clip_that_is_solved_and_drawn_without_an_edit(path, tmp_path):
+@pytest.mark.parametrize(("path", "soles"), read_cases("models_by_others.toml"))
+def test_a_model_by_others_becomes_a_clip_that_is_solved_and_drawn_without_an_edit(path, soles, tmp_path):
     source, target = model_file(path), tmp_path / "its.toml"
     target.write_text(starter(str(source), target), encoding="utf-8")
     problem = clip.load(str(target))
-    assert len(problem.context.points) == FEET[path]
+    assert len(problem.context.points) == soles
     settings = replace(problem.settings, max_evaluations=EVALUATIONS, frames=FRAMES)
     found = solving.solve(problem.with_problem(settings=settings), quiet())
     assert found.motion.trace[-1][2] <= found.motion.trace[0][2]

@@ -3,6 +3,7 @@
 import motions
 import numpy as np
 import pytest
+from texts import read_cases
 
 from dynsplines.errors import UserError
 from dynsplines.exchange.formats import recording
@@ -83,32 +84,10 @@ def test_two_columns_of_one_name_must_agree(tmp_path):
             read(written(tmp_path / "a.csv", names, np.hstack([TIMED, 2 * column + 1])))
 
 
-HEADING = ",".join(["time", *OURS])
-ROW = ",".join("0" * 15)
-WRONG = {
-    "": "the file is empty",
-    "# nothing\n": "the file is empty",
-    "time;root\na;b\n": "no table of numbers, with one heading",
-    "time,x\ns,m\n1,2\n": "no table of numbers, with one heading",
-    "1;2;3\n4;5\n6;7;8\n": "line 2 does not hold 3 numbers, separated by semicolons; complete or delete it$",
-    "1;2;3\n\n4;5\n6;7\n": "line 3 does not hold 3 numbers, .*; complete or delete it and 1 more such$",
-    "time;x\n1,5;2,5\n1,6;2,5\n": "no table of numbers, .* and with decimal points",
-    "1,5\t2,5\n1,6\t2,5\n": "no table of numbers, .* and with decimal points",
-    "1,2,3\n1,2,3\n1,2": "line 3, the last, has no end: the file may be cut short",
-    "1,2,3\n1,2,3\n1,2,4.5": "line 3, the last, has no end: the file may be cut short; if not, end the line",
-    "1,2,3\n1,2,3\n1,2\n": "line 3 does not hold 3 numbers",
-    "a,b\n1,2,3\n1,2,3\n": "2 names for 3 columns, separated by commas",
-    "1|2|3\n4|5|6\n": "separated by commas, semicolons, tabs or spaces",
-    b"time,x\n\xff\xfe1": "not a table of text",
-    b"1,2\n\x001,2\n": "not a table of text",
-    "1,2,3\n4,5,6\n": "3 columns without a heading; the figure's qpos has 14",
-    f"{HEADING.replace('knee', 'kn')}\n{ROW}\n": "no column 'left_knee' and 1 more; the figure's columns: root.x",
-    f"{HEADING.replace('root.x', 'root_pos_x')}\n{ROW}\n": "no column 'root.x'; .* the file's: time, root_pos_x",
-    f"{HEADING.replace('left_knee', 'left_knee [°]')}\n{ROW}\n": r"'left_knee \[°\]': no unit '°'; units: m, cm, .*deg",
-}
+NO_TEXT = [(b"time,x\n\xff\xfe1", "not a table of text"), (b"1,2\n\x001,2\n", "not a table of text")]
 
 
-@pytest.mark.parametrize(("text", "message"), WRONG.items())
+@pytest.mark.parametrize(("text", "message"), [*read_cases("wrong_tables.toml"), *NO_TEXT])
 def test_wrong_tables_are_refused_in_one_line(text, message, tmp_path):
     (tmp_path / "a.csv").write_bytes(text if isinstance(text, bytes) else text.encode())
     with pytest.raises(UserError, match=message) as error:
