@@ -12,6 +12,7 @@ from figures import ANDROID
 from motions import uncleaned
 from oracles import kinematics
 from rich.console import Console
+from texts import read_cases
 
 from dynsplines import cli, import_motion, models, motion
 from dynsplines.clean import command as clean_command
@@ -109,26 +110,10 @@ def test_a_map_is_written_read_back_and_obeyed(command, files, tmp_path, monkeyp
 
 
 PAIR = '<contact><pair geom1="left_sole_0" geom2="floor"/></contact></mujoco>'  # of a floor that the scene has
-BAD_MAPS = {
-    "map: figure.left_thigh: no body 'left_hip_yaw'": '[figure]\nleft_thigh = "left_hip_yaw"\n',
-    "map: recording: no role 'left_thig'; did you mean 'left_thigh'?": '[recording]\nleft_thig = "x"\n',
-    "no key 'bones'. Keys: figure, recording": "[bones]\nx = 1\n",
-    "who.toml": "[figure]\nleft_thigh = 3\n",
-}
-REFUSED = [
-    *(("retarget {f}/walk.bvh --to {f}/android.xml --map who.toml", words, text) for words, text in BAD_MAPS.items()),
-    ("retarget {f}/walk.bvh --to human --map g2", "no file 'g2', and no map 'g2'. Maps: g1, human", ""),
-    ("batch {f}/walk.bvh --retarget human --map g2", "no file 'g2', and no map 'g2'. Maps: g1, human", ""),
-    ("retarget {f}/walk.bvh --to spinner", "none is a left thigh", ""),
-    ("retarget {f}/walk.bvh --to robot.xml", "robot.xml: MuJoCo cannot compile it", ""),
-    ("retarget {f}/walk.bvh --to human --speed-limit 4", "--speed-limit", ""),
-    ("retarget {f}/walk.bvh --to human --speed-limit -3rad/s", "--speed-limit", ""),
-    ("clean {f}/out.npz --map human", "leave out --map", ""),
-]
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("words", "told", "bone_map"), REFUSED)
+@pytest.mark.parametrize(("words", "told", "bone_map"), read_cases("retarget_words.toml"))
 def test_what_cannot_be_retargeted_is_told(command, files, walked, tmp_path, monkeypatch, words, told, bone_map):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "who.toml").write_text(bone_map, encoding="utf-8")

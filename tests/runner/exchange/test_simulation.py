@@ -1,6 +1,7 @@
 """Scenes to simulate: mj_step plays them, whatever a model specifies for its own actuators and simulation."""
 
 import re
+import tomllib
 
 import motions
 import mujoco
@@ -21,25 +22,11 @@ LASTS = 1.0  # [s] of simulation
 FALLEN = 0.03  # [m]
 RIG = read_data("rig.xml")
 KEYS = ('time = 0\nothers = "rest"', 'time = 1\njoints.lift = 0.2\nothers = "rest"')
-SLIDER = """<mujoco><worldbody><geom type="plane" size="0 0 1"/>
-  <body name="base" pos="0 0 .1"><joint name="rootx" type="slide" axis="1 0 0"/>
-    <joint name="rootz" type="slide" axis="0 0 1"/><joint name="rooty" axis="0 1 0"/>
-    <geom type="box" size=".2 .2 .1" mass="4"/><body pos="0 0 .15"><joint name="lever" axis="0 1 0"/>
-      <geom type="capsule" size=".02" fromto="0 0 0 0 0 .3"/></body></body></worldbody></mujoco>"""
-LIMB = """<mujoco><worldbody><body name="thigh" pos="0 0 1"><joint name="hip" axis="0 1 0" {joint}/>
-  <geom type="capsule" size=".05" fromto="0 0 0 0 0 -.3" mass="1"/>
-  <body name="knee" pos="0 0 -.3"><joint name="knee" axis="0 1 0"/><geom size=".02" mass=".1"/>
-    <body name="shank"><joint name="twist" axis="0 0 1"/>
-      <geom type="capsule" size=".05" fromto="0 0 {top} 0 0 -.3" mass="1"/></body></body></body></worldbody></mujoco>"""
+SLIDER = read_data("slider_root.xml")
+LIMB = read_data("limb_in_itself.xml")
 
-HAND = """<mujoco><option gravity="0 0 0"/><worldbody><body pos="0 0 1"><joint name="arm" axis="0 1 0" {arm}/>
-  <geom type="capsule" size=".03" fromto="0 0 0 .3 0 0" mass="1"/>
-  <body pos=".3 0 0"><joint name="hand" {hand}/><geom size=".02" mass=".05"/></body></body></worldbody></mujoco>"""
-ARMS = """<mujoco><worldbody><body name="trunk"><joint name="turn" axis="0 0 1"/><geom size=".05"/>
-  <body name="left" pos="0 .2 1"><joint name="left" axis="1 0 0"/>
-    <geom type="capsule" size=".05" fromto="0 0 0 0 0 -.4" mass="1"/></body>
-  <body name="right" pos="0 -.2 1"><joint name="right" axis="1 0 0"/>
-    <geom type="capsule" size=".05" fromto="0 0 0 0 0 -.4" mass="1"/></body></body></worldbody></mujoco>"""
+HAND = read_data("hand_of_spring.xml")
+ARMS = read_data("arms_of_siblings.xml")
 
 
 def simulated(tmp_path, text, qpos, step=0.5):
@@ -124,51 +111,10 @@ def test_actuators_of_the_model_are_replaced_and_what_has_no_name_gets_one(rig):
 
 BIPED = read_data("optional_biped.xml")
 LEG = read_data("optional_leg.xml")
-FLOOR = '<geom name="floor" type="plane" size="0 0 1" {}/>'
 REST = 'others = "rest"'
 SQUAT, LEAN = "root.position = [0, 0, 0.72]", "root.position = [0.3, 0, 0.72]"
-DEFAULTS = {
-    "motors": '<motor ctrllimited="true" ctrlrange="-.3 .3" gear="40"/>',
-    "ranges": '<position inheritrange=".5"/><joint actuatorfrcrange="-3 3" actuatorfrclimited="true"/>',
-    "general": """<general dyntype="filterexact" gaintype="affine" biastype="affine" dynprm=".2" gainprm="3 1 1"
-        biasprm="5 5 5" actlimited="true" actrange="-.1 .1" forcelimited="true" forcerange="-.5 .5" group="4"
-        actdim="1"/>""",
-    "nested": """<motor gear="9"/><default class="limb"><position ctrlrange="-.1 .1" gear="5"/>
-        <default class="simulate_position"><general ctrlrange="0 1" gear="2"/></default></default>""",
-}
-OPTIONS = {  # most of which alone let the figure fall
-    "all but constraints": {
-        "flags": '<flag contact="disable" actuation="disable" override="enable" filterparent="disable"/>',
-        "option": 'o_solref=".3 1" o_friction="0 0 0 0 0" actuatorgroupdisable="0 1"',
-    },
-    "constraint": {"flags": '<flag constraint="disable"/>'},
-    "solver": {
-        "flags": """<flag eulerdamp="disable" refsafe="disable" warmstart="disable" clampctrl="disable"
-            autoreset="disable" energy="enable" limit="disable" frictionloss="disable" equality="disable"/>""",
-        "option": """integrator="Euler" timestep=".02" cone="pyramidal" impratio="1" solver="PGS" iterations="1"
-            ls_iterations="1" tolerance=".1" noslip_iterations="3" """,
-        "rest": '<size memory="60K"/>',
-    },
-    "forces": {
-        "option": 'density="50" viscosity=".2" wind="2 0 1"',
-        "joint": 'damping="5" stiffness="30" springref=".4" frictionloss="2"',
-        "geom": 'contype="0" conaffinity="0"',
-    },
-}
-NOTED = {
-    "ice": {"world": FLOOR.format('condim="1" friction="0 0 0"'), "geom": 'friction="0 0 0" condim="1"'},
-    "excluded": {
-        "world": FLOOR.format(""),
-        "rest": """<contact><exclude body1="world" body2="left_foot"/>
-            <exclude body1="right_foot" body2="world"/></contact>""",
-    },
-}
-OWN = """<actuator><motor name="k" joint="left_knee"/><general name="m" joint="left_hip_pitch" dyntype="integrator"/>
-  <position joint="right_knee" kp="5" ctrlrange="0 1"/></actuator>
-  <sensor><actuatorfrc actuator="k"/><user dim="1" objtype="actuator" objname="m"/>
-    <jointpos joint="left_knee"/></sensor>
-  <custom><tuple name="t"><element objtype="actuator" objname="k"/></tuple></custom>
-  <keyframe><key name="home" ctrl="1 2 3" act="1"/></keyframe>"""
+EXTRAS = tomllib.loads(read_data("biped_extras.toml"))
+OPTIONS, NOTED = EXTRAS["options"], EXTRAS["noted"]  # most options alone let the figure fall
 
 
 def biped(folder, **changes):
@@ -222,11 +168,11 @@ def assert_plain(model):
     assert not model.jnt_actfrclimited.any() and not model.jnt_actgravcomp.any()
 
 
-@pytest.mark.parametrize("name", DEFAULTS)
+@pytest.mark.parametrize("name", EXTRAS["defaults"])
 def test_no_default_of_the_models_actuators_is_inherited(name, squat, tmp_path):
     nested = {"child": 'childclass="limb"'} if name == "nested" else {}
-    rest = OWN if name in ("motors", "nested") else ""
-    model, lines = squatting(tmp_path, squat, default=DEFAULTS[name], rest=rest, **nested)
+    rest = EXTRAS["own"] if name in ("motors", "nested") else ""
+    model, lines = squatting(tmp_path, squat, default=EXTRAS["defaults"][name], rest=rest, **nested)
     assert_plain(model)
     assert_follows(model)
     assert (model.nkey, model.na, model.nsensor, model.ntuple) == (51, 0, int(bool(rest)), 0)
