@@ -228,7 +228,7 @@ KINDS = {
     for each in (
         Kind("clip.toml", grammar.CLIP.encode, grammar.mangled_clip, _read_clip, 80_000, 8, FIGURES),
         Kind("table.toml", grammar.CLIP.encode, grammar.random_clip, _read_clip, 20_000, 30, FIGURES),
-        Kind("solve.toml", grammar.CLIP.encode, grammar.solvable_clip, _solve, 6_000, 3, FIGURES),
+        Kind("solve.toml", grammar.CLIP.encode, grammar.solvable_clip, _solve, 6_000, 2, FIGURES),
         Kind("keys.npz", _keys, partial(_of_arrays, _keys), _read_keys, 3_000, 4, FIGURES),
         Kind("motion.npz", _motion_file, partial(_of_arrays, _motion_file), _read_motion, 4_000, 4),
         Kind("model.xml", grammar.MODEL.encode, _mjcf_source, _read_mjcf, 3_000, 4),

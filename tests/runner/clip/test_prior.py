@@ -75,9 +75,9 @@ def test_a_figure_without_all_parts_has_none_and_a_note_says_so(tmp_path):
 @pytest.mark.slow
 def test_keyframes_stay_exact_and_the_motion_approaches_the_prediction():
     keyframes = [Keyframe(0, others="rest"), Keyframe(0.6, joints=POSES, others="rest"), Keyframe(1.2, others="rest")]
-    clip = build("human", keyframes, penalties={"prior": 1}, solve={"evaluations": 10})
+    clip = build("human", keyframes, penalties={"prior": 1}, solve={"evaluations": 5})
     ((prior, _),) = priors(clip)
-    with_prior, without = inbetween(clip), inbetween(build("human", keyframes, solve={"evaluations": 10}))
+    with_prior, without = inbetween(clip), inbetween(build("human", keyframes, solve={"evaluations": 5}))
     np.testing.assert_allclose(
         with_prior.at(clip.context.keys.times), without.at(clip.context.keys.times), rtol=0, atol=1e-9
     )

@@ -94,7 +94,9 @@ def test_more_workers_draw_the_same_images(saved, monkeypatch):
         assert workers == 2
         return in_order(*pickle.loads(pickle.dumps((opened, work, list(items)))))
 
-    one = shot(saved, ghosts=True)
+    chosen = look(ghosts=True)
+    shots = shots_of(saved, chosen)[:2]
+    one = list(images(saved, chosen, SOFTWARE, shots))
     monkeypatch.setattr(show, "PIXELS_OF_A_PROCESS", 1)
     monkeypatch.setattr(show, "in_order", pickled)
-    np.testing.assert_array_equal(list(images(saved, look(ghosts=True), SOFTWARE, workers=2)), one)
+    np.testing.assert_array_equal(list(images(saved, chosen, SOFTWARE, shots, workers=2)), one)
