@@ -48,6 +48,8 @@ def report(clip: Clip, motion: Saved) -> dict[str, Any]:
     objective = clip.problem.plain_objective
     if clip.settings.renormalise:
         objective = renormalised(objective, motion.raw)
+    for side in (motion.raw, motion.timeline):  # as in the search, pairs of limbs that hardly touch do not count
+        objective = objective.watching(path_of(side))
     measurements = Measurement.sides(clip, motion)
     samples = [samples_at(clip.figure, path_of(side.timeline), side.time) for side in measurements]
     before = quantities(clip, objective, measurements[0], samples[0])

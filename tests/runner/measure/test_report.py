@@ -10,6 +10,7 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 import pytest
+import shipped
 from problems import FIGURE, written
 from processes import quiet
 from random_models import evenly
@@ -212,3 +213,11 @@ def test_stances_that_only_the_raw_spline_has_are_omitted_in_print():
     stance = {"point": "left_toe", "from, s": 0.0, "to, s": 0.5, "slip, m": 0.01}
     assert list(rows({"stances": [stance]}, {"stances": []})) == []
     assert len(list(rows({"stances": [stance]}, {"stances": [stance]}))) == 1
+
+
+def test_the_objective_of_the_report_is_that_of_the_search():
+    """Limbs of the walk graze by 2 mm, which the search does not count."""
+    walk = shipped.solved("walk_loop")
+    data = report(walk.clip, walk.motion)
+    assert data["after"]["objective"] == pytest.approx(walk.motion.trace[-1][2], rel=0.05)
+    assert data["left to gain"]["share"] < 0.1
