@@ -287,7 +287,7 @@ def test_a_grasp_is_where_the_keyframes_have_the_site_on_the_body_and_arms_left_
 
 def test_a_grasp_gives_way_where_a_keyframe_puts_the_body_out_of_reach(lifted):
     told: dict[str, tuple[float, np.ndarray]] = {}
-    far = recordings.from_text(lift().replace("[0.36, 0, 1.2]", "[0.98, 0, 1.2]"), name="far")
+    far = recordings.from_text(lift(hands=("left",)).replace("[0.36, 0, 1.2]", "[0.98, 0, 1.2]"), name="far")
     for name, clip in {"near": lifted, "far": far}.items():
         key, grasp = clip.keys[2], next(each for each in clip.context.schedule.grasps if each.point.name == "left_hand")
         arm = clip.figure.model.joint("left_shoulder").qposadr[0]

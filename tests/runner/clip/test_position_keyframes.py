@@ -308,8 +308,9 @@ def test_a_hand_that_reaches_down_bends_knees_and_trunk_over_feet_that_point_for
     toes = [data.site(f"{side}_toe").xpos for side in ("left", "right")]
     assert -0.055 < data.subtree_com[1][0] < max(toe[0] for toe in toes) + 0.02  # [m]; the tip of the shoe
     for side, toe in zip(("left", "right"), toes, strict=True):
-        ahead = toe - data.site(f"{side}_heel").xpos
-        assert abs(np.degrees(np.arctan2(ahead[1], ahead[0]))) < 10
+        heel = data.site(f"{side}_heel").xpos
+        np.testing.assert_allclose(heel, [-0.055, 0.09 if side == "left" else -0.09, 0], atol=1e-3)
+        assert abs(np.degrees(np.arctan2(toe[1] - heel[1], toe[0] - heel[0]))) < 10
 
 
 def heading(data: mujoco.MjData, side: str) -> float:
