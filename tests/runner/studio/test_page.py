@@ -318,6 +318,19 @@ def test_views_fit_and_what_lies_at_the_pointer_is_named_and_selected(tab):
     tab.press("p")
 
 
+def test_the_stage_plays_and_then_rests(tab):
+    tab.seek(0)
+    tab.page.locator("#play").click()
+    tab.until("studio.model.time > 0.2")
+    tab.page.locator("#play").click()
+    tab.until("!studio.stage.isAwake")  # no animation frame is awaited
+    images = tab.evaluate("studio.stage.images")
+    tab.drawn()
+    assert tab.evaluate("[studio.stage.images, studio.stage.isAwake]") == [images, False]
+    tab.seek(0.5)
+    tab.until("!studio.stage.isAwake")
+
+
 def test_a_file_that_another_program_changes_is_noticed_at_once(tab):
     file, notice = Path(tab.folder) / "dancer.toml", tab.page.locator("#outside")
     file.write_text(CLIP.replace("time = 1\n", "time = 1.1\n"), encoding="utf-8")
