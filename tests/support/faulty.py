@@ -10,6 +10,7 @@ import importlib
 import json
 import os
 import pkgutil
+import re
 import signal
 import sys
 import tempfile
@@ -23,13 +24,11 @@ OWN = ("/runner/", "/solver/")  # files whose functions count
 
 
 def main() -> None:
-    """Imports everything once, for all forks."""
-    import matplotlib.backends.backend_agg  # noqa: F401
-
+    """Imports everything once, for all forks, but for batches and the studio."""
     import dynsplines
 
     for module in pkgutil.walk_packages(dynsplines.__path__, "dynsplines."):
-        if not module.name.endswith("__main__"):
+        if not re.search(r"\.(__main__|batch|studio)\b", module.name):
             importlib.import_module(module.name)
     for line in sys.stdin:
         print(json.dumps(tried(json.loads(line))), flush=True)
