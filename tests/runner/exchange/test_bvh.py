@@ -38,8 +38,8 @@ def cartwheel():
 
 
 @pytest.fixture(scope="module")
-def rail():
-    return Sampled.of(shipped.unsolved("hand_on_rail"), 12.0)
+def walk():
+    return Sampled.of(shipped.unsolved("walk_loop"), 12.0)
 
 
 def y_up(take):
@@ -245,30 +245,30 @@ def disguised(
 @pytest.mark.parametrize(
     "other", [{}, {"larger": 1.3, "z_up": True}, {"unit": 0.001, "orders": ["XYZ"], "every_place": True}]
 )
-def test_a_t_pose_skeleton_of_any_unit_and_axes_moves_our_figure_alike(other, rail, tmp_path):
+def test_a_t_pose_skeleton_of_any_unit_and_axes_moves_our_figure_alike(other, walk, tmp_path):
     path = tmp_path / "t.bvh"
-    path.write_text(bvh_file.written(disguised(rail, zero=t_pose(), **other)))
+    path.write_text(bvh_file.written(disguised(walk, zero=t_pose(), **other)))
     back = Sampled.of(import_recording(path, figure="human"))
-    shift = back.bodies.position[:, 1] - rail.bodies.position[:, 1]
+    shift = back.bodies.position[:, 1] - walk.bodies.position[:, 1]
     if "larger" not in other:
         np.testing.assert_allclose(shift - shift[0] * [0, 0, 1], 0, atol=TENTH)
         assert 0 <= shift[0, 2] < 0.04
-    moved = back.bodies.position - rail.bodies.position - shift[:, None]
+    moved = back.bodies.position - walk.bodies.position - shift[:, None]
     np.testing.assert_allclose(moved[:, 1:], 0, atol=0.001)
-    turned = quat.angle_between(back.bodies.rotation[:, 1:], rail.bodies.rotation[:, 1:])
+    turned = quat.angle_between(back.bodies.rotation[:, 1:], walk.bodies.rotation[:, 1:])
     assert np.degrees(turned.max()) < 1
 
 
 @pytest.mark.slow
-def test_a_skeleton_whose_zero_pose_means_nothing_still_points_its_limbs_alike(rail, rng):
+def test_a_skeleton_whose_zero_pose_means_nothing_still_points_its_limbs_alike(walk, rng):
     """As LAFAN1's: directions of limbs come from the motion; a forearm's own twist may differ."""
-    model = rail.model
+    model = walk.model
     zero = {model.body(b).name: quat.normalised(rng.normal(size=4)) for b in range(1, model.nbody)}
-    qpos, _ = retarget.onto(CapturedSkeleton.of(disguised(rail, zero=zero)), model, "a.bvh")
+    qpos, _ = retarget.onto(CapturedSkeleton.of(disguised(walk, zero=zero)), model, "a.bvh")
     back = Bodies.of(model, qpos, np.zeros((len(qpos), model.nv)))
-    shift = back.position[:, 1] - rail.bodies.position[:, 1]
-    np.testing.assert_allclose((back.position - rail.bodies.position - shift[:, None])[:, 1:], 0, atol=0.002)
-    turned = np.degrees(quat.angle_between(back.rotation, rail.bodies.rotation)).max(axis=0)
+    shift = back.position[:, 1] - walk.bodies.position[:, 1]
+    np.testing.assert_allclose((back.position - walk.bodies.position - shift[:, None])[:, 1:], 0, atol=0.002)
+    turned = np.degrees(quat.angle_between(back.rotation, walk.bodies.rotation)).max(axis=0)
     for name in ("pelvis", "chest", "left_thigh", "right_shin", "left_foot", "right_foot"):
         assert turned[model.body(name).id] < 3, name
     assert turned.max() < 20
