@@ -9,9 +9,11 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache
 
 import pytest
 from rich.console import Console
+from typer.main import get_command
 
 from dynsplines import cli
 from dynsplines.studio.loop import SolverLoop
@@ -58,6 +60,7 @@ class Done:
 
 
 Command = Callable[..., Done]
+PARSER = cache(get_command)  # built once, which takes as long as many a command
 
 
 def refusal(done: Done) -> str:
@@ -73,6 +76,7 @@ def commanded(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], main: Callable[[], None] = cli.main
 ) -> Command:
     """What runs it, in the present folder."""
+    monkeypatch.setattr("typer.main.get_command", PARSER)
 
     def run(*words: object) -> Done:
         monkeypatch.setattr(sys, "argv", ["dynsplines", *map(str, words)])
