@@ -421,9 +421,7 @@ KINDS = {
             Part(0.003, "height of the lowest point of a figure that is on the ground in any keyframe", _grounded),
         ), ("reach",)),
         Kind("posture", (Part(0.7, "velocity of joints and roots", _posture),)),
-        Kind("prior", (
-            Part(1.0, "distance from the motion that is predicted for a person", _prior),
-        ), is_default=False),
+        Kind("prior", (Part(1.0, "distance from the motion that is predicted for a person", _prior),)),
         Kind("limits", (
             Part(1.0, "knees and elbows bent backward, sideways or twisted", _bend, "bend", tracking=1e7),
             Part(1.0, "angle or displacement beyond the model's joint ranges", _range, "range", tracking=1e7),

@@ -113,10 +113,12 @@ class Person:
         return self.figure.links[int(self.links[0])].qpos + np.arange(3)
 
     def is_specified(self, keys: Timeline) -> Mask:
-        """Return whether both keyframes of each segment specify the predicted entries, (K − 1, 51)."""
+        """Return whether both keyframes of each segment specify the predicted entries, (K − 1, 51): none without the
+        position of the pelvis."""
         columns = self.quaternions.ravel()
         turns = np.where(columns >= 0, keys.known[:, columns], keys.known.all(axis=1, keepdims=True))
         specified = np.concatenate([keys.known[:, self.position], turns], axis=1)
+        specified &= keys.known[:, self.position].all(axis=1, keepdims=True)
         return specified[:-1] & specified[1:]
 
     def posture(self, states: Array, ground: float) -> tuple[Array, Array]:

@@ -43,11 +43,15 @@ def written(tmp_path: Path, name: str) -> str:
     return str(tmp_path / name)
 
 
-def test_it_is_off_unless_listed_and_if_keyframes_are_close():
-    assert not priors(of("human"))
+def test_it_is_on_for_people_unless_keyframes_are_close_or_leave_the_place_of_the_pelvis_free():
+    assert priors(of("human"))[0][1] == 1
     assert priors(of("human", penalties={"prior": 2}))[0][1] == 2
     assert not priors(of("human", penalties={"prior": 0}))
-    assert not priors(of("human", span=0.15, penalties={"prior": 1}))
+    assert not priors(of("human", span=0.15))
+    anywhere = [
+        Keyframe(t, joints=pose, root={"position": "free"}, others="rest") for t, pose in ((0, STEP), (0.7, POSES))
+    ]
+    assert not priors(build("human", anywhere))
 
 
 def test_it_is_off_for_robots_unless_listed_and_moves_their_hinges(tmp_path):
@@ -75,9 +79,11 @@ def test_a_figure_without_all_parts_has_none_and_a_note_says_so(tmp_path):
 @pytest.mark.slow
 def test_keyframes_stay_exact_and_the_motion_approaches_the_prediction():
     keyframes = [Keyframe(0, others="rest"), Keyframe(0.6, joints=POSES, others="rest"), Keyframe(1.2, others="rest")]
-    clip = build("human", keyframes, penalties={"prior": 1}, solve={"evaluations": 5})
+    clip, plain = (
+        build("human", keyframes, penalties={"prior": weight}, solve={"evaluations": 5}) for weight in (1, 0)
+    )
     ((prior, _),) = priors(clip)
-    with_prior, without = inbetween(clip), inbetween(build("human", keyframes, solve={"evaluations": 5}))
+    with_prior, without = inbetween(clip), inbetween(plain)
     np.testing.assert_allclose(
         with_prior.at(clip.context.keys.times), without.at(clip.context.keys.times), rtol=0, atol=1e-9
     )
