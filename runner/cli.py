@@ -246,7 +246,7 @@ def list_penalties(figure: option.PenaltyFigure = None, as_json: option.AsJson =
             print(kind.name)
         for part in kind.parts:
             on = f"; on with {part.option}" if not part.is_default else "" if kind.is_default else "; on if listed"
-            on = notes.get(kind.name) or on
+            on = notes.get(kind.name, on)
             print(f"{f'  {part.name}' if part.name else kind.name:13} {part.weight:4g}  {part.quantity}{on}")
         for name, values in kind.choices().items():
             print(f"{'':20}{name} ({values})")

@@ -170,6 +170,8 @@ def constraints(
         UserError: For options that do not fit the figure.
     """
     options = {kind.name: Options() for kind in KINDS.values() if kind.is_default} | dict(listed)
+    if "prior" not in listed and context.person is not None and context.person.is_robot:
+        del options["prior"]
     notes = [*context.lacking, *context.released]
     context = _with_options(context, options, listed.keys())
     if "cycle" in listed and _weight("cycle", options["cycle"]) > 0 and context.schedule.gait_cycle is None:

@@ -35,9 +35,9 @@ def person_of(figure: Figure, soles: Sequence[Point] = ()) -> Person:
 
 
 def note_on(figure: str) -> str:
-    """Return why the soft constraint `prior` does not apply to a figure, by name or file; empty if it applies."""
+    """Return a note on the soft constraint `prior` in clips of a figure, by name or file; empty if it is on."""
     try:
-        person_of(Figure(compiled(figure_spec(figure), figure)))
+        person = person_of(Figure(compiled(figure_spec(figure), figure)))
     except ValueError as error:
         return f"; not for '{figure}': {error}"
-    return ""
+    return "; on if listed, as the figure has hinges" if person.is_robot else ""

@@ -108,6 +108,11 @@ class Person:
         return out
 
     @property
+    def is_robot(self) -> bool:
+        """Whether the parts have hinges."""
+        return bool((self.quaternions < 0).any())
+
+    @property
     def position(self) -> Index:
         """The columns of the position of the pelvis in the state, (3,)."""
         return self.figure.links[int(self.links[0])].qpos + np.arange(3)

@@ -61,7 +61,8 @@ def test_it_is_off_for_robots_unless_listed_and_moves_their_hinges(tmp_path):
     ((prior, _),) = priors(listed)
     samples = Samples.still(listed.figure, listed.context.keys.states, listed.context.keys.times)
     np.testing.assert_allclose(prior.evaluate(samples), 0, atol=1e-9)
-    assert note_on(robot) == note_on("human") == ""
+    assert note_on(robot) == "; on if listed, as the figure has hinges"
+    assert note_on("human") == ""
 
 
 def test_a_figure_whose_keyframes_are_alike_stays_as_it_is():
