@@ -128,7 +128,7 @@ def states(folder: Path) -> list[tuple[str, str]]:
 
 @pytest.fixture
 def deeds_in_process(in_process: None, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(dispatch.run.__kwdefaults__, "solve_task", deeds.perform)
+    monkeypatch.setattr(dispatch.run, "__kwdefaults__", {"solve_task": deeds.perform})
 
 
 @pytest.mark.slow
@@ -245,7 +245,7 @@ def test_a_cluster_elsewhere_gets_all_it_needs_and_one_that_goes_away_costs_no_c
     assert [each["name"] for each in entry.violations] == ["root", "left_knee"]
     assert len((tmp_path / "out/right.csv").read_text(encoding="utf-8").splitlines()) == 10
 
-    monkeypatch.setitem(dispatch.run.__kwdefaults__, "solve_task", deeds.perform)
+    monkeypatch.setattr(dispatch.run, "__kwdefaults__", {"solve_task": deeds.perform})
     heavy = "fine " + 11_000_000 * "x"  # Dask warns of as much in a graph, and a warning is an error here
     clips(tmp_path / "others", {"a": heavy, "b": "die", "c": heavy})
     ended = command("batch", "others", "-o", "more", "--cluster", address)
