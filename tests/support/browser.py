@@ -92,6 +92,7 @@ class Tab:
 
     def __init__(self, browser: Any, address: str, width: int = 800, height: int = 600) -> None:
         self.page, self.folder = browser.new_page(viewport={"width": width, "height": height}), ""
+        self.process: Any = None  # the command that serves the page
         self.page.set_default_timeout(1e3 * PATIENCE)
         self.errors: list[str] = []
         self.requested: list[str] = []
