@@ -141,10 +141,9 @@ def test_what_is_asked_to_stay_near_does_as_far_as_its_stances_let_it(take, bad,
         assert is_sound(after)
 
 
-@pytest.mark.parametrize(("name", "count"), [("walk_loop", 200), ("stairs", 150)])
-def test_a_recording_without_faults_hardly_changes(name, count):
+def test_a_recording_without_faults_hardly_changes():
     """Heels land before toes, and leave the ground before them: no stance begins too early or ends too late."""
-    take = first_samples(Take.of(shipped.solved(name), 100), count)
+    take = first_samples(Take.of(shipped.solved("stairs"), 100), 150)
     after = cleaned_of(take, take.qpos).after
     links = [Samples.still(take.figure, s).links for s in (take.figure.to_state(take.qpos), after.at(take.time))]
     assert np.linalg.norm(links[0].x - links[1].x, axis=0).max() < 0.012
@@ -168,17 +167,16 @@ def test_a_foot_that_lifts_at_once_has_no_stance():
     assert ankle_error(take, cleaned_of(take, bad)).max() < 6
 
 
-@pytest.mark.parametrize(("pitch", "metres", "degrees"), [(36, 0.0, 0.0), (11, 0.004, 0.6)])
-def test_who_kneels_keeps_the_heel_in_the_air(pitch, metres, degrees):
+def test_who_kneels_keeps_the_heel_in_the_air():
     """No link is off the truth by more than 3 cm; a heel held down is off by 9. Most of the noise is gone."""
-    take = kneeling(FPS, np.radians(pitch))
-    bad = take.shaking(take.qpos, np.random.default_rng(1), metres, np.radians(degrees))
+    take = kneeling(FPS, np.radians(11))
+    bad = take.shaking(take.qpos, np.random.default_rng(1), 0.004, np.radians(0.6))
     found = cleaned_of(take, bad)
     states = (take.figure.to_state(take.qpos), found.after.at(take.time), take.figure.to_state(bad))
     true, after, before = (Samples.still(take.figure, each).links.x for each in states)
     off, was = (np.linalg.norm(each - true, axis=0) for each in (after, before))
     assert off.max() < 0.03
-    assert np.sqrt(np.mean(off**2)) < max(0.5 * np.sqrt(np.mean(was**2)), 0.003)
+    assert np.sqrt(np.mean(off**2)) < 0.5 * np.sqrt(np.mean(was**2))
     assert {rest.point.name for rest in found.raised} == {"right_heel"}
 
 

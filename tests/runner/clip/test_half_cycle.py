@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+import shipped
 
 import dynsplines
 from dynsplines import UserError, models, solving
@@ -33,7 +34,7 @@ HALF = half_of(WALK)
 
 
 def test_half_a_walk_is_the_walk_also_when_it_is_saved_or_written_as_a_whole(tmp_path):
-    whole = from_text(WALK, name="whole", where="whole.toml")
+    whole = shipped.loaded("walk_loop")
     half = from_text(HALF, name="half", where="half.toml")
     assert half.ends == "periodic" and len(half.keys) == len(whole.keys)
     for one, other in zip(half.problem.raw.frames, whole.problem.raw.frames, strict=True):

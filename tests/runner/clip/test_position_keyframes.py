@@ -215,17 +215,13 @@ MISTAKES = {
     "an unknown site": ("sites.left_hel = [0, 0, 0]", ["no site 'left_hel'; did you mean 'left_heel'?", "right_hand"]),
     "an unknown body": ("bodies.left_fot = {flat = true}", ["no body 'left_fot'", "mean 'left_foot'?", "Bodies:"]),
     "out of reach": (
-        'others = "rest"\nsites.left_heel = [0, 0.09, -0.23]',
+        'others = "rest"\nsites.left_heel = [0, 0.09, -0.23]\nbodies.left_foot = {flat = true}',
         [
             "no pose found that puts site 'left_heel' at (0, 0.09, -0.23): 0.2",
-            "m off in the nearest pose, with left_hip, left_knee, left_ankle free; ",
+            "m off in the nearest pose, with left_hip, left_knee, left_ankle free and body 'left_foot' turned as",
             'others = "rest" fixes root: write root.position = "free", or move the target',
             "; `dynsplines render CLIP --only keys` shows the nearest pose",
         ],
-    ),
-    "out of reach of a flat foot": (
-        'others = "rest"\nsites.left_heel = [0, 0.09, -0.23]\nbodies.left_foot = {flat = true}',
-        ["left_ankle free and body 'left_foot' turned as specified; "],
     ),
     "nothing free": (
         f'others = "rest"\njoints.{HELD}\nsites.left_heel = [0, 0, 0.2]',

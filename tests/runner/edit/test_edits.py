@@ -85,18 +85,21 @@ def assert_fixed(saved: Saved, fixed: Mask, got: Array, wanted: Array) -> None:
     assert_same(saved, *(np.where(fixed, state, saved.figure.model.qpos0)[None] for state in (got, wanted)))
 
 
-METAMORPHIC: dict[str, tuple[Edit, Edit]] = {
-    "mirrored twice": (lambda saved: edits.mirrored(edits.mirrored(saved)), edits.without_clip),
-    "slower, then faster": (lambda saved: edits.retimed(edits.retimed(saved, 0.4), 2.5), edits.without_clip),
+METAMORPHIC: dict[str, tuple[str, Edit, Edit]] = {  # the motion, and two ways to edit it
+    "mirrored twice": ("plain", lambda saved: edits.mirrored(edits.mirrored(saved)), edits.without_clip),
+    "slower, then faster": ("loop", lambda saved: edits.retimed(edits.retimed(saved, 0.4), 2.5), edits.without_clip),
     "mirrored and faster": (
+        "following",
         lambda saved: edits.mirrored(edits.retimed(saved, 2)),
         lambda saved: edits.retimed(edits.mirrored(saved), 2),
     ),
     "trimmed in two steps": (
+        "following",
         lambda saved: edits.trimmed(edits.trimmed(saved, 0.05, 0.4), 0.1, 0.3),
         lambda saved: edits.trimmed(saved, 0.1, 0.3),
     ),
     "repeated in two steps": (
+        "loop",
         lambda saved: edits.repeated(edits.repeated(saved, 2), 2),
         lambda saved: edits.repeated(saved, 4),
     ),
@@ -104,11 +107,9 @@ METAMORPHIC: dict[str, tuple[Edit, Edit]] = {
 
 
 @pytest.mark.parametrize("way", METAMORPHIC)
-@pytest.mark.parametrize("name", ["plain", "following", "loop"])
-def test_the_same_motion_by_two_ways(motions, name, way):
-    if "repeated" in way and name != "loop":
-        return
-    one, other = (edit(motions[name]) for edit in METAMORPHIC[way])
+def test_the_same_motion_by_two_ways(motions, way):
+    name, *ways = METAMORPHIC[way]
+    one, other = (edit(motions[name]) for edit in ways)
     assert_equal(one, other)
 
 
@@ -145,10 +146,9 @@ def assert_plain(edited: Saved, folder: Path) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["plain", "following"])
-def test_joined_motions_have_the_samples_of_both(motions, tmp_path, monkeypatch, name):
+def test_joined_motions_have_the_samples_of_both(motions, tmp_path, monkeypatch):
     monkeypatch.setattr(edits, "optimised", lambda *problem, **_: optimised(*problem, max_evaluations=5))
-    saved, times = motions[name], np.linspace(0, 0.41, 19)
+    saved, times = motions["plain"], np.linspace(0, 0.41, 19)
     both = edits.joined(saved, saved, 0.2, quiet())
     assert_same(saved, at(both, times), at(saved, times))
     second, wanted = at(both, times + 0.61), at(saved, times)
@@ -349,8 +349,7 @@ def test_a_motion_as_a_clip_has_its_tables_or_else_its_keyframes(motions, tmp_pa
     assert not again.context.schedule.contacts
     with pytest.raises(UserError, match=r"follows the recording 'own\.npz'; save it as a motion"):
         clip_text.write(motions["following"], tmp_path / "other.toml", overwrite=False)
-    kerb = solving.unsolved(recordings.load("step_on_kerb")).motion
-    clip_text.write(kerb, tmp_path / "kerb.toml", overwrite=False)  # follows what ships
+    clip_text.write(shipped.unsolved("step_on_kerb"), tmp_path / "kerb.toml", overwrite=False)  # follows what ships
     again = recordings.load(str(tmp_path / "kerb.toml"))
     assert [key.time for key in again.authored_keys] == [2.24, 2.86, 3.24]
 
@@ -370,12 +369,13 @@ def holding(poses: dict[float, tuple[float, float]]) -> Motion:
         ball = {"position": [x, y, 0], "rotation": {"heading": 0}}
         keys.append(Keyframe(time, joints={"shoulder": shoulder, "elbow": elbow}, roots={"ball": ball}))
     grasps = [{"hand": "hand", "body": "ball", "from": 0.0, "to": 0.5}]
-    return inbetween(build(ARM, keys, grasps=grasps, solve={"evaluations": 4, "frames": 4}))
+    return inbetween(build(ARM, keys, grasps=grasps, solve={"evaluations": 2, "frames": 2}))
 
 
-def test_an_arm_on_a_base_keeps_what_it_holds_when_motions_are_joined():
+def test_an_arm_on_a_base_keeps_what_it_holds_when_motions_are_joined(monkeypatch):
     """The ball is in the hand before, in and after the transition, although free objects move with a root."""
-    both = holding({0: (0, 20), 0.5: (60, 90)}).joined(holding({0: (80, 90), 0.5: (100, 20)}), transition=0.4)
+    monkeypatch.setattr(edits, "optimised", lambda *problem, **_: optimised(*problem, max_evaluations=10))
+    both = holding({0: (0, 20), 0.5: (20, 40)}).joined(holding({0: (80, 90), 0.5: (90, 80)}), transition=0.4)
     sampled_ = both.sampled(100)
     seen = [kinematics(both.model, qpos) for qpos in sampled_.qpos]
     apart = [np.linalg.norm(data.site("hand").xpos - data.body("ball").xpos) for data in seen]
