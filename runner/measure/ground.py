@@ -13,7 +13,7 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import cross
 from dynsplines.solver.figure.dynamics import RootWrench, weight
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.surface.heights import heights
+from dynsplines.solver.surface.heights import FAR, heights
 from dynsplines.solver.surface.points import arrays_of, body_points, hanging, places_of
 from dynsplines.solver.tolerances import TINY
 
@@ -54,7 +54,7 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
     schedule, figure = motion.clip.context.schedule, motion.clip.figure
     carrying = [(rest.first, rest.last) for rest in schedule.contacts]
     name, lowest = figure.links[root].name, int(height.round(3).argmin())
-    if BOUNDS["aloft"].most < height[lowest] < np.inf and not schedule.flights and not carrying:
+    if BOUNDS["aloft"].most < height[lowest] < FAR and not schedule.flights and not carrying:
         text = f"the figure never comes down: lowest point {height[lowest]:.2f} m above the floor"
         key = np.flatnonzero(motion.key_at == at[lowest])
         row = row_of("aloft", name, text)

@@ -15,6 +15,7 @@ from ..array import Array, Mask, runs
 from ..figure.dynamics import RootWrench
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
+from ..surface.heights import FAR
 from ..surface.points import Point, places_of
 from .contact import Interval
 from .keyframe_points import KeyframePoints
@@ -90,7 +91,7 @@ class Air:
         tall = _centre(rest, root)[0] - _bottoms(figure, KeyframePoints(rest, body.keys, tuple(soles))).min()
         tiptoe = ground + STRETCHED * max(tall, (centre - ground)[touches].max(initial=0.0))
         is_known, is_low = body.keys.known[:, figure.links[root].qpos + 2], body.heights.min(axis=0) < body.limits.clear
-        is_aloft = is_known & ~is_low & np.isfinite(low) & (centre > tiptoe)
+        is_aloft = is_known & ~is_low & (low < FAR) & (centre > tiptoe)
         for first, last in held:
             is_aloft &= (times < first) | (last < times)
         return cls(
