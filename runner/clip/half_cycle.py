@@ -23,8 +23,7 @@ MIRRORED = "mirrored"
 def whole_cycle(source: Parsed, figure: Figure) -> Parsed:
     """Return the clip of a whole cycle in place of that of half a cycle; other clips are unchanged.
 
-    The last keyframe of the half has a time and, where the figure travels, a position of the root. Its pose is the
-    mirror image of the first one.
+    The last keyframe of the half has a time alone, because it is the mirror image of the first one.
 
     Raises:
         UserError: For a figure without left and right sides, or a half cycle without a mirror image.
@@ -46,14 +45,15 @@ def _whole(half: ClipTable, figure: Figure, where: str) -> ClipTable:
     if half.solve.turn:
         raise UserError("ends = 'mirrored': a figure that turns has no mirrored half; remove turn")
     mirror, (first, *between, last) = figure_mirror(figure, half, where), half.keyframe
-    wrong = last.model_fields_set - {"time", "root"} or last.root.model_fields_set - {"position"}
-    if wrong:
+    if last.model_fields_set != {"time"}:
         raise UserError(
-            f"ends = 'mirrored': the last keyframe is the mirror image of the first; specify only its time and its "
-            f"root.position, not '{sorted(wrong)[0]}'"
+            "ends = 'mirrored': the last keyframe is the mirror image of the first; specify only its time, and the "
+            "displacement of the whole cycle as travel = [x, 0, z] in [solve]"
         )
-    start, seconds = first.time, last.time - first.time
-    shift = _half_travel(half, first, last)
+    x, y, z = (0.0, 0.0, 0.0) if half.solve.travel is None else half.solve.travel
+    if y or (half.solve.travel is None and first.root.position != "free"):
+        raise UserError("ends = 'mirrored': give travel = [x, 0, z] in [solve], the displacement of the whole cycle")
+    start, seconds, shift = first.time, last.time - first.time, (x / 2, 0.0, z / 2)
 
     def image(row: KeyframeTable) -> KeyframeTable:
         return _moved(mirrored_keyframe(row, figure, mirror), shift).changed(time=row.time + seconds)
@@ -69,29 +69,6 @@ def _whole(half: ClipTable, figure: Figure, where: str) -> ClipTable:
     penalties = [_repeated(entry, seconds) for entry in half.penalty]
     solve = half.solve.changed(ends="periodic")
     return half.changed(keyframe=rows, contact=contacts, penalty=penalties, solve=solve)
-
-
-def _half_travel(half: ClipTable, first: KeyframeTable, last: KeyframeTable) -> Shift:
-    """Return the displacement [m] of half a cycle, from [solve] travel or the root's positions."""
-    if half.solve.travel is not None:
-        x, y, z = half.solve.travel
-        if y:
-            raise UserError(f"ends = 'mirrored': travel = [{x:g}, {y:g}, {z:g}] must be along x, with y = 0")
-        return (x / 2, 0.0, z / 2)
-    if last.root.position == "free":
-        return (0.0, 0.0, 0.0)
-    begin = ("free",) * 3 if first.root.position == "free" else first.root.position
-    moves = list[float]()
-    for axis, a, b in zip("xyz", begin, last.root.position, strict=True):
-        if not isinstance(b, str) and isinstance(a, str):
-            raise UserError(f"ends = 'mirrored': the first keyframe leaves {axis} of root.position free; specify it")
-        moves.append(0.0 if isinstance(a, str) or isinstance(b, str) else b - (-a if axis == "y" else a))
-    x, aside, z = moves
-    if abs(aside) > ROUNDING:
-        raise UserError(
-            "ends = 'mirrored': y of root.position in the last keyframe must be 'free', or minus that of the first"
-        )
-    return (x, 0.0, z)
 
 
 def _moved(row: KeyframeTable, by: Shift) -> KeyframeTable:
