@@ -1,14 +1,9 @@
-"""The end of a command: its exit code, and one line on stderr for every error.
-
-In terminals with limited encodings, missing letters are replaced by available ones.
-"""
+"""The end of a command: its exit code, and one line on stderr for every error."""
 
 from __future__ import annotations
 
-import codecs
 import os
 import sys
-import unicodedata
 from collections.abc import Callable
 from pathlib import Path
 from typing import NoReturn, cast
@@ -28,9 +23,6 @@ NO_ROOM = (  # messages without enough memory: of the linker, of MuJoCo, and of 
     "ould not allocate memory",
     "error return without exception set",
 )
-
-SPELLING = "dynsplines"  # name of the handler of encoding errors
-SPELLED = {"°": " deg", "×": "x", "·": "*", "–": "-", "−": "-", "…": "...", "→": "->", "┃": "|", "│": "|", "━": "-"}
 
 
 def run(command: Callable[[], int | None]) -> NoReturn:
@@ -111,22 +103,9 @@ def _end(code: int, line: str) -> NoReturn:
     sys.exit(code)
 
 
-def _spelled(error: UnicodeError) -> tuple[str, int]:
-    """Return letters without accents, or signs in words, or else the character's number."""
-    if not isinstance(error, UnicodeEncodeError):
-        raise error
-    return "".join(map(_letter, error.object[error.start : error.end])), error.end
-
-
-def _letter(letter: str) -> str:
-    plain = unicodedata.normalize("NFKD", letter).encode("ascii", "ignore").decode()
-    return SPELLED.get(letter) or plain or letter.encode("unicode_escape").decode()
-
-
 def fit_terminal() -> None:
-    """Allow any text on both streams, with any encoding."""
-    codecs.register_error(SPELLING, _spelled)
+    """Allow any text on both streams, with any encoding: missing letters are printed as their numbers."""
     for stream in (sys.stdout, sys.stderr):
         reconfigure = getattr(stream, "reconfigure", None)
         if reconfigure is not None:
-            reconfigure(errors=SPELLING)
+            reconfigure(errors="backslashreplace")
