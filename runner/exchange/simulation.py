@@ -21,7 +21,7 @@ itself (`FIGURE_FLAGS`) are inherited, as the feed-forward torque includes these
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from xml.etree import ElementTree
 
 import mujoco
@@ -99,19 +99,20 @@ class Simulation:
     @classmethod
     def of(cls, sampled: Sampled) -> Simulation:
         """Return the scene of a motion; raises ValueError if MuJoCo cannot compile it."""
-        actuators = drives(sampled)
+        forces = Forces.of(sampled)
+        actuators = drives(sampled, forces)
         root, notes = _scene(sampled, actuators)
         with quietly():
             model = mujoco.MjModel.from_xml_string(
                 ElementTree.tostring(root, encoding="unicode"), dict(sampled.motion.scene.assets)
             )
-        return cls(root, model, targets(sampled, model, actuators), tuple(notes))
+        return cls(root, model, targets(sampled, replace(forces, model=model), actuators), tuple(notes))
 
 
-def drives(sampled: Sampled) -> list[Drive]:
+def drives(sampled: Sampled, forces: Forces) -> list[Drive]:
     """Return the actuators of a figure, in the order of its joints."""
     model, least, joints = sampled.model, _least(sampled), joint_names(sampled.model)
-    largest = np.abs(np.nan_to_num(Forces.of(sampled).torques)).max(axis=0, initial=0)
+    largest = np.abs(np.nan_to_num(forces.torques)).max(axis=0, initial=0)
     out: list[Drive] = []
     for joint in range(model.njnt):
         kind, dof = JointKind(model.jnt_type[joint]), int(model.jnt_dofadr[joint])
@@ -167,9 +168,9 @@ def _standing(figure: Figure, feet: set[int]) -> set[int]:
     return out
 
 
-def targets(sampled: Sampled, model: mujoco.MjModel, actuators: list[Drive]) -> Array:
-    """Return `ctrl` (T, nu) at the samples; model: the scene to simulate, whose torques are added if known."""
-    torques = np.nan_to_num(Forces.of(sampled, model).torques)
+def targets(sampled: Sampled, forces: Forces, actuators: list[Drive]) -> Array:
+    """Return `ctrl` (T, nu) at the samples; forces: those of the scene to simulate, which are added if known."""
+    model, torques = forces.model, np.nan_to_num(forces.torques)
     out = np.zeros((len(sampled.qpos), len(actuators)))
     for column, drive in enumerate(actuators):
         first, dof = int(model.jnt_qposadr[drive.joint]), int(model.jnt_dofadr[drive.joint])

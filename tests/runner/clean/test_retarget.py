@@ -33,7 +33,7 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with a walk as BVH, and the robot."""
     folder = tmp_path_factory.mktemp("robot")
     saved = shipped.solved("walk_loop").motion
-    formats.export(saved, "bvh", folder / "walk.bvh", fps=30)
+    formats.export(saved, "bvh", folder / "walk.bvh", fps=15)
     (folder / "android.xml").write_text(ANDROID, encoding="utf-8")
     return folder
 

@@ -371,7 +371,7 @@ def with_block(**rotation: str) -> Motion:
         for time, (shoulder, elbow) in poses.items()
     ]
     grasp = {"hand": "hand", "body": "block", "from": 0.0, "to": 1.0, **rotation}
-    return dynsplines.inbetween(dynsplines.build(ARM, keys, grasps=[grasp]))
+    return dynsplines.inbetween(dynsplines.build(ARM, keys, grasps=[grasp], solve={"evaluations": 20}))
 
 
 @pytest.fixture(scope="module")

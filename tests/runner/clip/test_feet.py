@@ -226,7 +226,7 @@ def test_legs_that_are_bent_stand_on_the_ground():
     assert again.keys[1].state[2] == pytest.approx(key.state[2], abs=1e-6)
 
 
-@settings(deadline=None, max_examples=6)
+@settings(deadline=None, max_examples=3)
 @given(st.lists(st.floats(-90, 90), min_size=6, max_size=6), st.floats(-40, 40))
 def test_any_pose_does_to_a_hair(angles, lean):
     legs = "".join(

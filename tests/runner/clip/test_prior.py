@@ -79,10 +79,7 @@ def test_a_figure_without_all_parts_has_none_and_a_note_says_so(tmp_path):
 
 @pytest.mark.slow
 def test_keyframes_stay_exact_and_the_motion_approaches_the_prediction():
-    keyframes = [Keyframe(0, others="rest"), Keyframe(0.6, joints=POSES, others="rest"), Keyframe(1.2, others="rest")]
-    clip, plain = (
-        build("human", keyframes, penalties={"prior": weight}, solve={"evaluations": 5}) for weight in (1, 0)
-    )
+    clip, plain = (of("human", penalties={"prior": weight}, solve={"evaluations": 3}) for weight in (1, 0))
     ((prior, _),) = priors(clip)
     with_prior, without = inbetween(clip), inbetween(plain)
     np.testing.assert_allclose(

@@ -14,6 +14,7 @@ from paper.penetration import penetration
 import dynsplines
 from dynsplines import Keyframe, build, motion, recordings, solving
 from dynsplines.clip import load as clips
+from dynsplines.clip.build import Clip
 from dynsplines.clip.tracking.penalties import ground_of
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
@@ -21,6 +22,7 @@ from dynsplines.motion import Saved
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import TrackingPenalty
+from dynsplines.solver.problem import Problem
 from dynsplines.system.progress import Progress
 
 REACH = """
@@ -51,6 +53,11 @@ def saved(folder: Path) -> Saved:
     return motion.load(folder / "run.npz")
 
 
+def shortly(clip: Clip) -> Problem:
+    """Return its problem for a search that ends soon."""
+    return replace(clip.problem, settings=replace(clip.settings, max_evaluations=3))
+
+
 def bodies(saved_figure, path, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Places (T, n, 3) [m] of bodies and sites, by MuJoCo, and the bodies' rotations (T, n, 9)."""
     data, places, rotations = mujoco.MjData(saved_figure.model), [], []
@@ -69,8 +76,8 @@ def test_a_reach_is_exact_and_changes_nothing_beyond_its_blend(folder, saved, tm
     monkeypatch.chdir(tmp_path)
     done = command("solve", folder / "reach.toml", "-o", "reach.npz")
     assert done.code == 0, done.err
-    clip = recordings.from_text(text, name="reach", folder=folder)
-    found = path_of(motion.load(tmp_path / "reach.npz").timeline)
+    clip = clips.clip_from_motion(solution := motion.load(tmp_path / "reach.npz"))
+    found = path_of(solution.timeline)
     times = np.linspace(0, 2.2, 221)
     (own, turned), (true, turned_before) = (bodies(clip.figure, p, times) for p in (found, path_of(saved.timeline)))
     away = np.abs(times - 1.75) > 0.4 + 1e-6
@@ -94,7 +101,7 @@ def test_a_recording_that_starts_and_stops_abruptly_stays_the_same_beyond_a_blen
         f'[[keyframe]]\ntime = {t}\nroot.position = [{x}, 0, 0.9]\n{legs}\nothers = "rest"\n'
         for t, x, legs in ((0.0, 0.0, ahead), (0.5, 0.4, back), (1.0, 0.8, ahead))
     ]
-    head = 'figure = "human"\n[solve]\nends = "periodic"\nevaluations = 10\n'
+    head = 'figure = "human"\n[solve]\nends = "periodic"\nevaluations = 2\n'
     loop = dynsplines.inbetween(recordings.from_text(head + "".join(rows), name="loop"))
     loop.save(tmp_path / "loop.npz")
     edit = (
@@ -105,7 +112,7 @@ def test_a_recording_that_starts_and_stops_abruptly_stays_the_same_beyond_a_blen
     times = np.linspace(0, 1, 501)
     edited, original = (
         bodies(clip.figure, path_of(timeline), times)[0]
-        for timeline in (inbetween(clip.problem).timeline, motion.load(tmp_path / "loop.npz").timeline)
+        for timeline in (inbetween(shortly(clip)).timeline, motion.load(tmp_path / "loop.npz").timeline)
     )
     beyond = np.abs(times - 0.5) > 0.15
     assert np.linalg.norm(edited - original, axis=2)[beyond].max() < 0.001
@@ -133,7 +140,7 @@ def test_a_large_edit_with_a_short_blend_changes_nothing_beyond_it():
     recording = near.recorded.path
     times = np.arange(0, recording.span[1] / 0.5, 0.004)
     beyond = times[np.abs(times - 0.42) > 0.1]
-    edited, _ = bodies(clip.figure, path_of(inbetween(clip.problem).timeline), beyond)
+    edited, _ = bodies(clip.figure, path_of(inbetween(shortly(clip)).timeline), beyond)
     same, _ = bodies(clip.figure, recording, beyond * 0.5)
     assert np.linalg.norm(edited - same, axis=2).max() < 0.001
 

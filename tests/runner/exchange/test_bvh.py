@@ -34,7 +34,7 @@ TENTH = 1e-4  # [m]
 
 @pytest.fixture(scope="module")
 def cartwheel():
-    return Sampled.of(shipped.unsolved("cartwheel"), 15.0)
+    return Sampled.of(shipped.unsolved("cartwheel"), 10.0)
 
 
 @pytest.fixture(scope="module")

@@ -187,15 +187,15 @@ def test_every_plain_type_of_either_numpy_comes_back_as_pickle_loads_it_in_every
 
 @pytest.mark.slow
 def test_a_short_pickle_that_asks_for_much_memory_is_refused_at_once(tmp_path, monkeypatch):
-    monkeypatch.setenv("DYNSPLINES_LARGEST", "10")
+    monkeypatch.setenv("DYNSPLINES_LARGEST", "1")
     ten = [1.0] * 10
     for _ in range(7):
         ten = [ten] * 10
     far = b"\x80\x02}r\xff\xff\xff\x7f."  # a place in the memo that makes room for all before it
     for content, name, axes in (
-        (pickle.dumps({"a": ten}), "'a' comes to 800 MB|over 10 MB", 8),
+        (pickle.dumps({"a": ten}), "'a' comes to 800 MB|over 1 MB", 8),
         (pickle.dumps({"a": ten}), "deeper than it should", 2),
-        (b"(" + b"]" * 200_000 + b"0" * 200_000 + b".", "what it holds comes to", 2),
+        (b"(" + b"]" * 20_000 + b"0" * 20_000 + b".", "what it holds comes to", 2),
         (far, "no 'a'; it holds: nothing", 2),
     ):
         (tmp_path / "bad.pkl").write_bytes(content)

@@ -48,7 +48,7 @@ UPS = {  # how a file whose y is up is turned
 @pytest.fixture(scope="module")
 def walk():
     """A person's walk in BVH's axes."""
-    return bvh.skeleton(Sampled.of(shipped.unsolved("walk_loop"), 15.0))
+    return bvh.skeleton(Sampled.of(shipped.unsolved("walk_loop"), 8.0))
 
 
 def places(model, qpos):
@@ -160,6 +160,6 @@ def test_a_figure_built_in_other_axes_moves_as_the_one_that_stands(axis, degrees
 
 
 def test_a_figure_that_crouches_or_faces_aslant_is_left_as_it_is(captured):
-    for degrees in (0, 20, 40):
+    for degrees in (20, 40):
         _, notes = retarget.onto(captured, person(Rotation.from_euler("y", degrees, degrees=True)), "walk")
         assert not any("stood up" in note for note in notes)
