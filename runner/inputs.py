@@ -14,7 +14,7 @@ from .errors import UserError
 from .motion import Saved
 
 if TYPE_CHECKING:
-    from .measure.violation import Violation
+    from .measure.bounds import Violation
     from .system.progress import Progress
 
 

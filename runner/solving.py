@@ -17,7 +17,8 @@ from dynsplines.solver.solution import Improvement, Solution
 
 from .clip.build import Clip
 from .clip.load import clip_from_motion
-from .measure.violation import Violation, is_recording, violations
+from .measure.bounds import Violation
+from .measure.violation import is_recording, violations
 from .motion import Saved
 from .system.progress import Progress
 

@@ -17,7 +17,8 @@ from ..clip.parse import Parsed, table_of
 from ..clip.table import ClipTable, PenaltyTable
 from ..clip.text import written
 from ..errors import UserError
-from ..measure.violation import Violation, is_recording
+from ..measure.bounds import Violation
+from ..measure.violation import is_recording
 from ..motion import Saved
 from ..solving import Solved
 from ..system.output import Replacement, check_target

@@ -4,7 +4,7 @@ checks       what is measured for most kinds of violations: quantities, and how 
 measurement  the amounts of all checks along a motion, measured once
 violation    violations, worst first
 ground       figures that float above the ground, and feet that slide or drag on it
-bounds       tolerances of violations
+bounds       violations and their bounds
 report       a motion before and after solving, and its lines in the terminal
 quantities   the quantities of one column of a report, also *between* the samples of the optimiser
 depths       depths of a figure's points in surfaces, and of its bodies in each other

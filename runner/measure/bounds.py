@@ -1,4 +1,4 @@
-"""The bounds of violations; docs/check.md contains the same table."""
+"""Violations and their bounds; docs/check.md contains the same table of bounds."""
 
 from __future__ import annotations
 
@@ -56,3 +56,82 @@ BOUNDS = {
 }
 WHIP_SHARE = 4.0  # [1] multiple of the raw spline's largest angular acceleration that is tolerated
 SPEED_SHARE = 0.05  # [1] share of a speed limit by which it may be exceeded
+
+
+@dataclass(frozen=True)
+class Violation:
+    """A measured excess over a bound.
+
+    Attributes:
+        kind: Kind of violation, such as "penetration".
+        name: Name of the point, joint or contact.
+        time: Time of the largest amount [s]; None for a violation without a time.
+        amount: Measured amount, in `unit`.
+        unit: "m", "degrees", "degrees/s", "rad/s²" or "".
+        bound: Tolerated amount, in `unit`.
+        keyframe: Number of the keyframe that causes it, from 1; None if the motion between keyframes causes it.
+        text: The violation as one line.
+    """
+
+    kind: str
+    name: str
+    time: float | None
+    amount: float
+    unit: str
+    bound: float
+    keyframe: int | None
+    text: str
+
+    @property
+    def severity(self) -> float:
+        """The amount divided by the bound."""
+        return self.amount / self.bound
+
+    def __str__(self) -> str:
+        return self.text
+
+
+@dataclass(frozen=True)
+class Row:
+    """A measured quantity, and the message on its violation.
+
+    Attributes:
+        kind: Kind of violation, a key of `BOUNDS`.
+        name: Name of the point, joint or body.
+        text: The message, with {} for the amount.
+        bound: Tolerated amount, in `unit`.
+        other: Name of the surface or of the second body.
+    """
+
+    kind: str
+    name: str
+    text: str
+    bound: float
+    other: str = ""
+
+    @property
+    def unit(self) -> str:
+        return BOUNDS[self.kind].unit
+
+    def violation(self, amount: float, time: float | None = None, keyframe: int = 0) -> Violation:
+        """Return the violation by an amount at a time [s]; keyframe: the number of the faulty keyframe, 0 for none."""
+        text = self.text.format(with_unit(amount, self.unit)) + ("" if time is None else f" at {time:.2f} s")
+        if keyframe:
+            text = f"keyframe {keyframe} itself: {text}"
+        return Violation(self.kind, self.name, time, amount, self.unit, self.bound, keyframe or None, text)
+
+
+def row_of(kind: str, name: str, text: str, bound: float | None = None, other: str = "") -> Row:
+    """Return a row; by default its bound is that of its kind."""
+    return Row(kind, name, text, BOUNDS[kind].most if bound is None else bound, other)
+
+
+def with_unit(amount: float, unit: str) -> str:
+    """Return an amount as text, lengths in millimetres below 1 m."""
+    if unit == "m":
+        return f"{1000 * amount:.0f} mm" if amount < 1 else f"{amount:.2f} m"
+    if unit == "degrees":
+        return f"{amount:.0f}°"
+    if not unit:
+        return f"{amount:.2f}"
+    return f"{amount:.0f} {unit}" if amount >= 100 else f"{amount:.2g} {unit}"

@@ -37,30 +37,10 @@ from dynsplines.solver.surface.heights import FAR, heights
 from dynsplines.solver.surface.points import Point, placed, places_of
 
 from ..motion import samples_at
-from .bounds import BOUNDS, SPEED_SHARE, WHIP_SHARE
+from .bounds import BOUNDS, SPEED_SHARE, WHIP_SHARE, Row, row_of
 from .depths import bunches, colliding, depths, overlaps
 
 SAME_DEPTH = 0.002  # [m] a sole point is named although another point of the foot is deeper, if by at most this
-
-
-@dataclass(frozen=True)
-class Row:
-    """A measured quantity of a check.
-
-    kind   kind of violation, a key of `BOUNDS`
-    name   name of the point, joint or body;  other  name of the surface or of the second body
-    text   the message, with {} for the amount;  bound  largest tolerated amount, in `unit`
-    """
-
-    kind: str
-    name: str
-    text: str
-    bound: float
-    other: str = ""
-
-    @property
-    def unit(self) -> str:
-        return BOUNDS[self.kind].unit
 
 
 @dataclass(frozen=True, eq=False)
@@ -154,11 +134,6 @@ class Fixed:
         """Return which keyframes fix the joints of n links, (n, K). Of a free joint, only the rotation counts."""
         columns = [quaternion_columns(self.figure.links[i]) or self.figure.links[i].qpos for i in links]
         return np.array([np.atleast_2d(self.states[:, column].T).all(axis=0) for column in columns])
-
-
-def row_of(kind: str, name: str, text: str, bound: float | None = None, other: str = "") -> Row:
-    """Return a row; by default its bound is that of its kind."""
-    return Row(kind, name, text, BOUNDS[kind].most if bound is None else bound, other)
 
 
 def bends(limits: BendLimits, fixed: Fixed, bound: float | None) -> Check:

@@ -19,17 +19,14 @@ from dynsplines.solver.tolerances import TINY
 
 from ..clip.posing.places import rounded
 from ..motion import samples_at
-from .bounds import BOUNDS, Bound
-from .checks import Row, row_of
+from .bounds import BOUNDS, Bound, Violation, row_of
 from .measurement import Measurement, feet_of
 
 # [1] smallest force of an unknown support relative to the weight, up or down; in free fall this force is zero
 CARRIED = 0.5
 
-Excess = tuple[Row, float, float, int | None]  # a row, its amount, the time [s], the index of a keyframe that causes it
 
-
-def floating_and_sliding(motion: Measurement) -> Iterator[Excess]:
+def floating_and_sliding(motion: Measurement) -> Iterator[Violation]:
     """Yield figures that float, and feet that slide or drag."""
     context, figure = motion.clip.context, motion.clip.figure
     if not context.surfaces or not np.any(figure.gravity):
@@ -44,7 +41,7 @@ def floating_and_sliding(motion: Measurement) -> Iterator[Excess]:
     yield from _sliding(motion, samples)
 
 
-def _floating(motion: Measurement, samples: Samples, at: Index, root: int, height: Array) -> Iterator[Excess]:
+def _floating(motion: Measurement, samples: Samples, at: Index, root: int, height: Array) -> Iterator[Violation]:
     """Yield intervals in which a tree is above the ground, but does not fall as a body without support would: it stays
     there, or it is pushed down.
 
@@ -57,8 +54,8 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
     if BOUNDS["aloft"].most < height[lowest] < FAR and not schedule.flights and not carrying:
         text = f"the figure never comes down: lowest point {height[lowest]:.2f} m above the floor"
         key = np.flatnonzero(motion.key_at == at[lowest])
-        row = row_of("aloft", name, text)
-        yield row, float(height[lowest]), float(samples.t[lowest]), int(key[0]) if key.size else None
+        number = int(motion.numbers[key[0]]) if key.size else 0
+        yield row_of("aloft", name, text).violation(float(height[lowest]), float(samples.t[lowest]), number)
         return
     if root not in figure.tables.free_links:
         return
@@ -67,19 +64,19 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
     is_explained = within((*carrying, *(schedule.specified_flights or ())), samples.t)
     for start, end in runs((height > limits.clear) & ~is_explained):
         run = np.arange(start, end)
-        t, top, key = samples.t[run], run[height[run].argmax()], None
+        t, top, number = samples.t[run], run[height[run].argmax()], 0
         seconds = np.ptp(t) * np.mean(np.abs(carried[run]) >= CARRIED)
         if np.ptp(t) < limits.moment or seconds < min(np.ptp(t) / 2, limits.push_off):
             continue
         keys = np.flatnonzero(np.isin(motion.key_at, at[run[carried[run] >= CARRIED]]))
         if keys.size:
             key = int(keys[height[np.searchsorted(at, motion.key_at[keys])].argmax()])
-            top = int(np.searchsorted(at, motion.key_at[key]))
+            top, number = int(np.searchsorted(at, motion.key_at[key])), int(motion.numbers[key])
         text = f"the figure floats {{}} above the ground, for {np.ptp(t):.2f} s, and is not in free fall"
-        yield row_of("float", name, text), float(height[top]), float(samples.t[top]), key
+        yield row_of("float", name, text).violation(float(height[top]), float(samples.t[top]), number)
 
 
-def _sliding(motion: Measurement, samples: Samples) -> Iterator[Excess]:
+def _sliding(motion: Measurement, samples: Samples) -> Iterator[Violation]:
     """Yield intervals in which all points of a foot's sole move along the ground, or one of them drags on it.
 
     A sole is on the ground, or it moves fast near the ground for longer than a landing takes. The farthest drag of each
@@ -127,10 +124,10 @@ def _moves(places: Array, during: Mask, bound: Bound) -> Iterator[tuple[int, int
             yield start, end, distance
 
 
-def _move(kind: str, name: str, t: Array, speed: Array, distance: float) -> Excess:
+def _move(kind: str, name: str, t: Array, speed: Array, distance: float) -> Violation:
     """Return the violation of a foot or point that moves along the ground at times t (S,) [s]; speed (S,) [m/s]."""
     text = f"{name} {kind}s {{}} along the ground from {t[0]:.2f} to {t[-1]:.2f} s, fastest"
-    return row_of(kind, name, text), distance, float(t[speed.argmax()]), None
+    return row_of(kind, name, text).violation(distance, float(t[speed.argmax()]))
 
 
 def _velocities(samples: Samples, links: Index, positions: Array) -> Array:

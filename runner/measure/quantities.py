@@ -27,7 +27,7 @@ from dynsplines.solver.surface.touch import counts_all, movers
 from dynsplines.solver.tolerances import TINY
 
 from ..clip.build import Clip
-from .checks import Row
+from .bounds import Row
 from .measurement import Measurement, bend_limits
 
 Entry = dict[str, float | str]  # values of a quantity by name and unit

@@ -27,10 +27,10 @@ from dynsplines.solver.tolerances import TINY
 
 from ..clip.build import Clip
 from ..motion import Saved, samples_at
-from .bounds import BOUNDS
+from .bounds import BOUNDS, Violation, with_unit
 from .measurement import Measurement
 from .quantities import quantities
-from .violation import Violation, by_name, plain, violations_of, with_unit
+from .violation import by_name, plain, violations_of
 
 DRIFT = "centre of mass displacement, m"  # distance between the centres of mass before and after solving
 Line = tuple[str, str, str]  # label, before, after

@@ -8,7 +8,6 @@ Brief peaks are averaged, because captured motion has them as well.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 
 import numpy as np
 
@@ -25,8 +24,7 @@ from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import Point, body_points, hanging, places_of
 
 from ..motion import even_times, samples_at
-from .checks import row_of
-from .ground import Excess
+from .bounds import BOUNDS, Violation, row_of
 from .measurement import Measurement, is_imported
 
 RATE = 60.0  # [1/s] samples of the motion
@@ -35,7 +33,7 @@ SLOW = 0.05  # [m/s] horizontal speed of the centre of mass of an adult below wh
 DIRECTIONS = 64  # number of horizontal directions in which the support of the feet is compared with the centre of mass
 
 
-def unsupported(motion: Measurement) -> Iterator[Excess]:
+def unsupported(motion: Measurement) -> Iterator[Violation]:
     """Yield forces and moments of trees on a free root that contacts cannot supply, and trees out of balance.
 
     The accelerations of a recording as imported are noise, so that it yields none.
@@ -60,7 +58,7 @@ def unsupported(motion: Measurement) -> Iterator[Excess]:
 
 def _of_tree(
     motion: Measurement, samples: Samples, root: int, points: Sequence[Point], window: float
-) -> Iterator[Excess]:
+) -> Iterator[Violation]:
     """Yield the largest missing force, missing moment and imbalance of a tree, by its points."""
     figure, t, limits = motion.clip.figure, samples.t, Thresholds.of(motion.clip.figure)
     centres, radii = places_of(points, samples)
@@ -90,10 +88,11 @@ def _of_tree(
     for kind, amount in amounts.items():
         amount = np.where(explained, 0.0, amount)
         mean = _averaged(amount, t, window)
-        row, worst = row_of(kind, figure.links[root].name, texts[kind]), int(mean.argmax())
-        if mean[worst] > row.bound:
-            seconds = (t[1] - t[0]) * np.count_nonzero(amount > row.bound)
-            yield replace(row, text=row.text.format(seconds)), float(mean[worst]), float(t[worst]), None
+        worst, bound = int(mean.argmax()), BOUNDS[kind].most
+        if mean[worst] > bound:
+            seconds = (t[1] - t[0]) * np.count_nonzero(amount > bound)
+            row = row_of(kind, figure.links[root].name, texts[kind].format(seconds))
+            yield row.violation(float(mean[worst]), float(t[worst]))
 
 
 def _beside(centre: Array, places: Array, touches: Mask) -> Array:

@@ -8,7 +8,7 @@ reported too only if it is worse.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass, replace
+from dataclasses import asdict, replace
 from typing import Any
 
 import numpy as np
@@ -20,46 +20,13 @@ from dynsplines.solver.search.minimum import Stop
 
 from ..clip.build import Clip
 from ..motion import Saved
-from .bounds import BOUNDS
-from .checks import SAME_DEPTH, Check, Hits, Row, row_of
+from .bounds import BOUNDS, Row, Violation, row_of
+from .checks import SAME_DEPTH, Check, Hits
 from .ground import floating_and_sliding
 from .measurement import Measurement
 from .support import unsupported
 
 MAX_LINES = 10  # most violations that are printed
-
-
-@dataclass(frozen=True)
-class Violation:
-    """A measured excess over a bound.
-
-    Attributes:
-        kind: Kind of violation, such as "penetration".
-        name: Name of the point, joint or contact.
-        time: Time of the largest amount [s]; None for a violation without a time.
-        amount: Measured amount, in `unit`.
-        unit: "m", "degrees", "degrees/s", "rad/s²" or "".
-        bound: Tolerated amount, in `unit`.
-        keyframe: Number of the keyframe that causes it, from 1; None if the motion between keyframes causes it.
-        text: The violation as one line.
-    """
-
-    kind: str
-    name: str
-    time: float | None
-    amount: float
-    unit: str
-    bound: float
-    keyframe: int | None
-    text: str
-
-    @property
-    def severity(self) -> float:
-        """The amount divided by the bound."""
-        return self.amount / self.bound
-
-    def __str__(self) -> str:
-        return self.text
 
 
 def violations(clip: Clip, timeline: Timeline, raw: Timeline, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:
@@ -76,15 +43,12 @@ def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Vio
     violations = [violation for check, hits in motion.checks for violation in _worst(check, hits, motion)]
     violations += _drifts(motion)
     on_ground = list(floating_and_sliding(motion))
-    aloft = {row.name for row, *_ in on_ground if row.kind in ("aloft", "float")}
-    for row, amount, time, key in (
-        *on_ground,
-        *(excess for excess in unsupported(motion) if excess[0].name not in aloft),
-    ):
-        violations.append(_as_violation(row, amount, time, 0 if key is None else int(motion.numbers[key])))
+    aloft = {violation.name for violation in on_ground if violation.kind in ("aloft", "float")}
+    violations += on_ground
+    violations += [violation for violation in unsupported(motion) if violation.name not in aloft]
     if stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS):
         row = row_of("search", stop.name.lower(), f"the search ended early: {stop.value}")
-        violations.append(_as_violation(row, row.bound, None))
+        violations.append(row.violation(row.bound))
     scale = Size.of(motion.clip.figure).enlargement  # of bounds of lengths, as in models in centimetres
     if scale > 1:
         lengths = [replace(v, bound=scale * v.bound) for v in violations if v.unit == "m"]
@@ -169,7 +133,7 @@ def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Violation]
         caps.setdefault(int(group[i]), np.zeros(motion.key_at.size))[key[i]] = hits.amount[i]
     for i in hits.largest(np.where(caused, group if check.is_once_per_group else group * keys.size + key, -1)).tolist():
         row, time = _named(check, hits, group, i), float(motion.time[hits.at[i]])
-        violation = _as_violation(check.row(row), float(hits.amount[i]), time, int(motion.numbers[key[i]]))
+        violation = check.row(row).violation(float(hits.amount[i]), time, int(motion.numbers[key[i]]))
         others = np.count_nonzero(caps[int(group[i])]) - 1 if check.is_once_per_group else 0
         also = f", and in {others} other keyframe{'s' if others > 1 else ''}" if others else ""
         yield replace(violation, text=violation.text + also)
@@ -181,7 +145,7 @@ def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Violation]
     bound = np.where(tolerated > 0, check.bounds[hits.row], 0.0)
     for i in hits.largest(np.where(hits.amount > tolerated + bound, group, -1)).tolist():
         row = _named(check, hits, group, i)
-        yield _as_violation(check.row(row), float(hits.amount[i]), float(motion.time[hits.at[i]]))
+        yield check.row(row).violation(float(hits.amount[i]), float(motion.time[hits.at[i]]))
 
 
 def _named(check: Check, hits: Hits, group: Index, worst: int) -> int:
@@ -206,24 +170,4 @@ def _drifts(motion: Measurement) -> Iterator[Violation]:
                 text = f"{contact.point.name} should rest, but is {{}} from its position in the previous keyframe"
                 worst[place] = drift, row_of(target.kind, contact.point.name, text), contact.last
     for (_, _, k), (drift, row, time) in worst.items():
-        yield _as_violation(row, drift, time, int(motion.numbers[k]))
-
-
-def _as_violation(row: Row, amount: float, time: float | None, keyframe: int = 0) -> Violation:
-    """Return the violation of a row; keyframe: the number of the faulty keyframe, 0 if none is at fault."""
-    unit = BOUNDS[row.kind].unit
-    text = row.text.format(with_unit(amount, unit)) + ("" if time is None else f" at {time:.2f} s")
-    if keyframe:
-        text = f"keyframe {keyframe} itself: {text}"
-    return Violation(row.kind, row.name, time, amount, unit, row.bound, keyframe or None, text)
-
-
-def with_unit(amount: float, unit: str) -> str:
-    """Return an amount as text, lengths in millimetres below 1 m."""
-    if unit == "m":
-        return f"{1000 * amount:.0f} mm" if amount < 1 else f"{amount:.2f} m"
-    if unit == "degrees":
-        return f"{amount:.0f}°"
-    if not unit:
-        return f"{amount:.2f}"
-    return f"{amount:.0f} {unit}" if amount >= 100 else f"{amount:.2g} {unit}"
+        yield row.violation(drift, time, int(motion.numbers[k]))

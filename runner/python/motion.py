@@ -26,9 +26,9 @@ from ..clip.build import Clip
 from ..edit import edits, thinning
 from ..edit.thinning import MotionDifference
 from ..errors import UserError
+from ..measure.bounds import Violation
 from ..measure.forces import Forces
 from ..measure.report import tables
-from ..measure.violation import Violation
 from ..motion import Sampled, Saved
 from ..solving import Solved
 from ..system.mujoco_warnings import as_python_warnings

@@ -21,8 +21,7 @@ from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.edit import edits
 from dynsplines.measure import violation
-from dynsplines.measure.bounds import BOUNDS, WHIP_SHARE
-from dynsplines.measure.violation import Violation
+from dynsplines.measure.bounds import BOUNDS, WHIP_SHARE, Violation
 from dynsplines.motion import Sampled
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame, Timeline
