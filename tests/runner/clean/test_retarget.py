@@ -287,9 +287,8 @@ def foreign(walk: Path, target: Path, *, on_reference: bool) -> dict[str, str]:
     return {role: called[role] for role in ROLES}
 
 
-@pytest.mark.parametrize("on_reference", [False, True])
-def test_a_map_of_limbs_is_enough(walk, tmp_path, on_reference):
-    bone_map = foreign(walk, tmp_path / "a.bvh", on_reference=on_reference)
+def test_a_map_of_limbs_is_enough(walk, tmp_path):
+    bone_map = foreign(walk, tmp_path / "a.bvh", on_reference=True)
     model = figure_spec("human").compile()
     expected, _ = retarget.onto(CapturedSkeleton.of(read(walk)), model, "walk.bvh")
     with maps.using(MapTable(recording=bone_map)), gaps.allowed():

@@ -356,18 +356,17 @@ def test_a_foot_that_the_search_lifts_between_two_keyframes_does_not_stand():
     assert {stance.point.name for stance in stances} == {"right_heel", "right_toe"}
 
 
-@pytest.mark.parametrize(("height", "others"), [(0.05, "previous"), (0.1, "free")])
-def test_a_foot_raised_by_its_heel_alone_has_its_toes_out_of_the_floor(height, others):
+def test_a_foot_raised_by_its_heel_alone_has_its_toes_out_of_the_floor():
     """The nearest pose had a straight ankle, and toes 3 cm below the floor."""
-    raised = f"""root.position = [0.08, 0, 0.92]
+    raised = """root.position = [0.08, 0, 0.92]
 sites.left_heel = [-0.055, 0.09, 0]
 bodies.left_foot.flat = true
-sites.right_heel = [0.15, -0.09, {height}]
-others = "{others}"
+sites.right_heel = [0.15, -0.09, 0.05]
+others = "previous"
 """
     problem = read(second(raised))
     data = seen(problem, problem.keys[1].state)
-    assert data.site("right_heel").xpos == pytest.approx([0.15, -0.09, height], abs=1e-4)
+    assert data.site("right_heel").xpos == pytest.approx([0.15, -0.09, 0.05], abs=1e-4)
     assert data.site("right_toe").xpos[2] > 0
     assert data.site("left_toe").xpos[2] == pytest.approx(0, abs=1e-4)
 
@@ -376,7 +375,7 @@ def test_the_trunk_follows_two_feet_that_are_placed_elsewhere():
     """It stayed behind as far as the legs reach, so that the figure crouched, deeper with every keyframe."""
     text, angle = REST, np.radians(heading := 80)
     turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
-    for k in range(1, 5):
+    for k in range(1, 4):
         text += f'[[keyframe]]\ntime = {3 * k}\nothers = "previous"\nroot.position = "free"\n'
         text += f"root.rotation.heading = {heading}\n"
         for side, y in (("left", 0.09), ("right", -0.09)):
@@ -384,7 +383,7 @@ def test_the_trunk_follows_two_feet_that_are_placed_elsewhere():
             text += f"sites.{side}_heel = [{x}, {y}, 0]\nbodies.{side}_foot = {{flat = true, heading = {heading}}}\n"
     roots = read(text).context.keys.states[:, :3]
     np.testing.assert_allclose(roots[:, 2], roots[0, 2], atol=0.01)
-    np.testing.assert_allclose(roots[1:, :2], [turn @ [1.2 * k, 0] for k in range(1, 5)], atol=0.05)
+    np.testing.assert_allclose(roots[1:, :2], [turn @ [1.2 * k, 0] for k in range(1, 4)], atol=0.05)
 
 
 LEG = """<body name="{side}_thigh" pos="0 {y} 0"><joint name="{side}_hip_x" axis="1 0 0" range="-60 60"/>

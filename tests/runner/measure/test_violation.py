@@ -321,8 +321,7 @@ ROD = """<mujoco><worldbody><body name="arm" pos="0 0 1"><joint name="lift" axis
   <geom name="rod" type="cylinder" size=".04 .5" pos=".5 0 0" euler="0 90 0" mass="1"/></body></worldbody></mujoco>"""
 
 
-@pytest.mark.parametrize("above", [0.0, 0.02])  # [m]: on the floor, an obstacle counts as a step
-@pytest.mark.parametrize("is_penalized", [True, False])
+@pytest.mark.parametrize(("above", "is_penalized"), [(0.0, True), (0.02, False)])  # [m]: on the floor it is a step
 @pytest.mark.parametrize(
     ("model", "geom", "row", "box"),
     [
@@ -378,7 +377,7 @@ def test_bodies_collide_as_mujoco_has_it_or_all_of_them_if_none_would(one, other
     assert (deepest(problem, 60) > 0.01) == (count > 0 and 'contype="0" conaffinity="0"' not in other)
 
 
-@pytest.mark.parametrize("offset", [0.0, 0.002, 0.004, 0.006])
+@pytest.mark.parametrize("offset", [0.0, 0.004])
 def test_hands_that_pass_fast_through_each_other_are_reported(offset):
     """Two balls of 80 mm meet at 0.25 s + offset with 8 m/s: they overlap by more than 10 mm for 17 ms."""
     ball = '<body pos="{} 0 1"><joint name="{}" type="slide" axis="1 0 0"/><geom size=".04" mass="1"/></body>'
@@ -519,11 +518,12 @@ def test_a_frame_of_a_recording_is_no_keyframe_at_fault(tmp_path):
 # the search, order and number of lines
 
 
-@pytest.mark.parametrize("stop", Stop)
-def test_a_search_that_ended_early(stop):
-    found = [(each.kind, each.time, each.text) for each in wrong(read(standing(0, 0)), stop=stop)]
-    is_early = stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS)
-    assert found == ([("search", None, f"the search ended early: {stop.value}")] if is_early else [])
+def test_a_search_that_ended_early():
+    problem = read(hung(0.55, 0.55), ON_FLOOR)
+    for stop in Stop:
+        found = [(each.kind, each.time, each.text) for each in wrong(problem, stop=stop)]
+        is_early = stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS)
+        assert found == ([("search", None, f"the search ended early: {stop.value}")] if is_early else [])
 
 
 def test_the_worst_comes_first_by_how_many_times_its_bound_it_is():

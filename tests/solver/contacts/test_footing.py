@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+import shipped
 from figures import enlarged, figure_of, scaled
 from motions import BIPED_FPS as FPS
 from motions import TEXT
@@ -112,7 +113,7 @@ INSTANTS = 101  # at which motions are compared
 def keyframes(figure: str) -> tuple[str, Array, Array]:
     """Text of the model, times (K,) [s] and configurations (K, nq): a human that runs, a biped that walks."""
     if figure == "human":
-        keys = load.load("run_and_step").keys[:STRIDES]
+        keys = shipped.loaded("run_and_step").keys[:STRIDES]
         times, poses = np.array([k.time for k in keys]), np.array([k.state for k in keys], np.float64)
         return models.figure_text("human"), times, poses
     poses = np.array(walk()[::EVERY], np.float64)
