@@ -47,7 +47,7 @@ def leaves(tool: object, item: object) -> None:
 
 
 def lasts(tool: object, item: object) -> None:
-    time.sleep(3)
+    time.sleep(0.3)
 
 
 def warns(tool: object, item: object) -> None:
