@@ -6,6 +6,7 @@ that only this program and its workers have. Dask's settings must protect a clus
 
 from __future__ import annotations
 
+import asyncio
 import atexit
 import logging
 from collections.abc import Iterator
@@ -23,6 +24,7 @@ from ..system.workers import cores, ctrl_c_blocked
 from .task import BatchOptions
 
 PATIENCE_SECONDS = 10  # [s] time limit of connecting and of closing a client
+CLOSING_SECONDS = 1  # [s] time limit of the end of a worker, which is then killed
 SETTINGS = {
     "distributed.admin.large-graph-warning-threshold": "1TB",  # no warnings about the size of meshes
     "distributed.deploy.lost-worker-timeout": "1 day",  # after the usual 15 s, a worker is no longer restarted
@@ -79,4 +81,11 @@ def _local(count: int) -> Iterator[LocalCluster]:
             yield cluster
         finally:
             with suppress(AssertionError):  # of Dask, for workers that are still starting; they end with this process
+                cluster.sync(_close_workers, cluster)
                 cluster.close()
+
+
+async def _close_workers(cluster: LocalCluster) -> None:
+    """End the workers. After Ctrl-C, each is solving a clip, and Dask would wait for it for seconds."""
+    nannies = cluster.workers.values()
+    await asyncio.gather(*(nanny.close(timeout=CLOSING_SECONDS) for nanny in nannies), return_exceptions=True)
