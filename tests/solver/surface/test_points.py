@@ -301,9 +301,7 @@ def depths(clip: Clip, geom: str, obstacle: str) -> tuple[float, float]:
     return -distance, violation.amount
 
 
-@pytest.mark.parametrize(
-    ("half", "x", "y"), [((0.3, 0.2, 0.01), 0.07, 0.07), ((0.5, 0.4, 0.03), -0.13, 0.11), ((0.3, 0.3, 0.1), 0.0, 0.0)]
-)
+@pytest.mark.parametrize(("half", "x", "y"), [((0.3, 0.2, 0.01), 0.07, 0.07), ((0.3, 0.3, 0.1), 0.0, 0.0)])
 def test_a_pole_in_a_mesh_plate_is_a_violation_as_deep_as_mujoco_computes(half, x, y):
     corners = " ".join(map(str, cuboid(*half).ravel()))
     heights = (0.2, half[2] - 0.4 - 0.01 + 0.02 - 0.005, 0.2)
