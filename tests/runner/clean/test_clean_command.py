@@ -137,8 +137,8 @@ def test_stances_are_those_of_a_file_and_how_far_what_moved_is_told(command, squ
 @pytest.mark.slow
 def test_a_heel_at_rest_in_the_air_is_named_and_does_not_stand(command, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    take = kneeling(30, np.radians(36))
-    found = clips.from_qpos("kneels", compose(figure_spec("human")), take.time, take.qpos, 30.0, "kneels")
+    take = kneeling(15, np.radians(36))
+    found = clips.from_qpos("kneels", compose(figure_spec("human")), take.time, take.qpos, 15.0, "kneels")
     motion.save(unsolved(found).motion, tmp_path / "kneels.npz")
     done = command("clean", "kneels.npz", "-o", "a.npz")
     assert done.code == 0, done.err
