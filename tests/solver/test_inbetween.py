@@ -266,3 +266,33 @@ def test_a_motion_is_seen_from_its_first_keyframe_to_its_last_and_a_rounding_bey
     for outside in (-1.1 * ROUNDING, 2 + 1.1 * ROUNDING):
         with pytest.raises(ValueError, match="from 0 to 2 s; give times within"):
             found.at([0.5, outside])
+
+
+@pytest.mark.parametrize(
+    ("between", "budget", "more"),
+    [(PART, 24, 7), (PART, 36, 12)],
+)
+def test_a_part_has_its_share_of_the_budget_of_frames_but_keeps_what_it_has(between, budget, more):
+    """Of twelve segments a part of five moves three: 24 frames leave ten for it, and it begins with three. Without a
+    budget there are twelve frames a segment."""
+    _, begin, found, _ = resumed_between(*between, frames=budget, threshold=0.0, batch=100.0)
+    assert found.timeline.variable_count - begin.variable_count == more
+    new = np.setdiff1d(found.timeline.times, begin.times)
+    assert np.all((new > 1.5) & (new < 3.0)) or not between
+
+
+def test_ctrl_c_between_two_parts_ends_it_and_keeps_what_the_first_came_to():
+    seen = []
+
+    def stop(each: Improvement) -> None:
+        seen.append(each)
+        if len(seen) == 2:
+            raise StopSearch
+
+    problem, begin, _, _ = resumed_between((0.5, 0.5))
+    found = continue_from(problem, begin, between=[(0.5, 0.5), (5.0, 5.0)], improved=stop)
+    assert found.stop is Stop.INTERRUPTED
+    assert len(seen) == 2
+    late = begin.times > 2
+    np.testing.assert_array_equal(found.timeline.states[late], begin.states[late])
+    assert np.any(found.timeline.states[~late] != begin.states[~late])
