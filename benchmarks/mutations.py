@@ -24,6 +24,7 @@ import contextlib
 import copy
 import importlib.abc
 import importlib.util
+import itertools
 import json
 import os
 import random
@@ -272,7 +273,8 @@ def tests_of(path: str, line: int, most: float) -> list[list[str]]:
     """The tests that run a line, the fastest first, as many as take `most` [s] together: a few, and the others."""
     seconds = recorded()["seconds"]
     of_file = recorded()["lines"].get(path, {})
-    tests = sorted(set(of_file.get(str(line), [])), key=lambda test: seconds.get(test, most))
+    of_line = of_file.get(str(line)) or itertools.chain.from_iterable(of_file.values())  # a line that imports run
+    tests = sorted(set(of_line), key=lambda test: seconds.get(test, most))
     spent, out = 0.0, list[str]()
     for test in tests:
         spent += seconds.get(test, most)
