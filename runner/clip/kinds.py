@@ -88,7 +88,7 @@ class Options(Table):
     points: Names | None = Field(default=None, description="sites instead of heels and toes")
     self: Flag = Field(default=True, description="true or false; default true")
     reach: Annotated[Real, Field(gt=0, le=1)] | None = Field(
-        default=None, description="height scale, m; default 0.033 for no_slip, 0.3 for grounded"
+        default=None, description="height scale, m; default 0.033, for grounded 0.3"
     )
     bend_joints: Names | None = Field(default=None, description="knees and elbows to limit; default: all")
     least_bend: Annotated[Real, Field(ge=-360, le=360)] | None = Field(
@@ -430,7 +430,7 @@ KINDS = {
         ), ("bend_joints", "least_bend", "sideways", "twist", "speed")),
         Kind("equality", (Part(300.0, "violation of <equality> constraints", _equality),)),
         Kind("upright", (
-            Part(1.0, "tilt of the trunk in keyframes that leave the rotation of the root free", _trunk, "trunk"),
+            Part(1.0, "deviation from the posed tilt of a trunk whose rotation keyframes leave free", _trunk, "trunk"),
             Part(0.1, "movement of a root beyond its poses in two neighbouring keyframes", _root, "root"),
             Part(30.0, "tilt of listed bodies, such as a head or a tray", _bodies, "bodies", "bodies"),
         ), ("bodies", "axis")),
