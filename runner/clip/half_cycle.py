@@ -12,7 +12,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.tolerances import ROUNDING
 
 from ..errors import UserError
-from .mirror import figure_mirror, mirrored_contact, mirrored_keyframe
+from .mirror import figure_mirror, mirrored_tables
 from .parse import Parsed
 from .table import BodyTable, ClipTable, ContactTable, KeyframeTable, PenaltyTable, RootTable, SiteTable
 
@@ -54,21 +54,18 @@ def _whole(half: ClipTable, figure: Figure, where: str) -> ClipTable:
     if y or (half.solve.travel is None and first.root.position != "free"):
         raise UserError("ends = 'mirrored': give travel = [x, 0, z] in [solve], the displacement of the whole cycle")
     start, seconds, shift = first.time, last.time - first.time, (x / 2, 0.0, z / 2)
-
-    def image(row: KeyframeTable) -> KeyframeTable:
-        return _moved(mirrored_keyframe(row, figure, mirror), shift).changed(time=row.time + seconds)
-
+    image = mirrored_tables(half.changed(keyframe=[first, *between], penalty=[]), figure, mirror)
+    images = [_moved(row, shift).changed(time=row.time + seconds) for row in image.keyframe]
     end = _moved(_moved(first, shift), shift).changed(time=start + 2 * seconds)
-    rows = [first, *between, image(first), *map(image, between), end]
     contacts = [
         piece
-        for row in half.contact
-        for one in (row, _later(mirrored_contact(row, figure, mirror), seconds, shift))
+        for row, other in zip(half.contact, image.contact, strict=True)
+        for one in (row, _later(other, seconds, shift))
         for piece in _pieces(one, start, start + 2 * seconds, shift)
     ]
     penalties = [_repeated(entry, seconds) for entry in half.penalty]
     solve = half.solve.changed(ends="periodic")
-    return half.changed(keyframe=rows, contact=contacts, penalty=penalties, solve=solve)
+    return half.changed(keyframe=[first, *between, *images, end], contact=contacts, penalty=penalties, solve=solve)
 
 
 def _moved(row: KeyframeTable, by: Shift) -> KeyframeTable:

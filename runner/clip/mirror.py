@@ -26,7 +26,6 @@ from .table import (
     BodyTable,
     BoxTable,
     ClipTable,
-    ContactTable,
     KeyframeTable,
     PenaltyTable,
     RootTable,
@@ -138,7 +137,7 @@ def mirrored_tables(clip: ClipTable, figure: Figure, mirror: Mirror) -> ClipTabl
         scene=_scene(clip.scene),
         solve=_solve(clip.solve),
         penalty=[_penalty(entry, sides) for entry in clip.penalty],
-        contact=[_contact(row, sides) for row in clip.contact],
+        contact=[_placed(row.changed(point=sides.other(row.point)), "position") for row in clip.contact],
         grasp=[
             _placed(row.changed(hand=sides.other(row.hand), body=sides.other(row.body)), "position")
             for row in clip.grasp
@@ -151,15 +150,6 @@ def mirrored_keyframe(row: KeyframeTable, figure: Figure, mirror: Mirror) -> Key
     """Return one keyframe's table for the mirrored figure; raises UserError for a keyframe without a mirror image."""
     _check_symmetric(row.others, figure, mirror)
     return _keyframe(row, _Sides.of(figure, mirror))
-
-
-def mirrored_contact(row: ContactTable, figure: Figure, mirror: Mirror) -> ContactTable:
-    """Return one contact's table for the mirrored figure; raises UserError for a point without a partner."""
-    return _contact(row, _Sides.of(figure, mirror))
-
-
-def _contact(row: ContactTable, sides: _Sides) -> ContactTable:
-    return _placed(row.changed(point=sides.other(row.point)), "position")
 
 
 def _check_symmetric(others: str, figure: Figure, mirror: Mirror) -> None:
