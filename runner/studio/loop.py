@@ -139,11 +139,11 @@ class SolverLoop:
             id: Number of the request.
         """
         before = self.clip
-        clip = recordings.from_text(text, name=name, where=place, folder=Path(folder), like=before)
         if table_of(text, place).solve.ends == MIRRORED:
             raise UserError(
                 f"{place}: the studio edits whole cycles; write one: dynsplines mirror {place} --append -o NEW.toml"
             )
+        clip = recordings.from_text(text, name=name, where=place, folder=Path(folder), like=before)
         present = None if before is None or self.solution is None else self.solution.timeline
         if path is not None:
             present = pickle.loads(path)  # data of this program only
