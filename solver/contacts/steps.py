@@ -49,9 +49,10 @@ class Steps:
         first, last = np.array([stance.first for stance in standing]), np.array([stance.last for stance in standing])
         feet = np.array([stance.point.link for stance in standing])
         is_same_leg = same_leg(soles.figure)
+        strides = soles.strides
         for k, segment in enumerate(segments_at(key_times, times[:-1]).tolist()):
             stands = np.unique(feet[(first <= times[k]) & (times[k + 1] <= last)])
-            for link in np.unique(soles.links[soles.strides[:, segment]]).tolist():
+            for link in np.unique(soles.links[strides[:, segment]]).tolist():
                 if stands.size and not is_same_leg[link, stands].any():
                     stepping[:, k] |= path[link] & ~path[stands].any(axis=0)
         return cls(times, stepping, legs, placing)
