@@ -3,7 +3,7 @@
 inverse_kinematics  the pose for goals, from several starting poses
 drag                the pose that follows the drag of a point, with soles, floor and balance
 pose_search         the pose for goals, from one starting pose
-least_squares       damped least squares, of one pose or of many at once
+least_squares       damped least squares
 goals               positions of points in the world or on a body, rotations of bodies; the joints that they depend on
 bounds              joint ranges, and the bending of knees and elbows
 limits              the floor, and the support polygon of the centre of mass

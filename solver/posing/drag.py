@@ -136,4 +136,4 @@ class _Drag:
             values, rows = limit.linearized(search.model, search.data)
             parts.append((stiffness * LIMIT_WEIGHT * values, stiffness * LIMIT_WEIGHT * rows[:, search.dofs]))
         constant = TARGET_WEIGHT**2 * max(miss * MAX_MISS - MAX_MISS**2, 0.0)
-        return Residuals.of_one(*joined(parts), two_sided, constant)
+        return Residuals(*joined(parts), two_sided, constant)

@@ -201,7 +201,7 @@ class PoseSearch:
             if shifts is not None:
                 off, over = off + shifts[0], over + shifts[1]
             parts = [near, (weight * off, weight * by_off), (firm * over, firm * by_over)]
-            return Residuals.of_one(*joined(parts), near[0].size + off.size)
+            return Residuals(*joined(parts), near[0].size + off.size)
 
         return self.descended(residuals, qpos, STEPS, settled=settled)
 
@@ -216,15 +216,7 @@ class PoseSearch:
         smallest: float = SMALLEST_STEP,
     ) -> tuple[Array, float]:
         """Return the pose of least cost near a pose (nq,), and its cost; see `LeastSquares`."""
-
-        def moved(poses: Array, steps: Array) -> Array:
-            return self.moved(poses[0], steps[0])[None]
-
-        problem = LeastSquares(
-            lambda poses, _: residuals(poses[0]), moved, self.weights, steps, longest, settled, smallest
-        )
-        poses, costs = problem.descended(qpos[None])
-        return poses[0], float(costs[0])
+        return LeastSquares(residuals, self.moved, self.weights, steps, longest, settled, smallest).descended(qpos)
 
     def _place(self, qpos: Array) -> None:
         set_qpos(self.model, self.data, qpos)

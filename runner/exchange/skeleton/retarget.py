@@ -492,7 +492,7 @@ def followed(model: mujoco.MjModel, qpos: Array, poses: RecordedPoses, root: sli
     def residuals(pose: Array) -> Residuals:
         _, (off, by_off), (over, by_over) = search.linearised(pose)
         over, by_over = over[balls:], by_over[balls:]
-        return Residuals.of_one(*joined([(off, by_off), (RANGE * over, RANGE * by_over)]), off.size)
+        return Residuals(*joined([(off, by_off), (RANGE * over, RANGE * by_over)]), off.size)
 
     def descended(start: Array) -> tuple[Array, float]:
         return search.descended(residuals, start, STEPS, longest=LONGEST, smallest=STILL)
