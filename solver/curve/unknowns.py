@@ -48,10 +48,6 @@ class Unknowns:
     def size(self) -> int:
         return self.start.size
 
-    @property
-    def row_of(self) -> Index:
-        return self.place // self.constant.shape[1]
-
     @cached_property
     def matrix(self) -> sparse.csr_matrix:
         """The linear part A of the map, sparse ((M + 2) N, n)."""

@@ -42,10 +42,6 @@ class Entries:
         slope = self.slope if isinstance(self.slope, float) else self.slope[indices]
         return replace(self, at=self.at[indices], column=self.column[indices], slope=slope)
 
-    def scaled(self, factor: Array) -> Entries:
-        """Return the derivatives times a factor per residual (P,)."""
-        return replace(self, slope=self.slope * factor)
-
     @property
     def orders(self) -> int:
         """The number of gradients in `rows`: 1 for y, 2 for y and y', 3 for y, y' and y''."""

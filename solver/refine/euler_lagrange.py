@@ -50,13 +50,6 @@ class Residual:
         """Return ∫ |R| dt over every span between neighbouring frames, (P,)."""
         return np.sum(self.weights * self.size, axis=1)
 
-    def shares(self, count: int = 10) -> Array:
-        """Return ∫ |R| dt over equal parts of the clip (figure 10), (count,)."""
-        # each node represents a cell as wide as its weight; a cell across an edge of a part is divided there
-        edges = np.concatenate([[0.0], np.cumsum(self.weights)])
-        total = np.concatenate([[0.0], np.cumsum(self.weights * self.size)])
-        return np.diff(np.interp(np.linspace(0, edges[-1], count + 1), edges, total))
-
 
 def residual(objective: Objective, path: Path) -> Residual:
     """Return the strong residual of any objective, with g₁ and g₂ differentiated as polynomials inside each span."""

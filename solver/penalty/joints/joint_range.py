@@ -109,10 +109,6 @@ class JointRange(Penalty):
             out[balls] = self._turned(samples)[0] - self._limits(samples.t, balls)[1]
         return out
 
-    def axes(self, samples: Samples) -> Array:
-        """Return the axes of the ball joints' rotations from rest, in the world, (3, b, S)."""
-        return self._turned(samples)[3]
-
     def residuals(self, samples: Samples) -> Iterator[Block]:
         local, _ = self._during(samples.t)
         if local is not self:
