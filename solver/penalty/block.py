@@ -158,10 +158,7 @@ class Block:
         Derivatives with respect to y' and y'' are ignored. The quadratic model of E uses these residuals.
         """
         root = np.sqrt(self.weight)
-        rows = self.rows(samples)[:, 0]
-        if np.all(root == 1):
-            return OneSidedResiduals(self.at, self.value, rows)
-        return OneSidedResiduals(self.at, root * self.value, np.reshape(root, (-1, 1)) * rows)
+        return OneSidedResiduals(self.at, root * self.value, np.reshape(root, (-1, 1)) * self.rows(samples)[:, 0])
 
 
 @dataclass(frozen=True, eq=False)

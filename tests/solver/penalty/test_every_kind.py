@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from copy import copy
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any
 
 import mujoco
@@ -104,6 +104,25 @@ def carried(figure: Figure, rng: np.random.Generator) -> Case:
     """A block on the last link, and points of the others."""
     points = tuple(point for point in random_points(figure, rng) if point.link != last(figure))
     return Collision(points, (BLOCK,), carrier=last(figure)), random_samples(figure, rng, 8)
+
+
+@dataclass(frozen=True, eq=False)
+class Weighted(Penalty):
+    """A penalty whose residuals have weights that differ from sample to sample."""
+
+    plain: Penalty
+    name = "weighted"
+    normalization = Collision.normalization
+
+    def residuals(self, samples: Samples) -> Iterator[Block]:
+        for block in self.plain.residuals(samples):
+            assert isinstance(block, Block)
+            yield replace(block, weight=1.5 + np.sin(block.at))
+
+
+def weighted(figure: Figure, rng: np.random.Generator) -> Case:
+    penalty, samples = contact(FLOOR)(figure, rng)
+    return Weighted(penalty), samples
 
 
 def self_contact(figure: Figure, rng: np.random.Generator) -> Case:
@@ -275,6 +294,7 @@ KINDS: dict[str, Kind] = {
     "contact with a floor and a block": contact(FLOOR, BLOCK),
     "contact with an allowance": contact(FLOOR, allowed=True),
     "contact with what moves": carried,
+    "contact with weights": weighted,
     "self-contact": self_contact,
     "skate": skate(UP),
     "skate on a slope": skate(TILTED),
