@@ -58,19 +58,16 @@ class Cotangent:
         self.samples = samples
         self._parts: dict[Quantity, Array] = {}
         self._wrenches: list[Wrenches] = []
-        self._deferred: list[tuple[Callable[[Cotangent, Array], None], Array]] = []
+        self._deferred: dict[Callable[[Cotangent, Array], None], Array] = {}
 
     def defer(self, flush: Callable[[Cotangent, Array], None], kinds: int) -> Array:
         """Return a zero buffer (kinds, 3, L, S) for gradients with respect to a quantity derived from the motion.
 
         All callers with the same `flush` add to the same buffer. `flush` pulls it back once, at the end.
         """
-        for pull_back, buffer in self._deferred:
-            if pull_back == flush:
-                return buffer
-        buffer = np.zeros((kinds, 3, len(self.samples.figure.links), self.samples.count))
-        self._deferred.append((flush, buffer))
-        return buffer
+        if flush not in self._deferred:
+            self._deferred[flush] = np.zeros((kinds, 3, len(self.samples.figure.links), self.samples.count))
+        return self._deferred[flush]
 
     def accumulate(self, name: Quantity, gradient: Array, *, donate: bool = False) -> None:
         """Add a gradient with respect to one of the quantities.
@@ -128,7 +125,7 @@ class Cotangent:
     def gradients(self) -> tuple[Array, Array, Array]:
         """Return the gradients with respect to y, y', y'', each (S, N). The cotangent must not be used again."""
         samples = self.samples
-        for flush, buffer in self._deferred:
+        for flush, buffer in self._deferred.items():
             flush(self, buffer)
         if self._wrenches:
             self._flush_wrenches()
