@@ -151,7 +151,7 @@ class Objective:
         times = np.asarray(raw.spline.times)
         costs = [i for i, term in enumerate(self.terms) if not term.penalty.role.is_violation]
         plain = tuple(replace(self.terms[i], factor=1.0) for i in costs)
-        if times.size < 3 or not plain:
+        if not plain:
             return integrals
         shares = segment_integrals(replace(self, terms=plain), raw, times)
         typical, spans = integrals.copy(), np.diff(times)
