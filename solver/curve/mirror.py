@@ -36,7 +36,7 @@ class _Columns:
     Attributes:
         source: Column i becomes sign_i · (column source_i), (N,).
         sign: (N,).
-        turned: Quaternions mapped by a full matrix instead: target columns, source columns, matrix (4, 4).
+        turned: Quaternions, mapped by a matrix instead: target columns, source columns, matrix (4, 4).
     """
 
     source: Index
@@ -153,11 +153,8 @@ def _with_quaternions(
         if target is None or origin is None:
             continue
         matrix = _of_quaternion(reflection, j, i) if in_world[i] else _of_joint(reflection[j])
-        index = np.argmax(np.abs(matrix), axis=1)
-        source[target], sign[target] = origin.start + index, matrix[np.arange(4), index]
-        if not np.all(np.isin(matrix, (-1.0, 0.0, 1.0))):
-            source[target] = np.arange(origin.start, origin.stop)
-            turned.append((target, origin, matrix))
+        source[target] = np.arange(origin.start, origin.stop)
+        turned.append((target, origin, matrix))
     return _Columns(source, sign, tuple(turned))
 
 
