@@ -92,7 +92,7 @@ def _add_animation(document: _Document, sampled: Sampled, position: Array, rotat
     """Add a channel for every position and rotation (xyzw) that changes; all share the times."""
     tracks = {
         (body, path): track[:, body]
-        for body in range(1, sampled.model.nbody)
+        for body in range(sampled.model.nbody)
         for path, track in (("translation", position), ("rotation", rotation))
         if np.ptp(track[:, body], axis=0).max() > hierarchy.STILL
     }
