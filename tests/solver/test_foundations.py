@@ -91,6 +91,22 @@ def test_angle_between_is_the_angle_of_the_rotation_between_whatever_length_and_
     np.testing.assert_allclose(quat.angle_between(q, -3 * turned), angle, atol=1e-7)
 
 
+@few
+@given(*[vectors.filter(lambda v: np.linalg.norm(v) > 0.1)] * 2, st.booleans())
+def test_a_swing_is_the_shortest_rotation_of_one_direction_to_another(start, end, opposite):
+    """Of opposite directions, it is half a turn in their plane with the third direction."""
+    end = -2 * start if opposite else end
+    other = np.roll(start, 1) * [1, -2, 3] + [0.0, 0, 9]
+    swing = quat.swing(start, end, other)
+    start, end = (v / np.linalg.norm(v) for v in (start, end))
+    np.testing.assert_allclose(quat.rotated(swing, start), end, atol=1e-9)
+    np.testing.assert_allclose(
+        np.linalg.norm(quat.rotation_vector(swing)), np.arccos(np.clip(start @ end, -1, 1)), atol=1e-7
+    )
+    if opposite:
+        np.testing.assert_allclose(np.linalg.det([start, other, swing[1:]]), 0, atol=1e-9)
+
+
 def test_an_aligned_track_has_neighbours_on_one_hemisphere_and_the_same_rotations(rng):
     track = rng.normal(size=(40, 3, 4))
     aligned = quat.aligned(track)

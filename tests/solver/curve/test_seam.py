@@ -139,6 +139,7 @@ AT_REST = [Frame.key(t, [1.0, 0, 0, 0]) for t in (0.0, 1.0)]
         (ending(0.02 * ONE[2]), {}, r"\(t = 0\.8 s\) .* 'root' along z \(with travel = \[0\.6, 0, 0\]\) by 0\.02"),
         (hop(), {"travel": [0.5, 0, 0]}, r"at 'root' along x \(with travel = \[0\.5, 0, 0\]\) by 0\.1"),
         (ending(0.1 * ONE[4]), {}, r"at 'root' \(a loop may travel, and turn about the vertical\) by"),
+        (ending(ONE[4] - ONE[3]), {}, r"at 'root' \(a loop may travel, and turn about the vertical\) by 1;"),
         (ending(0.1 * ONE[9]), {}, "at 'knee' by"),
         (hop(way="circle"), {"turn": np.radians(40)}, "turn about the vertical, here by 40 degrees"),
         (loose(), {}, "a loop that turns needs x and y of 'root' in its first or its last"),

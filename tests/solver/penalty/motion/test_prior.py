@@ -65,12 +65,15 @@ def test_the_prediction_meets_the_keyframes(walk: Clip) -> None:
     assert np.any(prior.weights > 0)
 
 
-def test_the_value_is_zero_along_the_prediction(walk: Clip) -> None:
+@pytest.mark.parametrize("phase", [0, 12, 16.5, 32])
+def test_the_value_is_zero_along_the_prediction(walk: Clip, phase: float) -> None:
+    """Between phases, along the line between the predictions, with quaternions of unit length."""
     prior, figure = prior_of(walk), walk.figure
-    middle = prior.predicted.shape[1] // 2
-    times = prior.times[:-1] + np.diff(prior.times) * middle / (prior.predicted.shape[1] - 1)
+    times = prior.times[:-1] + np.diff(prior.times) * phase / (prior.predicted.shape[1] - 1)
+    expected = (prior.predicted[:, int(np.floor(phase))] + prior.predicted[:, int(np.ceil(phase))]) / 2
+    rotations = quat.normalised(expected[:, 3:].reshape(-1, 12, 4)).reshape(-1, 48)
     states = walk.context.keys.states[:-1].copy()
-    states[:, np.concatenate([prior.positions, prior.quaternions.ravel()])] = prior.predicted[:, middle]
+    states[:, prior.positions], states[:, prior.quaternions.ravel()] = expected[:, :3], rotations
     np.testing.assert_allclose(prior.evaluate(Samples.still(figure, states, times)), 0, atol=1e-12)
 
 
