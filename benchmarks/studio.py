@@ -71,12 +71,14 @@ PLAY = """async (seconds) => {
   stage.longest = 0;
   const paths = model.frames, images = stage.images, began = performance.now();
   let searching = 0, last = began;
-  await studio.ask('go', { anew: true });
+  const change = (k) => studio.ask('edit', { name: 'change', at: ['solve'], entries: { tolerance: 1e-3 + 1e-6 * k } });
+  let edits = 1;
+  await change(edits);
   while (performance.now() - began < 1000 * seconds) {
     await new Promise((r) => setTimeout(r, 20));
     const now = performance.now();
     if (model.status.state === 'searching') searching += now - last;
-    else if (model.status.state === 'settled') await studio.ask('go', { anew: true });
+    else if (model.status.state === 'settled') await change(edits += 1);
     last = now;
   }
   model.playing = false;

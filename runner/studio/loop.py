@@ -39,8 +39,9 @@ from .stage import kinds, outline, stage
 if TYPE_CHECKING:
     Line = Connection[Any, Any]
 
-MAX_CACHED_PATHS = 40  # number of texts whose paths are cached
+MAX_CACHED = 40  # number of texts whose solutions are cached
 SEND_INTERVAL = 0.04  # [s] minimum interval between paths sent
+ENOUGH = 0.98  # [1] E after a step relative to E before it, above which a search from the present path ends
 
 
 def serve(line: Line, outside: bool) -> None:
@@ -77,24 +78,28 @@ def _write(line: Line, outbox: SimpleQueue[Message]) -> None:
 
 
 class SolverLoop:
-    """A clip, and the best path through its keyframes.
+    """A clip, and a path through its keyframes.
+
+    After an edit, a search from the present path soon shows a good one. A search from the raw spline follows. Its
+    result, which depends on the text alone, is that of `dynsplines solve`.
 
     Args:
         send: Sends a message to the server.
         has_message: Returns whether a message is waiting.
 
     Attributes:
-        is_searching: Whether a search from the present path runs as long as no message waits.
+        is_searching: Whether a search runs as long as no message waits.
+        is_near: Whether the present path is near a minimum, so that the search from the raw spline comes next.
     """
 
     def __init__(self, send: Callable[[Message], None], has_message: Callable[[], bool]) -> None:
         self.send, self.has_message = send, has_message
         self.clip: Clip | None = None
         self.solution: Solution | None = None
-        self.is_searching = False
+        self.is_searching = self.is_near = False
         self.revision = 0
         self.has_curves = False
-        self.path_cache: dict[str, Timeline] = {}
+        self.cache: dict[str, Solution] = {}  # results of searches from the raw spline, by text
         self._is_interruptible = False
         self._sent = 0.0  # [s] when the last path was sent
 
@@ -131,7 +136,7 @@ class SolverLoop:
         path: bytes | None = None,
         id: int | None = None,
     ) -> None:
-        """Load a text and send its clip and keyframes. A search starts from the path nearest to the present one.
+        """Load a text and send its clip and keyframes. A search starts from the present path.
 
         Args:
             go: Whether to search.
@@ -144,10 +149,12 @@ class SolverLoop:
                 f"{place}: the studio edits whole cycles; write one: dynsplines mirror {place} --append -o NEW.toml"
             )
         clip = recordings.from_text(text, name=name, where=place, folder=Path(folder), like=before)
-        present = None if before is None or self.solution is None else self.solution.timeline
+        is_same = before is not None and before.name == name
+        present = self.solution.timeline if is_same and self.solution is not None else None
         if path is not None:
             present = pickle.loads(path)  # data of this program only
-        begin = self._initial_guess(clip, before, present)
+        known = self._cached(clip)
+        begin = self._initial_guess(clip, before, present) if known is None else known.timeline
         if before is None or clip.figure is not before.figure:
             figure = pickle.dumps((clip.scene, clip.figure.coordinates))
             self.send({"is": "stage", "stage": stage(clip), "figure": figure})
@@ -158,14 +165,20 @@ class SolverLoop:
         self.clip, self.revision = clip, revision
         self._begin(clip, begin)
         self._send_path(clip.problem.raw, "raw")
-        self.is_searching = go
-        if not go:
+        self.is_searching = go and known is None
+        if known is not None:
+            self._show(known)
+            self._judge(known.stop.name)
+        elif not go:
             self._judge("paused")
+
+    def _cached(self, clip: Clip) -> Solution | None:
+        """Return the solution of a clip that was undone or redone; None if it is not known, or files have changed."""
+        known = self.cache.get(clip.text)
+        return known if known is not None and np.array_equal(known.raw.rows, clip.problem.raw.rows) else None
 
     def _initial_guess(self, clip: Clip, before: Clip | None, present: Timeline | None) -> Timeline | None:
         """Return the initial guess for a clip from the present path; None if that does not fit."""
-        if clip.text in self.path_cache:  # undo or redo
-            return self.path_cache[clip.text]
         if present is None or clip.has_recording or present.width != clip.figure.width or present.ends != clip.ends:
             return None
         travel = None if clip.problem.travel is None else np.asarray(clip.problem.travel, float)
@@ -180,12 +193,11 @@ class SolverLoop:
         problem = clip.problem
         objective = problem.plain_objective if begin is None else problem.objective
         self.solution = Solution(clip.figure, objective, begin or problem.raw, problem.raw)
+        self.is_near = begin is None
         self._send_path(self.solution.timeline, "initial")
 
-    def do_go(self, restart: bool = False) -> None:
-        """Continue the search from the present path, or restart it from the raw spline."""
-        if self.clip is not None and restart:
-            self._begin(self.clip, None)
+    def do_go(self) -> None:
+        """Continue the search."""
         self.is_searching = self.clip is not None
 
     def do_stop(self) -> None:
@@ -221,31 +233,41 @@ class SolverLoop:
             raise KeyboardInterrupt
 
     def _run(self) -> None:
-        """Run the present search and send every better path. If a message ends it, it continues afterwards."""
+        """Run the next search and send better paths. If a message ends it, it continues or is repeated afterwards."""
         clip, present = self.clip, self.solution
         assert clip is not None and present is not None
         self._report("searching", revision=self.revision)
+        is_warm, is_first, last = not self.is_near, present.timeline is present.raw, np.inf
 
         def improved(improvement: Improvement) -> None:
-            is_known = not is_from_raw and improvement.evaluation == 1
-            if not is_known and time.monotonic() - self._sent >= SEND_INTERVAL:
+            nonlocal last
+            is_better = improvement.evaluation > 1 if is_warm else is_first
+            if is_better and time.monotonic() - self._sent >= SEND_INTERVAL:
                 details = {"evaluation": improvement.evaluation, "parts": _plain(improvement.parts)}
                 self._send_path(improvement.build(), "best", value=float(improvement.value), **details)
-            if self.has_message():
+            if self.has_message() or (is_warm and improvement.value > ENOUGH * last):
                 raise StopSearch
+            last = improvement.value
 
-        is_from_raw = present.timeline is present.raw
-        solution = self._minimise(clip, None if is_from_raw else present.timeline, improved)
-        if solution is not None:
-            self.solution = solution
-            self._cache_path(clip.text, solution.timeline)
-            cost: Message = {}  # of a path that no search has evaluated
-            if solution.trace:
-                cost = {"value": solution.trace[-1][2], "parts": _plain(solution.trace[-1][3])}
-            self._send_path(solution.timeline, "best", evaluation=solution.evaluations, **cost)
-        if solution is not None and solution.stop is not Stop.INTERRUPTED:
+        solution = self._minimise(clip, present.timeline if is_warm else None, improved)
+        if solution is None:
+            return
+        is_result = not is_warm and solution.stop is not Stop.INTERRUPTED
+        self.is_near = self.is_near or not self.has_message()
+        if is_warm or is_first or is_result:
+            self._show(solution)
+        if is_result:
+            self._cache(clip.text, solution)
             self.is_searching = False
             self._judge(solution.stop.name)
+
+    def _show(self, solution: Solution) -> None:
+        """Make the path of a solution the present one, and send it."""
+        self.solution = solution
+        cost: Message = {}  # of a path that no search has evaluated
+        if solution.trace:
+            cost = {"value": solution.trace[-1][2], "parts": _plain(solution.trace[-1][3])}
+        self._send_path(solution.timeline, "best", evaluation=solution.evaluations, **cost)
 
     def _minimise(self, clip: Clip, begin: Timeline | None, improved: Callable[[Improvement], None]) -> Solution | None:
         """Return the result of a search, from the raw spline if `begin` is None. Return None if a message has ended it
@@ -262,12 +284,12 @@ class SolverLoop:
         finally:
             self._is_interruptible = False
 
-    def _cache_path(self, text: str, timeline: Timeline) -> None:
-        """Store the path of a text for undo and redo."""
-        self.path_cache.pop(text, None)
-        self.path_cache[text] = _bare(timeline)
-        if len(self.path_cache) > MAX_CACHED_PATHS:
-            del self.path_cache[next(iter(self.path_cache))]
+    def _cache(self, text: str, solution: Solution) -> None:
+        """Store the solution of a text for undo and redo."""
+        self.cache.pop(text, None)
+        self.cache[text] = solution
+        if len(self.cache) > MAX_CACHED:
+            del self.cache[next(iter(self.cache))]
 
     def _judge(self, stop: str) -> None:
         """Send the present path's violations, and the reason for the end of the search."""

@@ -198,7 +198,7 @@ class _Desk:
             case "curves":
                 session.want_curves(bool(arguments["on"]))
             case "go" | "stop":
-                session.search(go=do == "go", restart=arguments.get("anew", False))
+                session.search(go=do == "go")
             case _:
                 raise UserError(f"'{do}': unknown request; reload the page")
         return ""

@@ -260,14 +260,13 @@ class Session:
             raise
         document.revision = document.numbered_since = loaded["revision"]
         self._changed(loaded, "")
-        self.search(go=self.go, restart=True)
 
     # ---- the search
 
-    def search(self, *, go: bool, restart: bool = False) -> None:
+    def search(self, *, go: bool) -> None:
         """Continue or stop the search; the state applies to later edits."""
         self.go = go
-        self.solver.send({"do": "go", "restart": restart} if go else {"do": "stop"})
+        self.solver.send({"do": "go" if go else "stop"})
         self._show_state(self._state)
 
     def want_curves(self, on: bool) -> None:

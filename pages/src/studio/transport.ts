@@ -80,7 +80,6 @@ export const transport = (stage: Stage, timeline: Timeline): void => {
   $("zoom-in").addEventListener("click", () => timeline.zoom(0.7));
   $("zoom-out").addEventListener("click", () => timeline.zoom(1.4));
   $("go").addEventListener("click", () => void act(model.status.go ? "stop" : "go"));
-  $("anew").addEventListener("click", () => void act("go", { anew: true }));
 
   const now = el("b"), whole = el("span");
   $("clock").replaceChildren(now, whole);

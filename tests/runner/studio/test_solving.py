@@ -51,6 +51,7 @@ def test_an_edited_keyframe_is_solved_on_from_the_present_path_and_undo_returns_
     again = work.loaded(tmp_path, problems.CLIP, 2)
     first = next(each for each in again if each["is"] == "path" and each["kind"] == "initial")
     np.testing.assert_array_equal(pickle.loads(first["timeline"]).rows, former.rows)
+    assert {each["is"] for each in again} == {"loaded", "path", "settled"}  # it need not be solved again
 
 
 def test_a_text_that_is_no_clip_is_refused_in_words_and_the_last_one_stays(work, tmp_path):
@@ -130,21 +131,24 @@ def uninterrupted(work):
     work.has_message = lambda: False
 
 
-@pytest.mark.parametrize("is_interrupted", [False, True])
-def test_a_restart_solves_the_clip_from_its_raw_spline(work, tmp_path, is_interrupted):
-    """A path that is far away is replaced by the one of a new solve, also if a message interrupts the restart."""
+@pytest.mark.parametrize("checks", [None, 0, 4, 8])
+def test_the_motion_at_rest_depends_on_the_text_alone(work, tmp_path, checks):
+    """It is that of a clip which is opened, also after an edit from a path far away or a message in between."""
+    edited = problems.changed("[0, 40, 0]", "[0, 44, 0]")
+    fresh = Recorded()
+    fresh.loaded(tmp_path, edited)
     work.loaded(tmp_path, problems.CLIP)
     good = work.solution
     rows = good.timeline.rows.copy()
     rows[1:-1][~good.timeline.fixed.any(axis=1)] += 0.8
     work.solution = replace(good, timeline=good.timeline.with_rows(rows), trace=())
-    interrupted_after(work, 0 if is_interrupted else 1000)
-    messages = work.asked("go", restart=True)
+    if checks is not None:
+        interrupted_after(work, checks)
+    messages = work.loaded(tmp_path, edited, 1)
     uninterrupted(work)
     messages += work.asked("curves", on=False)
-    assert messages[0]["kind"] == "initial"
     assert [message["stop"] for message in messages if message["is"] == "settled"] == ["CONVERGED"]
-    np.testing.assert_array_equal(work.solution.timeline.rows, good.timeline.rows)
+    np.testing.assert_array_equal(work.solution.timeline.rows, fresh.solution.timeline.rows)
 
 
 INVALID = {"text": "figure = 1", "name": "tiny", "place": "tiny.toml", "folder": ".", "revision": 1, "go": True}
