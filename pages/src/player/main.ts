@@ -35,7 +35,8 @@ const begin = (): void => {
   // The figure, and the raw spline's as a ghost
   const extent = Math.max(2, motion.extent);
   const around = new Surroundings(extent, undefined, software);
-  const draw = (): void => { wanted = true; };
+  const wake = (): void => { if (!awake) requestAnimationFrame(tick); awake = true; };
+  const draw = (): void => { wanted = true; wake(); };
   const shapes = new Shapes(motion, software ? 1 : renderer.capabilities.getMaxAnisotropy(), draw, software ? COARSE : FINE);
   const moving = motion.pieces.filter((piece) => !piece.still);
   const still = new Figure(bodies, motion.pieces.filter((piece) => piece.still), shapes);
@@ -88,12 +89,13 @@ const begin = (): void => {
   controls.addEventListener("change", draw);
 
   // Time
-  let now = 0, playing = true, then: number | null = null, wanted = true, which: Which = "after", drawn = "";
+  let now = 0, playing = true, then: number | null = null, wanted = true, awake = false, which: Which = "after", drawn = "";
   const setPlaying = (yes: boolean): void => {
     if (yes && now >= duration) now = 0;
     playing = yes && duration > 0;
     $("icon").setAttribute("d", playing ? PAUSE : PLAY);
     then = null;
+    wake();
   };
   const seek = (time: number): void => { now = Math.min(Math.max(time, 0), duration); draw(); };
   const step = (by: number): void => { setPlaying(false); seek((Math.round(now * fps) + by) / fps); };
@@ -129,7 +131,7 @@ const begin = (): void => {
     $("clock").innerHTML = `<b>${now.toFixed(2)}</b> / ${duration.toFixed(2)} s &ensp;frame ${Math.round(now * fps)}`;
   };
   const tick = (stamp: number): void => {
-    requestAnimationFrame(tick);
+    awake = false;
     if (playing) {
       if (then !== null) {
         now += Math.min(0.25, (stamp - then) / 1000) * Number($<HTMLSelectElement>("speed").value);
@@ -137,7 +139,7 @@ const begin = (): void => {
         else if (now >= duration) { now = duration; setPlaying(false); }
       }
       then = playing ? stamp : null;
-      wanted = true;
+      draw();
     }
     controls.update();
     if (wanted) { wanted = false; render(); }
@@ -193,14 +195,13 @@ const begin = (): void => {
     player: {
       seek: (time: number) => { setPlaying(false); seek(time); }, show: setWhich, aim, play: setPlaying,
       get time() { return now; }, get playing() { return playing; }, get which() { return which; },
-      get settled() { return !wanted && drawn === `${now} ${which}`; },
+      get settled() { return !awake && drawn === `${now} ${which}`; },
       place: (name: string) => solid.groups[bodies.indexOf(name)].getWorldPosition(new THREE.Vector3()).toArray(),
     },
   });
   resize();
   aim("quarter");
   setPlaying(true);
-  requestAnimationFrame(tick);
 };
 
 begin();
