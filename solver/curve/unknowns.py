@@ -219,8 +219,9 @@ def raw_timeline(
     """Return the keyframes' timeline in the figure's coordinates, with the natural spline's end slopes (method of §2).
 
     Signs of quaternions are chosen so that joints turn by the shortest arcs. Unspecified degrees of freedom start where
-    they were posed, otherwise on the natural spline through the other keyframes, or at the rest pose if no keyframe
-    specifies them. In a loop, entries that the first or the last keyframe fixes are fixed in both.
+    they were posed, otherwise on the natural spline through the other keyframes (of rotations relative to the parent),
+    or at the rest pose if no keyframe specifies them. In a loop, entries that the first or the last keyframe fixes are
+    fixed in both.
 
     Args:
         keys: Keyframes that hold *qpos* and the fixed mask, in order of time.
@@ -255,11 +256,11 @@ def raw_timeline(
         base = bases(figure, states, link)
         states[fixed, columns] = quat.product(base[fixed], quat.normalised(states[fixed, columns]))
         if not fixed.all():
-            states[~fixed, columns] = quat.product(base[~fixed], rest[columns])
-            if fixed.any():
-                states[fixed, columns] = _signed_track(link, plain.times[fixed], base[fixed], states[fixed, columns])
-                _fill(plain.times, states, specified, columns, states[0], samplings)
-                states[:, columns] = quat.normalised(states[:, columns])
+            relative = quat.product(quat.inverse(base), states[:, columns])
+            relative[fixed] *= signs(plain.times[fixed], relative[fixed], spins=link.kind is JointKind.FREE)[:, None]
+            states[:, columns] = relative
+            _fill(plain.times, states, specified, columns, rest, samplings)
+            states[:, columns] = quat.product(base, quat.normalised(states[:, columns]))
         if seam is not None and link.kind is JointKind.FREE:
             states[-1, columns] = seam.linear(states[0])[columns]
         elif seam is not None:  # relative to its parent, the last rotation is the first

@@ -12,7 +12,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.spline import Path, Spline, path_of
 from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
-from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.figure import Figure, JointKind
 
 KINDS = [
     "whole",
@@ -70,6 +70,19 @@ def test_an_entry_missing_from_one_keyframe_starts_on_the_spline_of_its_neighbou
     times = np.array(TIMES)
     expected = CubicSpline(times[others], [keys[i].state[2] for i in others], bc_type="natural")(times[1])
     np.testing.assert_allclose(raw.states[1, 2], expected, atol=1e-12)
+
+
+def test_a_free_joint_starts_as_its_own_keyframes_say_however_its_parents_turn(figure, rng):
+    joint = figure.links[2]
+    keys = random_keys(figure, rng, dict.fromkeys((1, 2), mask_without(figure, joint.name)))
+    turned = [key.state.copy() for key in keys]
+    for qpos in turned:
+        qpos[3:7] = quat.normalised(rng.normal(size=4))
+    others = [Frame.key(key.time, qpos, key.fixed) for key, qpos in zip(keys, turned, strict=True)]
+    one, other = (figure.to_qpos(raw_timeline(figure, each).states)[:, joint.columns] for each in (keys, others))
+    if joint.kind is JointKind.BALL:  # q and −q are one rotation
+        other *= np.sign(np.sum(one * other, axis=1))[:, None]
+    np.testing.assert_allclose(other, one, atol=1e-12)
 
 
 def test_what_no_keyframe_says_starts_at_the_rest_pose(figure, rng):
