@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import mujoco
 import numpy as np
 import pytest
 import shipped
+from scipy.interpolate import CubicHermiteSpline
 from scipy.spatial.transform import Rotation
 
 from dynsplines import models
@@ -18,6 +20,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.size import Size
 from dynsplines.solver.penalty import Prior
 from dynsplines.solver.penalty.motion import people
 from dynsplines.solver.penalty.motion.prior import Person
@@ -160,3 +163,140 @@ def test_a_figure_that_lacks_a_part_or_lies_is_no_person() -> None:
     for spec, reason in ((unknown, "no body has a name of these parts: left foot"), (lying, "does not stand")):
         with pytest.raises(ValueError, match=reason):
             person_of(Figure(spec.compile()))
+
+
+def symmetric(rng: np.random.Generator) -> Array:
+    """Outputs of a network that are the same for the mirror image, (13, OUTPUTS)."""
+    outputs, other = 0.1 * rng.normal(size=(13, people.OUTPUTS)), [*people.MIRRORED, 12]
+    images = outputs[other].copy()
+    images[:, : 3 * people.MODES] *= np.tile(people.SIDES, people.MODES) * np.where(np.arange(13) < 12, -1, 1)[:, None]
+    return (outputs + images) / 2
+
+
+def constant(outputs: Array, **more: object) -> people.Weights:
+    """A network with the same outputs for all inputs."""
+    inputs = models.prior()[0]["mean"].size
+    return {"mean": 0.0, "std": 1.0, "0": np.zeros((outputs.size, inputs)), "0.bias": outputs.ravel(), **more}
+
+
+def random_segments(rng: np.random.Generator) -> people.Segments:
+    return people.Segments(
+        rng.normal(size=(3, 4, 3)), quat.normalised(rng.normal(size=(3, 4, 12, 4))), rng.normal(size=(3, 12, 3)),
+        rng.normal(size=(3, 4, 3)), rng.uniform(0.3, 1, (3, 3)), np.array([[True, True], [False, True], [True, False]]),
+        np.ones((3, 4), bool), np.ones(3, bool),
+    )  # fmt: skip
+
+
+def tangents(gaps: Array, steps: Array, is_known: Array) -> Array:
+    """By how much the parabolas through three points each are steeper in the middle one than the line between the
+    second and the third of four, times its duration: (2, 3) of three steps (3, 3)."""
+    times = np.concatenate([[0.0], np.cumsum(gaps)])
+    points = np.concatenate([np.zeros((1, 3)), np.cumsum(steps, axis=0)])
+    out = np.zeros((2, 3))
+    for end in np.flatnonzero(is_known):
+        parabola = np.polynomial.polynomial.polyfit(times[end : end + 3] - times[end + 1], points[end : end + 3], 2)
+        out[end] = gaps[1] * parabola[1] - steps[1]
+    return out
+
+
+def test_predicted_poses_are_interpolated_with_sines_and_shares_of_tangents(rng: np.random.Generator) -> None:
+    """By SciPy's rotations and cubics. All of it is smaller for a part that hardly moves."""
+    segments, outputs, phases = random_segments(rng), symmetric(rng), np.array([0.0, 0.2, 0.5, 0.9])
+    found = people.Prediction.of([constant(outputs)], segments, np.tile(phases, (3, 1)))
+    cubics = CubicHermiteSpline([0, 1], np.zeros((2, 2)), np.eye(2))(phases)
+    changes = np.zeros((3, 13))
+    for b, part in np.ndindex(3, 13):
+        if part < 12:
+            turns = [Rotation.from_quat(q, scalar_first=True) for q in segments.turns[b, :, part]]
+            steps = np.array([(one.inv() * other).as_rotvec() for one, other in pairwise(turns)])
+        else:
+            steps = np.diff(segments.hips[b], axis=0)
+        heading = Rotation.from_quat(segments.heading[b], scalar_first=True)
+        shares = 1 / (1 + np.exp(-outputs[part, -3:-1]))
+        waves = np.array([np.sin(np.pi * mode * phases) for mode in range(1, people.MODES + 1)]).T
+        waves = waves @ outputs[part, : 3 * people.MODES].reshape(-1, 3)
+        waves = heading.apply(waves) if part == 12 else waves
+        away = waves + cubics @ (shares[:, None] * tangents(segments.gaps[b], steps, segments.is_known[b]))
+        away *= steps[1] @ steps[1] / (steps[1] @ steps[1] + people.HELD**2)
+        changes[b, part] = np.mean(np.sum(away**2, axis=1))
+        linear = np.outer(phases, steps[1])
+        if part == 12:
+            np.testing.assert_allclose(found.hips[b], segments.hips[b, 1] + linear + away, atol=1e-12)
+            continue
+        expected = turns[1] * Rotation.from_rotvec(linear) * Rotation.from_rotvec(away)
+        actual = Rotation.from_quat(found.turns[b, :, part], scalar_first=True)
+        np.testing.assert_allclose((expected.inv() * actual).magnitude(), 0, atol=1e-9)
+    np.testing.assert_allclose(found.changes, changes, rtol=1e-9)
+    np.testing.assert_allclose(found.apart, 0, atol=1e-20)
+    np.testing.assert_allclose(found.expected, np.tile(np.exp(outputs[:, -1]), (3, 1)), rtol=1e-12)
+
+
+def test_networks_that_disagree_are_apart_by_their_largest_variance(rng: np.random.Generator) -> None:
+    segments, outputs = random_segments(rng), symmetric(rng)
+    more = outputs.copy()
+    more[:, 1] += 0.2  # of a half sine about y, or along y for the hips, whose mirror image has the opposite sign
+    more[:, -1] += np.log(3)
+    phases = np.linspace(0, 1, 5)
+    pair = [
+        people.Prediction.of(nets, segments, np.tile(phases, (3, 1)))
+        for nets in ([constant(more)], 2 * [constant(more)])
+    ]
+    for found in pair:
+        np.testing.assert_allclose(found.apart[:, :12], 0, atol=1e-20)
+        np.testing.assert_allclose(found.apart[:, 12], 0.04, rtol=1e-9)
+    both = people.Prediction.of([constant(outputs), constant(more)], segments, np.tile(phases, (3, 1)))
+    np.testing.assert_allclose(both.apart[:, :12], 0.01, rtol=1e-9)
+    np.testing.assert_allclose(both.expected, np.tile(2 * np.exp(outputs[:, -1]), (3, 1)), rtol=1e-9)
+
+
+def test_a_motion_that_is_off_by_the_expected_error_costs_one_times_the_trust(
+    walk: Clip, rng: np.random.Generator
+) -> None:
+    """Where the prediction differs from interpolation by more than its error, trust is about one."""
+    outputs, (power, factor) = symmetric(rng), (0.5, 2.0)
+    outputs[:, -1] = np.log(rng.uniform(0.05, 0.15, 13))
+    person, figure, states = walker(walk), walk.figure, walk.context.keys.states
+    times = np.append(0, np.cumsum(np.resize([0.6, 0.25, 1.7, 1.0, 2.4], len(states) - 1)))
+    keys = timeline(walk.context.keys, times, states)
+    more = np.zeros_like(outputs)
+    more[:12, 1] = more[12, 0] = 0.1  # of a half sine about y, along x for the hips: the same for the mirror image
+    nets = [constant(outputs + by, calibration=np.array([power, factor])) for by in (more, -more)]
+    prior = Prior.of(person, keys, nets, 0.0)
+    hips, turns = person.posture(keys.states, 0.0)
+    moved = np.sum(quat.rotation_vector(quat.product(quat.conjugate(turns[:-1]), turns[1:])) ** 2, axis=2)
+    moved = np.concatenate([moved, np.sum(np.diff(hips, axis=0) ** 2, axis=1)[:, None]], axis=1)
+    is_moved = np.maximum(moved / (moved + people.HELD**2), 0.1)
+    gaps = np.diff(keys.times)[:, None] / Size.of(figure).time
+    variances = np.exp(outputs[:, -1]) * gaps**power + factor * 0.1**2
+    middle, middles = prior.predicted.shape[1] // 2, (keys.times[:-1] + keys.times[1:]) / 2
+    states = keys.states[:-1].copy()
+    by = np.sqrt(variances * is_moved)
+    states[:, prior.positions] = prior.predicted[:, middle, :3] + person.leg * by[:, 12:] * [0.6, 0.0, -0.8]
+    rotations = prior.predicted[:, middle, 3:].reshape(-1, 12, 4)
+    # |q − q̂| is the chord of half the angle
+    off = quat.from_rotation_vector(4 * np.arcsin(by[:, :12, None] / 4) * [0.0, 0.6, 0.8])
+    states[:, prior.quaternions.ravel()] = quat.product(rotations, off).reshape(-1, 48)
+    u = np.linspace(0, 1, prior.predicted.shape[1])[:, None, None]
+    steps = quat.rotation_vector(quat.product(quat.conjugate(turns[:-1]), turns[1:]))[:, None]
+    linear = quat.product(turns[:-1, None], quat.from_rotation_vector(u * steps))
+    predicted = quat.product(prior.predicted[..., 3:].reshape(*linear.shape), person.turns)
+    away = quat.rotation_vector(quat.product(quat.conjugate(linear), predicted))
+    clearness = np.mean(np.sum(away**2, axis=3), axis=1).sum(axis=1) / variances[:, :12].sum(axis=1)
+    trust = clearness**2 / (clearness**2 + 0.45**2)
+    trust *= np.interp(gaps[:, 0], [0.2, 0.3, 1.5, 2.5], [0, 1, 1, 0])
+    assert trust.max() > 0.3 > trust.min() > 0
+    np.testing.assert_allclose(prior.evaluate(Samples.still(figure, states, middles)), trust, rtol=1e-6)
+
+
+def test_the_shipped_networks_predict_the_keyframes_of_a_walk_that_are_left_out(walk: Clip) -> None:
+    """Their mean errors. Any wrong input of the networks changes these numbers."""
+    every = shipped.loaded("walk_and_turn").context.keys
+    prior, person = prior_of(walk), walker(walk)
+    segment = np.repeat(np.arange(7), 3)
+    left_out = 4 * segment + np.tile([1, 2, 3], 7)
+    phases = (every.times[left_out] - prior.times[segment]) / np.diff(prior.times)[segment] * 32
+    near = prior.predicted[segment, np.rint(phases).astype(int)]
+    off = near[:, :3] - every.states[left_out][:, person.position]
+    angles = quat.angle_between(near[:, 3:].reshape(-1, 12, 4), every.states[left_out][:, person.quaternions])
+    assert np.degrees(angles.mean()) == pytest.approx(5.808, rel=1e-3)
+    assert 100 * np.linalg.norm(off, axis=1).mean() == pytest.approx(1.735, rel=1e-3)
