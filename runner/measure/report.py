@@ -113,7 +113,7 @@ def _remaining_decrease(objective: Objective, timeline: Timeline) -> dict[str, f
     """Return the estimated decrease of E by one more frame in every interval between frames (weak form), at most E."""
     value = objective.value(path_of(timeline))
     promised = min(float(by_weak_form(objective, timeline).sum()), value)
-    return {"objective": promised, "share": promised / value if value > 0 else 0.0}
+    return {"objective": promised, "share": promised / max(value, TINY)}
 
 
 def tables(data: dict[str, Any]) -> Group:

@@ -5,12 +5,14 @@ from __future__ import annotations
 import io
 import json
 import shutil
+import struct
 import subprocess
 
 import motions
 import numpy as np
 import pytest
 from oracles import kinematics
+from scipy.spatial.transform import Rotation
 
 from dynsplines.exchange import formats
 from dynsplines.exchange.skeleton import hierarchy
@@ -57,7 +59,49 @@ def test_times_are_shared_exact_and_begin_at_zero(take, asset):
         accessor(asset, times)[:, 0], (np.arange(len(take.time)) / take.fps).astype(np.float32)
     )
     assert asset.animations[0].extras["fps"] == take.fps
-    assert len(asset.animations[0].extras["keyframes"]) == len(take.motion.keys)
+    keys = [key.time - take.time[0] for key in take.motion.keys]
+    np.testing.assert_allclose(asset.animations[0].extras["keyframes"], keys, atol=1e-9)
+    first, last = asset.accessors[times].min, asset.accessors[times].max
+    assert (*first, *last) == pytest.approx((0, take.time[-1] - take.time[0]))
+
+
+@pytest.mark.slow
+def test_every_body_is_where_mujoco_has_it_at_every_sample_and_what_stays_has_no_channel(take, asset):
+    """By SciPy's rotations, from the nodes' own places and from the channels, with x to the front and y up."""
+    tracks = {}
+    for channel in asset.animations[0].channels:
+        track = accessor(asset, asset.animations[0].samplers[channel.sampler].output)
+        assert np.ptp(track, axis=0).max() > 0
+        tracks[channel.target.node, channel.target.path] = track
+    count, nodes = len(take.time), asset.nodes
+    above = {child: parent for parent, node in enumerate(nodes) for child in node.children or []}
+    world = {}
+    for body, node in enumerate(nodes):
+        place = tracks.get((body, "translation"), np.tile(node.translation, (count, 1)))
+        turn = Rotation.from_quat(tracks.get((body, "rotation"), np.tile(node.rotation, (count, 1))))
+        if body in above:
+            from_place, from_turn = world[above[body]]
+            place, turn = from_place + from_turn.apply(place), from_turn * turn
+        world[body] = place, turn
+    for sample in (0, count // 2, count - 1):
+        data = kinematics(take.model, take.qpos[sample])
+        for body, (place, turn) in world.items():
+            np.testing.assert_allclose(np.roll(place[sample], 1), data.xpos[body], atol=1e-5)
+            axes = np.roll(turn[sample].as_matrix(), 1, axis=0)
+            np.testing.assert_allclose(axes, data.xmat[body].reshape(3, 3), atol=1e-5)
+
+
+def test_a_file_has_its_own_length_and_parts_of_whole_words(target, asset):
+    content = target.read_bytes()
+    assert struct.unpack("<4sII", content[:12]) == (b"glTF", 2, len(content))
+    start, sizes = 12, []
+    while start < len(content):
+        sizes.append(struct.unpack("<I", content[start : start + 4])[0])
+        start += 8 + sizes[-1]
+    assert start == len(content)
+    assert all(size % 4 == 0 for size in sizes)
+    assert sizes[1] == asset.buffers[0].byteLength
+    assert all(view.byteOffset % 4 == 0 for view in asset.bufferViews)
 
 
 @pytest.mark.slow
@@ -114,4 +158,7 @@ def test_colours_are_given_in_linear_light(asset, take):
     known = {material.name: material.pbrMetallicRoughness.baseColorFactor for material in asset.materials}
     rgb = np.array(take.model.mat("red").rgba[:3])
     np.testing.assert_allclose(known["red"][:3], ((rgb + 0.055) / 1.055) ** 2.4, atol=1e-6)
-    assert next(m for m in asset.materials if m.name == "glass").alphaMode == "BLEND"
+    glass = next(material for material in asset.materials if material.name == "glass")
+    assert {material.name for material in asset.materials if material.alphaMode == "BLEND"} == {"glass"}
+    assert glass.pbrMetallicRoughness.baseColorFactor[3] == pytest.approx(take.model.mat("glass").rgba[3])
+    assert len(known) == len(asset.materials)  # of pieces that look alike, one
