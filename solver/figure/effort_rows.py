@@ -151,7 +151,8 @@ class _Links:
             is_in_set: 1 for the links of the set, else 0, (L,).
             moment: Whether changes include the 3 rows of the moment.
         """
-        self.samples, self.figure, self.rows = samples, samples.figure, 6 if moment else 3
+        self.samples, self.figure, self.has_moment = samples, samples.figure, moment
+        self.rows = 6 if moment else 3
         inverse, motion, tables = samples.cached(InverseDynamics), samples.links, samples.figure.tables
         self.origin = motion.x[:, 1:].mean(axis=1)
         self.anchors = _anchors(motion)
@@ -179,7 +180,7 @@ class _Links:
         out = self._empty(len(sets))
         first = _summed(sets, self.first)
         _add_force(out, first)
-        if self.rows > 3:
+        if self.has_moment:
             out[0, :, 3:] = _crossed(_summed(sets, self._moment)) + _across(first[0], self.gravity)
             if self._pushed is not None:
                 out[0, :, 3:] += _summed(sets, self._pushed)
@@ -192,7 +193,7 @@ class _Links:
         out = self._empty(len(sets))
         mass, first, force = sets @ self.mass, _summed(sets, self.first[0]), _summed(sets, self.internal_force)
         _add_force(out, mass * s)
-        if self.rows > 3:
+        if self.has_moment:
             for order, factor in enumerate(PRODUCT):
                 out[order, :, 3:] = factor * _across(first, s[2 - order])
             out[0, :, 3:] -= _across(force, s[0])
@@ -202,7 +203,7 @@ class _Links:
         """Return the changes of sets of links (n, L) by shifts ψ."""
         out = self._empty(len(sets))
         out[2, range(3), range(3)] = sets @ self.mass
-        if self.rows > 3:
+        if self.has_moment:
             out[0, :, 3:] = _crossed(_summed(sets, self.internal_force))
             out[2, :, 3:] = -_crossed(_summed(sets, self.first[0]))
         return out
