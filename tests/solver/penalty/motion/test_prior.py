@@ -288,15 +288,34 @@ def test_a_motion_that_is_off_by_the_expected_error_costs_one_times_the_trust(
     np.testing.assert_allclose(prior.evaluate(Samples.still(figure, states, middles)), trust, rtol=1e-6)
 
 
-def test_the_shipped_networks_predict_the_keyframes_of_a_walk_that_are_left_out(walk: Clip) -> None:
-    """Their mean errors. Any wrong input of the networks changes these numbers."""
-    every = shipped.loaded("walk_and_turn").context.keys
-    prior, person = prior_of(walk), walker(walk)
-    segment = np.repeat(np.arange(7), 3)
-    left_out = 4 * segment + np.tile([1, 2, 3], 7)
-    phases = (every.times[left_out] - prior.times[segment]) / np.diff(prior.times)[segment] * 32
-    near = prior.predicted[segment, np.rint(phases).astype(int)]
-    off = near[:, :3] - every.states[left_out][:, person.position]
-    angles = quat.angle_between(near[:, 3:].reshape(-1, 12, 4), every.states[left_out][:, person.quaternions])
-    assert np.degrees(angles.mean()) == pytest.approx(5.808, rel=1e-3)
-    assert 100 * np.linalg.norm(off, axis=1).mean() == pytest.approx(1.735, rel=1e-3)
+def test_networks_read_postures_relative_to_the_heading_and_place_of_the_first_keyframe(
+    rng: np.random.Generator,
+) -> None:
+    """By SciPy's rotations: axes of the parts, wrists, toes and ankles about the hips, hips, steps, heights, times."""
+    heading, segments = 0.8, random_segments(rng)
+    lean = Rotation.from_rotvec([0.3, -0.4, 0])
+    segments.turns[:, 1, 0] = (Rotation.from_rotvec([0, 0, heading]) * lean).as_quat(scalar_first=True)
+    placed = np.array([[True, True, True, True], [False, True, True, True], [True, False, True, True]])
+    segments = replace(segments, is_placed=placed, on_floor=np.array([True, True, False]))
+    back = Rotation.from_rotvec([0, 0, -heading])
+    for b in range(3):
+        turns = [[Rotation.from_quat(q, scalar_first=True) for q in pose] for pose in segments.turns[b]]
+        axes, ends, hips, heights = [], [], [], []
+        for pose, place, here in zip(turns, segments.hips[b], placed[b], strict=True):
+            joints = [np.zeros(3)]
+            for part, parent in enumerate(people.PARENTS[1:], start=1):
+                joints.append(joints[parent] + pose[parent].apply(segments.offsets[b, part]))
+            tips = [
+                joints[part] + pose[part].apply(tip) for part, tip in zip(people.TIPS, segments.tips[b], strict=True)
+            ]
+            axes.append([(back * turn).as_matrix()[:, :2] for turn in pose])
+            ends.append(back.apply([*tips, joints[8], joints[11]]))
+            hips.append(back.apply(place - segments.hips[b, 1]) * (here and placed[b, 1]))
+            low = [0.0, tips[2][2], tips[3][2], joints[8][2], joints[11][2]]
+            heights.append((place[2] + np.array(low)) * here * segments.on_floor[b])
+        steps = [
+            [(one.inv() * other).as_rotvec() for one, other in zip(*pair, strict=True)] for pair in pairwise(turns)
+        ]
+        others = segments.on_floor[b], segments.is_known[b], placed[b], segments.gaps[b], 1 / (segments.gaps[b] + 0.2)
+        expected = np.concatenate([np.ravel(part) for part in (axes, ends, hips, steps, heights, *others)])
+        np.testing.assert_allclose(segments.features[b], expected, atol=1e-12)
