@@ -151,7 +151,7 @@ class Grounding:
 
         low      [m] height of the figure in the nearest keyframes before and after that set it, of which at least one
                  must be low; in all such keyframes, if they are all before or all after
-        between  whether there are two; then keyframe k must set the position of its feet, except the height
+        between  whether there are two; then keyframe k must set the position of its ankles, except the height
         """
         if self._is_aloft(timeline.times[k]):
             return False
@@ -161,6 +161,8 @@ class Grounding:
             return True
         mask = np.array(timeline.known[k : k + 1])
         mask[:, self._columns] = True
+        for point in self.soles:  # the foot's own joint may be free
+            mask[:, self.figure.links[point.link].columns] = True
         return bool(placed(self.figure, mask, self.soles).all())
 
     def _drops(self, centres: Array, radii: Array, starts: Sequence[Array]) -> Iterator[Array]:

@@ -184,6 +184,7 @@ joints.right_ankle = {rotvec = [0, -20, 0]}
 """
 
 
+LANDING = {"left_hip": -60, "right_hip": -60, "left_knee": 70, "right_knee": 70}
 OPEN = 'root.position = [0, 0, "free"]\n'
 
 
@@ -305,6 +306,13 @@ def test_a_leap_between_crouches_stays_one():
     z = inbetween(problem).at(np.linspace(0.5, 1.5, 101))[:, 2]
     assert z[50] == pytest.approx(apex) and z.max() < apex + 0.03
     assert np.abs(np.diff(z, 2)).max() / 0.01**2 < 30  # [m/s²]; if it is held down until the last moment, 60 and more
+
+
+def test_a_landing_with_free_ankles_and_arms_is_on_the_ground():
+    lands = "".join(f"joints.{name} = {{rotvec = [0, {angle}, 0]}}\n" for name, angle in LANDING.items())
+    key = read(AIRBORNE, f"root.rotation = {{rotvec = [0, 15, 0]}}\n{lands}{OPEN}", STANDING).keys[1]
+    assert key.posed is not None and key.posed[2] and not key.fixed[2]
+    assert key.state[2] < 0.85
 
 
 def test_a_jump_of_which_only_the_top_has_a_height_starts_and_ends_on_the_ground():
