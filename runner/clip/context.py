@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from mujoco import mjtGeom
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
@@ -15,8 +16,9 @@ from dynsplines.solver.contacts import Contact, ContactSchedule
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.dynamics import height
-from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.figure import Figure, JointKind, Link
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.figure.model import kinematics
 from dynsplines.solver.figure.root import has_fixed_base
 from dynsplines.solver.penalty import Bend, Lean, Person, Range, Support, holds, leans
 from dynsplines.solver.surface import Plane, Surface
@@ -31,6 +33,7 @@ from .table import ContactTable, GraspTable
 STEP = 0.2  # [1] shortest displacement of a foot in a step, relative to the height of the figure
 REPEATED = 1e-3  # [m, 1] largest difference between equal keyframes; 1e-3 in a quaternion's entry is about 0.1°
 STRAIGHT = 0.7  # [1] cosine of the angle up to which a limb at rest counts as straight along an axis
+CONCENTRIC = 1e-3  # [1] share of its radius by which the axis of a wheel may be off its hinge
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 
 
@@ -151,6 +154,11 @@ class Context:
             lines.append("no feet found, nor a site named heel or toe: no contact points")
         if not self.bends and self.figure.tables.ball_links.size:
             lines.append("no knee, shin, elbow or forearm on a ball joint found: no limits on bending")
+        free = [link.name for link in wheels(self.figure) if not self.keys.known[:, link.qpos].all()]
+        if free:
+            lines.append(
+                f"nothing makes wheels roll ({', '.join(free)}): set their angles in every keyframe, distance / radius"
+            )
         return lines
 
     @property
@@ -253,6 +261,24 @@ def knees_and_elbows(figure: Figure) -> list[Bend]:
                 axes = np.array([[0.0, lateral, 0.0], along])
                 bends.append(Bend(link.name, i, *quat.rotated(quat.inverse(rest[link.parent]), axes)))
     return bends
+
+
+def wheels(figure: Figure) -> list[Link]:
+    """Return the links that turn like wheels: on a hinge without a range, about the axis of a cylinder or through the
+    centre of a sphere. A figure without a free root has none."""
+    model, data = figure.model, kinematics(figure.model)
+
+    def is_wheel(link: Link) -> bool:
+        if link.kind is not JointKind.HINGE or model.jnt_limited[link.joint]:
+            return False
+        axis, geoms = data.xaxis[link.joint], np.flatnonzero(model.geom_bodyid == link.body)
+        off = np.linalg.norm(np.cross(axis, data.geom_xpos[geoms] - data.xanchor[link.joint]), axis=1)
+        is_along = np.abs(data.geom_xmat[geoms, 2::3] @ axis) > 1 - CONCENTRIC
+        kinds = model.geom_type[geoms]
+        is_round = (kinds == mjtGeom.mjGEOM_SPHERE) | ((kinds == mjtGeom.mjGEOM_CYLINDER) & is_along)
+        return bool(np.any(is_round & (off < CONCENTRIC * model.geom_size[geoms, 0])))
+
+    return [link for link in figure.links[1:] if is_wheel(link)] if figure.tables.free_links.size else []
 
 
 def _turned_at_rest(figure: Figure) -> list[Array]:

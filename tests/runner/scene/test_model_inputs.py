@@ -125,3 +125,29 @@ def test_a_clip_has_the_notes_of_its_model():
     model = PIT.format(height=-1.1, floor="", gravity="1 0 -9")
     keys = [Keyframe(t, root={"position": [t, 0, 1], "rotation": {"heading": 0}}) for t in (0.0, 1.0)]
     assert [line.split()[0] for line in build(model, keys).notes[:2]] == ["gravity", "the"]
+
+
+CART = """<mujoco><worldbody><geom type="plane" size="3 3 .1"/><body pos="0 0 .1"><freejoint/><geom size=".05"/>
+<body pos="0 .1 0" zaxis="0 1 0"><joint name="wheel" {joint}/><geom type="{geom}" size=".1 .02" pos="{at} 0 0"/></body>
+</body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize(
+    ("joint", "geom", "at", "ends", "is_noted"),
+    [
+        ("", "cylinder", 0, None, True),
+        ("", "sphere", 0, None, True),
+        ("", "cylinder", 0, 5.0, False),  # a keyframe sets its angle
+        ("", "cylinder", 0.05, None, False),  # a crank
+        ("", "capsule", 0, None, False),
+        ('axis="1 0 0"', "cylinder", 0, None, False),
+        ('range="-90 90" limited="true"', "cylinder", 0, None, False),
+    ],
+)
+def test_wheels_whose_angle_is_free_are_noted(joint, geom, at, ends, is_noted):
+    model, last = CART.format(joint=joint, geom=geom, at=at), {} if ends is None else {"wheel": ends}
+    keys = [
+        Keyframe(time, root={"position": [time, 0, 0.1]}, joints=joints)
+        for time, joints in ((0.0, {"wheel": 0.0}), (1.0, last))
+    ]
+    assert any("(wheel)" in note for note in build(model, keys).notes) == is_noted
