@@ -227,3 +227,21 @@ def test_the_other_foot_stays_flat_in_a_step() -> None:
     upright = Rotation.from_quat(qpos[:, 3:7], scalar_first=True).as_matrix()[:, 2, 2]
     assert np.degrees(np.arccos(upright.min())) < 2
     assert [violation for violation in motion.violations if violation.kind != "self"] == []
+
+
+@pytest.mark.parametrize(
+    ("relation", "driver"),
+    [("0 .5 0 0 0", 0.6), (".1 .5 0 0 0", 0.4), (".1 -2 0 0 0", -0.1), (".1 0 .5 0 0", None), ("0 .5 .5 0 0", None)],
+)
+def test_a_joint_that_a_linear_relation_moves_places_the_joint_that_drives_it(tmp_path: Path, relation, driver) -> None:
+    """Unless the keyframe names both, or only the driver, which places its follower by any relation."""
+    rail = '<body><joint name="{}" type="slide" axis="1 0 0"/><geom size=".1"/></body>'
+    tie = f'<equality><joint joint1="b" joint2="a" polycoef="{relation}"/></equality>'
+    model = f"<mujoco><worldbody>{rail.format('a')}{rail.format('b')}</worldbody>{tie}</mujoco>"
+    clip = read(model, tmp_path, "joints.b = 0.3", "joints = {a = 0.2, b = 0.3}", "joints.a = 0.2")
+    assert clip.keys[0].fixed.tolist() == [driver is not None, True]
+    assert driver is None or clip.keys[0].state == pytest.approx([driver, 0.3])
+    assert clip.keys[1].state == pytest.approx([0.2, 0.3])
+    relation = np.polynomial.Polynomial(list(map(float, relation.split())))
+    assert clip.keys[2].state == pytest.approx([0.2, relation(0.2)])
+    assert clip.keys[2].fixed.all()

@@ -18,11 +18,12 @@ from scipy.spatial.transform import Rotation
 from texts import read_cases, read_data
 
 from dynsplines import models
+from dynsplines.clip.table import MapTable
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats, gaps
 from dynsplines.exchange.format import bvh
 from dynsplines.exchange.motion_import import import_recording
-from dynsplines.exchange.skeleton import bvh_file, hierarchy, retarget
+from dynsplines.exchange.skeleton import bvh_file, hierarchy, maps, retarget
 from dynsplines.exchange.skeleton.bvh_file import Joint, Skeleton
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 from dynsplines.motion import Bodies, Sampled
@@ -260,18 +261,35 @@ def test_a_t_pose_skeleton_of_any_unit_and_axes_moves_our_figure_alike(other, wa
 
 
 @pytest.mark.slow
-def test_a_skeleton_whose_zero_pose_means_nothing_still_points_its_limbs_alike(walk, rng):
+@pytest.mark.parametrize("trunk", [{}, {"chest": "", "neck": "", "head": ""}], ids=["whole", "without chest and head"])
+def test_a_skeleton_whose_zero_pose_means_nothing_still_points_its_limbs_alike(walk, rng, trunk):
     """As LAFAN1's: directions of limbs come from the motion; a forearm's own twist may differ."""
     model = walk.model
     zero = {model.body(b).name: quat.normalised(rng.normal(size=4)) for b in range(1, model.nbody)}
-    qpos, _ = retarget.onto(CapturedSkeleton.of(disguised(walk, zero=zero)), model, "a.bvh")
+    with maps.using(MapTable(recording=trunk)):
+        qpos, _ = retarget.onto(CapturedSkeleton.of(disguised(walk, zero=zero)), model, "a.bvh")
     back = Bodies.of(model, qpos, np.zeros((len(qpos), model.nv)))
     shift = back.position[:, 1] - walk.bodies.position[:, 1]
-    np.testing.assert_allclose((back.position - walk.bodies.position - shift[:, None])[:, 1:], 0, atol=0.002)
+    moved = (back.position - walk.bodies.position - shift[:, None])[:, 1:]
     turned = np.degrees(quat.angle_between(back.rotation, walk.bodies.rotation)).max(axis=0)
-    for name in ("pelvis", "chest", "left_thigh", "right_shin", "left_foot", "right_foot"):
-        assert turned[model.body(name).id] < 3, name
-    assert turned.max() < 20
+    names = ["pelvis", "left_thigh", "right_shin", "left_foot", "right_foot"]
+    if not trunk:
+        np.testing.assert_allclose(moved, 0, atol=0.002)
+        assert turned.max() < 20
+        names.append("chest")
+    for name in names:
+        assert turned[model.body(name).id] < (6 if trunk else 3), name
+
+
+@pytest.mark.parametrize("joint", [1, 4])
+def test_a_bone_that_changes_its_length_by_more_than_a_centimetre_is_named(walk, joint):
+    skeleton = disguised(walk, every_place=True)
+    assert not any("bones keep their lengths" in note for note in CapturedSkeleton.of(skeleton).notes)
+    values, column = skeleton.values.copy(), sum(len(each.channels) for each in skeleton.joints[:joint])
+    values[:, column + 1] += np.linspace(0, 4, len(values))  # [cm]
+    notes = CapturedSkeleton.of(replace(skeleton, values=values)).notes
+    (note,) = (note for note in notes if "bones keep their lengths" in note)
+    assert note.endswith(f"left out: {skeleton.names[joint]}")
 
 
 @pytest.mark.slow

@@ -181,9 +181,12 @@ def test_options_of_the_model_do_not_let_the_figure_fall(options, is_noted, squa
     assert any("stays within" in line for line in lines)
 
 
-def test_a_tiny_time_step_is_replaced(squat, tmp_path):
-    model, _ = squatting(tmp_path, [rows[:2] for rows in squat], option='timestep="1e-6"')
-    assert model.opt.timestep > 1e-5
+def test_tiny_steps_few_iterations_and_soft_friction_are_replaced(squat, tmp_path):
+    option = 'timestep="1e-6" iterations="1" ls_iterations="1" noslip_iterations="3" tolerance="1e-2" impratio="2"'
+    model, _ = squatting(tmp_path, [rows[:2] for rows in squat], option=option)
+    of = model.opt
+    assert (of.timestep, of.iterations, of.ls_iterations, of.noslip_iterations) == (1e-4, 100, 50, 0)
+    assert (of.tolerance, of.impratio, of.disableactuator) == (1e-8, 10, 0)
 
 
 def test_gravity_that_the_model_turns_off_stays_off(squat, tmp_path):

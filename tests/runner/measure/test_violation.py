@@ -47,6 +47,7 @@ HOPPER = """<mujoco>{}<worldbody>{}<body name="trunk" pos="0 0 .5"><freejoint na
 ON_FLOOR = HOPPER.format("", '<geom type="plane" size="1 1 .1" pos="0 0 .1"/>')
 
 REST = 'others = "rest"\n'
+SIGNS = (("left", -1), ("right", 1))
 HIGH = REST + "root.position = [0, 0, 3]\n"  # above all floors
 
 
@@ -375,6 +376,27 @@ def test_bodies_collide_as_mujoco_has_it_or_all_of_them_if_none_would(one, other
     problem = read(swinging(40, -40), TRUNK.replace(one, other))
     assert [each.kind for each in wrong(problem)] == ["self"] * count
     assert (deepest(problem, 60) > 0.01) == (count > 0 and 'contype="0" conaffinity="0"' not in other)
+
+
+def test_of_two_limbs_in_each_other_one_line_is_reported_and_of_other_limbs_another():
+    """Two arms on a chest, and two legs: thighs and shins are in each other, each pair as deep as the other."""
+    limb = """<body name="{0}" pos="{1} {2} 0"><joint name="{0}" type="slide" axis="0 1 0"/><geom size=".04"/>
+        <body name="end of {0}" pos="0 0 -.2"><joint axis="1 0 0"/><geom size=".04"/></body></body>"""
+    arms, legs = ([limb.format(f"{side} {part}", x, y) for side, y in (("left", 0.1), ("right", -0.1))]
+                  for part, x in (("arm", 0.3), ("leg", -0.3)))  # fmt: skip
+    chest = (
+        f'<body name="chest" pos="0 0 .3"><joint name="spine" axis="0 0 1"/><geom size=".05"/>{"".join(arms)}</body>'
+    )
+    figure = f'<mujoco><worldbody><body name="pelvis" pos="0 0 1"><freejoint/><geom size=".05"/>{chest}{"".join(legs)}'
+    far, near = (
+        "joints = {"
+        + ", ".join(f'"{side} {part}" = {sign * y}' for part in ("arm", "leg") for side, sign in SIGNS)
+        + "}"
+        for y in (0, 0.08)
+    )
+    found = of_kind(read(keys(HIGH + far, HIGH + near, HIGH + far), f"{figure}</body></worldbody></mujoco>"), "self")
+    assert sorted({each.name.split()[-1] for each in found}) == ["arm", "leg"]
+    assert len(found) == 2
 
 
 @pytest.mark.parametrize("offset", [0.0, 0.004])
