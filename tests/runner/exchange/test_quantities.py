@@ -143,6 +143,19 @@ def test_torques_include_every_passive_force_of_the_users_own_file_and_large_one
     assert any("forces of joint limits" in line and "N m at shoulder" in line for line in lines)
 
 
+@pytest.mark.parametrize(("kind", "unit"), [("slide", "N"), ("hinge", "N m")])
+def test_forces_of_limits_are_in_newtons_for_slides_and_named_by_number_for_joints_without_names(tmp_path, kind, unit):
+    """Only a joint that is beyond its range has them, and only if they are more than a part of the torques."""
+    joint = '<joint type="{}" axis="1 0 0" range="-.1 .1"/><geom size=".1"/>'
+    text = f'<body>{joint.format("hinge")}</body><body pos="0 3 0">{joint.format(kind)}</body>'
+    compiler = '<compiler angle="radian" autolimits="true"/>'
+    (tmp_path / "a.xml").write_text(f"<mujoco>{compiler}<worldbody>{text}</worldbody></mujoco>")
+    for far, count in ((0.3, 1), (0.05, 0)):
+        saved = motions.through(str(tmp_path / "a.xml"), 0.3 * np.arange(3), np.array([[0, 0], [0, far], [0, 0]]))
+        _, notes = quantities.table(Sampled.of(saved), ("torques",))
+        assert sum(f" {unit} at joint1," in note for note in notes) == count, notes
+
+
 def test_groups_are_named_with_commas():
     assert quantities.named(" torques, ground,torques") == ("torques", "ground")
     assert quantities.named("torques,all") == (quantities.ALL,) and quantities.named("") == ()
