@@ -7,7 +7,7 @@ from collections.abc import Callable, Hashable
 from dataclasses import fields, is_dataclass
 from functools import wraps
 from threading import Lock
-from typing import Any, Generic, Protocol, TypeVar
+from typing import Any, Concatenate, Generic, ParamSpec, Protocol, TypeVar
 
 import numpy as np
 
@@ -19,9 +19,6 @@ class HasDigest(Protocol):
 
     @property
     def digest(self) -> bytes: ...
-
-
-Content = TypeVar("Content", bound=HasDigest)
 
 
 class Cache(Generic[Answer]):
@@ -63,15 +60,27 @@ def cache_key(value: Any) -> Hashable:
     return value
 
 
-def cached_by_content(most: int) -> Callable[[Callable[[Content], Answer]], Callable[[Content], Answer]]:
-    """Cache the last results of a function of one argument, also for other arguments with the same content."""
+Content = TypeVar("Content", bound=HasDigest)
+Others = ParamSpec("Others")
 
-    def decorated(compute: Callable[[Content], Answer]) -> Callable[[Content], Answer]:
+
+def cached_by_content(
+    most: int,
+) -> Callable[[Callable[Concatenate[Content, Others], Answer]], Callable[Concatenate[Content, Others], Answer]]:
+    """Cache the last results of a function, also for other first arguments with the same content.
+
+    All other arguments are compared by their own equality.
+    """
+
+    def decorated(
+        compute: Callable[Concatenate[Content, Others], Answer],
+    ) -> Callable[Concatenate[Content, Others], Answer]:
         cache = Cache[Answer](most)
 
         @wraps(compute)
-        def cached(argument: Content) -> Answer:
-            return cache.get(argument.digest, lambda: compute(argument))
+        def cached(argument: Content, *others: Others.args, **named: Others.kwargs) -> Answer:
+            key = (argument.digest, others, tuple(named.items()))
+            return cache.get(key, lambda: compute(argument, *others, **named))
 
         return cached
 

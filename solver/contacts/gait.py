@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from scipy import linalg
 
 from .. import quaternion as quat
 from ..array import Array
@@ -44,8 +45,8 @@ class PoseProcess:
         """Return the log-likelihood of all rows with their likeliest common variance, per entry, without constants."""
         rows = self.poses.rows
         covariance[np.diag_indices_from(covariance)] += NOISE
-        root = np.linalg.cholesky(covariance)
-        white = np.linalg.solve(root, rows)
+        root = linalg.cholesky(covariance, lower=True)
+        white = np.asarray(linalg.solve_triangular(root, rows, lower=True))
         return float(-0.5 * np.log(np.mean(white**2)) - np.log(np.diag(root)).mean())
 
     def _across(self, period: float, at: Array | None = None) -> Array:

@@ -18,6 +18,7 @@ import mujoco
 import numpy as np
 
 from ..array import Array
+from ..cache import cached_by_content
 from ..tolerances import TINY
 from .adjoint import Cotangent, attached_pulled_back
 from .algebra import applied, cross, cross_sum, dot, gathered, turned_back
@@ -230,13 +231,14 @@ def weight(figure: Figure, root: int) -> float:
     return tree_mass(figure, root)[0] * (g or STANDARD_GRAVITY)
 
 
+@cached_by_content(64)  # thresholds need it at every load
 def height(figure: Figure, root: int) -> float:
     """Return the length [m] of a slender rod with the same radius of gyration as a free link with all links beyond it
     at rest.
 
     This length is √12 times the radius. It converts moments to forces.
     """
-    rest = figure.to_state(np.array(mujoco.MjData(figure.model).qpos))[None]
+    rest = figure.to_state(np.array(figure.model.qpos0))[None]
     inverse = Samples.still(figure, rest).cached(InverseDynamics)
     mass, share = tree_mass(figure, root)
     away = inverse.centre[:, :, 0] - (inverse.centre[:, :, 0] @ share)[:, None]

@@ -7,7 +7,6 @@ Bodies of one shape that move under gravity are dynamically similar if lengths g
 from __future__ import annotations
 
 from dataclasses import dataclass
-from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -37,12 +36,7 @@ class Size:
         Rigid objects, machines with a fixed base and trees without mass have the size of an adult, because they have no
         legs whose length could be measured.
         """
-        if figure not in _LENGTHS:
-            root = figure.root
-            tall = height(figure, root.link) if root is not None and root.limbs else 0.0
-            _LENGTHS[figure] = round(tall / ADULT, DIGITS) or 1.0
-        length, gravity = _LENGTHS[figure], float(np.linalg.norm(figure.gravity)) or STANDARD_GRAVITY
+        root, gravity = figure.root, float(np.linalg.norm(figure.gravity)) or STANDARD_GRAVITY
+        tall = height(figure, root.link) if root is not None and root.limbs else 0.0
+        length = round(tall / ADULT, DIGITS) or 1.0
         return cls(length, float(np.sqrt(length * STANDARD_GRAVITY / gravity)))
-
-
-_LENGTHS: WeakKeyDictionary[Figure, float] = WeakKeyDictionary()  # the inertia of a figure does not change
