@@ -171,9 +171,10 @@ def sole_points(figure: Figure, qpos: Array) -> tuple[Point, ...]:
     names = posable_sites(figure.model)  # no points of the muscles that bend toes
     named = site_points(figure, [name for name in names if any(word in name.lower() for word in SOLES)])
     named = tuple(_grown(figure, point) for point in named if point.link)
-    if named and _near_ground(figure, named, qpos):
+    rest = figure.model.qpos0[None]
+    if named and (_near_ground(figure, named, rest) or _near_ground(figure, named, qpos)):
         return named
-    return _lowest(figure, np.vstack([figure.model.qpos0, qpos])) or named or _lowest_within(figure)
+    return _lowest(figure, np.vstack([rest, qpos])) or named or _lowest_within(figure)
 
 
 def rest_within_ranges(figure: Figure) -> Array:
@@ -193,12 +194,11 @@ def _lowest_within(figure: Figure) -> tuple[Point, ...]:
 
 
 def _near_ground(figure: Figure, points: Sequence[Point], qpos: Array) -> bool:
-    """Return whether one of the points is as low as the figure in some pose, unlike sites on top of a toe."""
+    """Return whether one of the points is as low as the figure in one of the poses (K, nq), unlike sites on a toe."""
     body = body_points(figure)
     if not body:
         return True
-    states = figure.to_state(np.vstack([figure.model.qpos0, qpos]))
-    places, radii = places_of((*points, *body), Samples.still(figure, states))
+    places, radii = places_of((*points, *body), Samples.still(figure, figure.to_state(qpos)))
     low, high = places[2] - radii[:, None], places[2] + radii[:, None]
     ground, tall = low.min(axis=0), np.ptp(np.concatenate([low, high]), axis=0)
     share = SUNK if figure.model.ntendon else THICK  # feet of figures with muscles have sites everywhere
