@@ -323,7 +323,7 @@ def _links(model: mujoco.MjModel) -> tuple[tuple[Link, ...], Index, Array, Array
         body_link[body], body_offset[body], body_turn[body] = link, offset, turn
         centre = offset + quat.rotated(turn, model.body_ipos[body])
         axes = quat.product(turn, model.body_iquat[body])
-        matrix = np.stack([quat.rotated(axes, e) for e in np.eye(3)], axis=1)
+        matrix = quat.matrices(axes)
         loads[link].append(
             (float(model.body_mass[body]), centre, matrix @ np.diag(model.body_inertia[body]) @ matrix.T)
         )

@@ -86,9 +86,9 @@ def _filled(figure: Figure, geoms: Sequence[int], gap: float = GAP) -> tuple[Poi
     for geom in geoms:
         body = int(model.geom_bodyid[geom])
         centres, radii = filling_spheres(model, geom, gap)
-        axes = np.stack([quat.rotated(model.geom_quat[geom], e) for e in np.eye(3)], axis=1)
+        axes = quat.matrices(model.geom_quat[geom])
         link = int(figure.body_link[body])
-        places = np.array([figure.point_on_link(body, model.geom_pos[geom] + axes @ c)[1] for c in centres])
+        places = figure.point_on_link(body, model.geom_pos[geom] + centres @ axes.T)[1]
         name = geom_name(model, geom)
         by_link.setdefault(link, []).append((name, places.reshape(-1, 3), radii))
     for link, parts in by_link.items():

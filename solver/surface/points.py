@@ -95,7 +95,7 @@ def body_points(figure: Figure) -> tuple[Point, ...]:
     pairs: list[tuple[int, int]] = []
     for geom in movers(model):
         body = int(model.geom_bodyid[geom])
-        axes = np.stack([quat.rotated(model.geom_quat[geom], e) for e in np.eye(3)], axis=1)
+        axes = quat.matrices(model.geom_quat[geom])
         kind = int(model.geom_type[geom])
         if kind == mujoco.mjtGeom.mjGEOM_CAPSULE:
             pairs.append((len(ends), len(ends) + 1))
