@@ -11,7 +11,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy import linalg
 
 from .. import quaternion as quat
 from ..array import Array
@@ -45,8 +44,8 @@ class PoseProcess:
         """Return the log-likelihood of all rows with their likeliest common variance, per entry, without constants."""
         rows = self.poses.rows
         covariance[np.diag_indices_from(covariance)] += NOISE
-        root = linalg.cholesky(covariance, lower=True)
-        white = np.asarray(linalg.solve_triangular(root, rows, lower=True))
+        root = np.linalg.cholesky(covariance)
+        white = np.linalg.solve(root, rows)
         return float(-0.5 * np.log(np.mean(white**2)) - np.log(np.diag(root)).mean())
 
     def _across(self, period: float, at: Array | None = None) -> Array:

@@ -277,33 +277,34 @@ def _bars(figure: Figure, geom: int) -> list[Bar]:
     if model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_MESH:
         return []
     body, size = int(model.geom_bodyid[geom]), np.array(model.geom_size[geom])
-    axes = np.stack([quat.rotated(model.geom_quat[geom], e) for e in np.eye(3)], axis=1)
+    axes = quat.matrices(model.geom_quat[geom])
     axis = quat.rotated(figure.body_turn[body], axes[:, 2])
     if model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_CAPSULE:
         filled, half = (np.zeros((1, 3)), size[:1]), float(size[1])
     else:
         filled, half = filling_spheres(model, geom, GAP * Size.of(figure).enlargement), 0.0
-    out = []
-    for offset, radius in zip(*filled, strict=True):
-        link, centre = figure.point_on_link(body, model.geom_pos[geom] + axes @ offset)
-        if radius > 0:
-            out.append(Bar(geom, link, centre, axis, half, float(radius)))
-    return out
+    offsets, radii = filled
+    link, centres = figure.point_on_link(body, model.geom_pos[geom] + offsets @ axes.T)
+    bars = zip(centres, radii.tolist(), strict=True)
+    return [Bar(geom, link, centre, axis, half, radius) for centre, radius in bars if radius > 0]
 
 
 def _outer(bars: list[Bar], hair: float) -> tuple[Bar, ...]:
     """Return the bars without those that protrude by at most `hair` [m] from a thicker one on their link."""
     bars = sorted(bars, key=lambda bar: -bar.radius)
-    links, centres, axes, halves, radii = _arrays(bars)
+    links, *arrays = _arrays(bars)
     is_outer = np.zeros(len(bars), bool)
-    for k, bar in enumerate(bars):
-        others = np.flatnonzero(is_outer & (links == bar.link))
-        axis, half = axes[:, others, None], halves[others, None]
-        away = np.stack([bar.centre - bar.half * bar.axis, bar.centre + bar.half * bar.axis], axis=1)[:, None]
-        away = away - centres[:, others, None]
-        away -= np.clip(dot(axis, away), -half, half) * axis
-        limit = np.maximum(radii[others] - bar.radius + hair, 0)  # at both ends, as the thicker bar is convex
-        is_outer[k] = not np.any(dot(away, away).max(axis=1) <= limit**2)
+    for link in np.unique(links):
+        own = np.flatnonzero(links == link)
+        centres, axes, halves, radii = (values[..., own] for values in arrays)
+        ends = np.stack([centres - halves * axes, centres + halves * axes], axis=1)
+        away = ends[..., None] - centres[:, None, None]
+        axis = axes[:, None, None]
+        away -= np.clip(dot(axis, away), -halves, halves) * axis
+        limit = np.maximum(radii - radii[:, None] + hair, 0)  # at both ends, as the thicker bar is convex
+        is_in = dot(away, away).max(axis=0) <= limit**2
+        for k, row in zip(own, is_in, strict=True):
+            is_outer[k] = not row[is_outer[own]].any()
     return tuple(bars[k] for k in np.flatnonzero(is_outer))
 
 
