@@ -14,6 +14,7 @@ from pydantic import Discriminator, Field, Tag
 
 from dynsplines import models
 from dynsplines.solver.contacts import Interval, surfaces_on
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.model import geom_name
@@ -39,7 +40,6 @@ from dynsplines.solver.penalty import (
     Speed,
     Sum,
     Support,
-    SwingSegments,
     Torque,
     UnitMagnitude,
     Upright,
@@ -291,8 +291,9 @@ def _placement(context: Context, options: Options) -> Penalty | None:
 def _no_slip(context: Context, options: Options) -> Penalty | None:
     if not context.points:
         return None
-    swings = SwingSegments.of(context.figure, context.keys, context.points)
-    return Skate(context.points, context.surfaces, options.reach or Thresholds.of(context.figure).slip_reach, swings)
+    at_keys = KeyframePoints.of(context.figure, context.keys, context.points)
+    reach = options.reach or at_keys.limits.slip_reach
+    return Skate(context.points, context.surfaces, reach, context.keys.times, at_keys.swings)
 
 
 def _grounded(context: Context, options: Options) -> Penalty | None:

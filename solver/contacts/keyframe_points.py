@@ -125,6 +125,12 @@ class KeyframePoints:
         return np.asarray((self.moves > self.limits.strode) & self.is_known[:, :-1] & self.is_known[:, 1:])
 
     @property
+    def swings(self) -> Mask:
+        """Whether the point strides within a short time (0.25 s), so that its foot may pass low over the ground,
+        (n, K − 1)."""
+        return np.asarray(self.strides & (np.diff(self.keys.times) <= self.limits.shortly))
+
+    @property
     def touches(self) -> Mask:
         """Whether the lowest of the points is on the ground, (K,)."""
         return np.asarray(self.heights.min(axis=0, initial=np.inf) < self.limits.clear)

@@ -20,7 +20,6 @@ from .ground.collision import Collision as Collision
 from .ground.flight import Flight as Flight
 from .ground.hover import HoverPenalty as HoverPenalty
 from .ground.skate import Skate as Skate
-from .ground.skate import SwingSegments as SwingSegments
 from .ground.support import Support as Support
 from .joints.bend import Bend as Bend
 from .joints.bend import BendLimits as BendLimits

@@ -5,18 +5,15 @@ The paper leaves skidding to future work (§6). Contact times are not needed, be
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from ...array import Array, Index, Mask, segments_at
-from ...contacts.keyframe_points import KeyframePoints
 from ...contacts.thresholds import Thresholds
-from ...curve.frame import Timeline
 from ...figure.algebra import cross, dot
-from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...figure.wrenches import Wrenches, of_point, of_velocity
 from ...surface import Surface
@@ -29,32 +26,6 @@ from ..penalty import Normalization, Penalty
 NEGLIGIBLE, TINY = 0.03, 1e-8  # [1] smallest root of the weight of a point in a model of E, and in E
 LOWEST = -0.25  # [1] height, relative to the reach, below which the weight is constant
 WORTH = 1e-3  # [m² rad⁻² s²] reference value: 3 cm/s of a point on the ground cost as much as half a radian per s²
-
-
-@dataclass(frozen=True, eq=False)
-class SwingSegments:
-    """Segments between keyframes in which points belong to a swinging foot, which may pass low over the ground.
-
-    Attributes:
-        times: The times of the keyframes, (K,) [s].
-        is_swing: Whether each of the n points swings in each segment, (n, K − 1).
-    """
-
-    times: Array
-    is_swing: Mask
-
-    @classmethod
-    def of(cls, figure: Figure, keys: Timeline, points: Sequence[Point]) -> SwingSegments:
-        """Return the segments of at most 0.25 s in which points move by more than 8 cm between keyframes.
-
-        Time and distance are those of an adult. They are scaled to the size of the figure.
-        """
-        feet, limits = KeyframePoints.of(figure, keys, points), Thresholds.of(figure)
-        return cls(keys.times, feet.strides & (np.diff(keys.times) <= limits.shortly))
-
-    def at(self, t: Array) -> Mask:
-        """Return whether the points swing at times t (S,) [s], (n, S)."""
-        return self.is_swing[:, segments_at(self.times, t)]
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,13 +76,15 @@ class Skate(Penalty):
 
     Attributes:
         reach: The height at which the weight of a point is 1/e of the weight on the surface [m].
-        swings: Segments in which points may slip; None: none.
+        key_times: The times of the keyframes, (K,) [s].
+        swings: Whether each of the n points may slip in each segment between keyframes, (n, K − 1); None: never.
     """
 
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
     reach: float = Thresholds.slip_reach
-    swings: SwingSegments | None = None
+    key_times: Array | None = None
+    swings: Mask | None = None
 
     name = "no_slip"
     normalization = Normalization(WORTH, length_power=2, time_power=2, normalize_by="acceleration.angular")
@@ -160,4 +133,6 @@ class Skate(Penalty):
     def _weight(self, height: Array, t: Array) -> Array:
         """Return the weights (n, S) of points at heights (n, S) over the ground, relative to the reach."""
         near = np.exp(-height * (height + 0.5) / 1.5)
-        return near if self.swings is None else np.where(self.swings.at(t), 0.0, near)
+        if self.swings is None or self.key_times is None:
+            return near
+        return np.where(self.swings[:, segments_at(self.key_times, t)], 0.0, near)
