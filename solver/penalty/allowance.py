@@ -34,8 +34,6 @@ class Allowance:
         Returns:
             The excesses (..., S).
         """
-        if not self.excess.any():
-            return np.zeros((*self.excess.shape[:-1], t.size))
         span, share = self._place(t)
         return self.excess[..., span] * (1 - share) + self.excess[..., span + 1] * share
 

@@ -72,7 +72,7 @@ class Collision(Penalty):
                     points = free[self._arrays[0][free] == part]
                     excess[points, k] = excess[points, before].max()
                 is_set[free, k] = True
-        return replace(self, allowed=Allowance(keys.times, excess))
+        return replace(self, allowed=Allowance(keys.times, excess)) if excess.any() else self
 
     @property
     def role(self) -> Role:
@@ -127,7 +127,7 @@ class Collision(Penalty):
     @cached_property
     def _allowed_by_group(self) -> Allowance | None:
         """The allowances (p, m, K) in the layout of `_by_group`, None without any."""
-        if self.allowed is None or not self.allowed.excess.any():
+        if self.allowed is None:
             return None
         rank, owner = self._places
         padded = np.zeros((rank.max() + 1, owner.max() + 1, self.allowed.times.size))

@@ -77,7 +77,7 @@ class BendLimits(Penalty):
         columns = [quaternion_columns(figure.links[joint.link]) for joint in self.joints]
         fixed = np.array([keys.fixed[:, group].all(axis=1) for group in columns])
         excess = np.maximum(self._excess(self.angles(samples)), 0) * fixed
-        return replace(self, allowed=Allowance(keys.times, excess))
+        return replace(self, allowed=Allowance(keys.times, excess)) if excess.any() else self
 
     def _excess(self, angles: Array) -> Array:
         """Return the excess of angles (3, n, S) over each bound, negative within it, (5, n, S)."""
@@ -125,7 +125,7 @@ class BendLimits(Penalty):
             return
         angles, rotated = self._angles_and_frames(samples)
         excess = self._excess(angles)
-        if self.allowed is not None and self.allowed.excess.any():
+        if self.allowed is not None:
             excess -= self.allowed.at(samples.t)
         side, joint, at = np.nonzero(excess > -NEAR_ANGLE)
         axis = SIGN[side] * _turning_axes(rotated, ANGLE[side], joint, at)

@@ -90,7 +90,8 @@ class JointRange(Penalty):
         links = [figure.links[joint.link] for joint in self.joints]
         columns = [quaternion_columns(link) or slice(link.qpos, link.qpos + 1) for link in links]
         fixed = np.array([keys.fixed[:, group].all(axis=1) for group in columns])
-        return replace(self, allowed=Allowance(keys.times, np.maximum(excess, 0) * fixed))
+        excess = np.maximum(excess, 0) * fixed
+        return replace(self, allowed=Allowance(keys.times, excess)) if excess.any() else self
 
     def beyond(self, samples: Samples) -> Array:
         """Return the excess of every joint over its range, negative within it, (n, S) [rad or m]."""
@@ -181,7 +182,7 @@ class JointRange(Penalty):
             first, last = self._intervals[:, joints, None]
             holds = (first <= t) & (t <= last)
             low, high = np.where(holds, low, -np.inf), np.where(holds, high, np.inf)
-        if self.allowed is None or not self.allowed.excess.any():
+        if self.allowed is None:
             return low, high
         below, above = self.allowed.at(t)[:, joints]
         return low - below, high + above

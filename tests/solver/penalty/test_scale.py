@@ -102,9 +102,7 @@ def test_a_knee_that_a_keyframe_bends_backward_may_do_so_near_it_and_nowhere_els
     fixed = np.ones(figure.width, bool)
     fixed[knee.qpos : knee.qpos + 4] = False
     partial = [keys[0], Frame(keys[1].time, keys[1].state, fixed), keys[2]]
-    free = BendLimits((bend,)).allowing(figure, raw_timeline(figure, partial)).allowed
-    assert free is not None
-    assert not free.excess.any()
+    assert BendLimits((bend,)).allowing(figure, raw_timeline(figure, partial)).allowed is None
 
 
 FIGURE = figure_of(BALL_TREE)
