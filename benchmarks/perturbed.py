@@ -157,7 +157,7 @@ def outcome(clip: clips.Clip, seed: int, peak: float) -> Outcome:
     measured, parts, dropped = (
         Violence.of(motion),
         motion.trace[-1][3],
-        len(clip.context.schedule.contacts) - len(other.context.schedule.contacts),
+        len(clip.context.schedule.on_ground) - len(other.context.schedule.on_ground),
     )
     ratio = measured.peak / peak if peak > 0 else 1.0  # a figure without joints has no peak, moved or not
     return Outcome(clip.name, seed, ratio, measured, spent, motion.evaluations, parts, dropped)

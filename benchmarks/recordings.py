@@ -25,11 +25,12 @@ from bench import Effort, Section, Target, people
 from rich.console import Console
 
 from dynsplines import solving
-from dynsplines.clean.cleaning import Cleaned, cleaned, depth
-from dynsplines.clean.repairs import repaired
+from dynsplines.clean.cleaning import Cleaned, clean, depth
+from dynsplines.clean.repairs import repair
 from dynsplines.clip import load as clips
+from dynsplines.clip.context import Context
 from dynsplines.clip.posing.places import sole_points
-from dynsplines.clip.tracking.penalties import Ground, ground_of
+from dynsplines.clip.tracking.problem import tracking_context
 from dynsplines.motion import Sampled, samples_at
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
@@ -83,15 +84,16 @@ def truths(effort: Effort) -> Iterator[Truth]:
 
 def set_down(truth: Truth) -> Truth:
     """With its slow soles on the ground."""
-    height, speed = soles_of(truth, marked(ground_of(truth.figure, truth.qpos), truth.qpos))
+    ground = tracking_context(truth.figure, truth.time, truth.figure.to_state(truth.qpos), truth.name)
+    height, speed = soles_of(truth, marked(ground, truth.qpos))
     qpos = truth.qpos.copy()
     qpos[:, 2] -= np.median(height[speed < STILL])
     return replace(truth, qpos=qpos)
 
 
-def marked(ground: Ground, qpos: Array) -> Ground:
+def marked(ground: Context, qpos: Array) -> Context:
     """With the marks of the soles themselves in place of what rolls under them."""
-    return replace(ground, points=sole_points(ground.figure, qpos))
+    return ground.with_schedule(points=sole_points(ground.figure, qpos))
 
 
 def faulty(truth: Truth, rng: np.random.Generator, *, straight: bool) -> tuple[Array, Array]:
@@ -118,19 +120,19 @@ def faulty(truth: Truth, rng: np.random.Generator, *, straight: bool) -> tuple[A
     return since[keep], qpos[keep]
 
 
-def resting(truth: Truth, ground: Ground) -> Mask:
+def resting(truth: Truth, ground: Context) -> Mask:
     """(p, T) which points of the soles truly rest."""
     height, speed = soles_of(truth, ground)
     return (speed < STILL) & (height < LOW)
 
 
-def soles_of(truth: Truth, ground: Ground) -> tuple[Array, Array]:
+def soles_of(truth: Truth, ground: Context) -> tuple[Array, Array]:
     """Heights [m] and speeds [m/s] (p, T) of the points of the soles."""
     places, height = soles(truth.figure, ground, truth.figure.to_state(truth.qpos))
     return height, np.linalg.norm(np.gradient(places, truth.time, axis=2), axis=0)
 
 
-def soles(figure: Figure, ground: Ground, states: Array) -> tuple[Array, Array]:
+def soles(figure: Figure, ground: Context, states: Array) -> tuple[Array, Array]:
     """Places (3, p, T) and heights (p, T) [m] of the points of the soles."""
     places, radii = places_of(ground.points, Samples(figure, states, 0 * states, 0 * states))
     return places, height_over(ground.surfaces, places, radii)[0]
@@ -165,9 +167,9 @@ def scored(truth: Truth, rng: np.random.Generator, *, straight: bool) -> Score:
     figure = truth.figure
     when, bad = faulty(truth, rng, straight=straight)
     begin = time.perf_counter()
-    mended = repaired(figure, when, bad.copy(), truth.name)
-    ground = ground_of(figure, mended.qpos)
-    result = cleaned(ground, mended)
+    mended = repair(figure, when, bad.copy(), truth.name)
+    ground = tracking_context(figure, mended.time, figure.to_state(mended.qpos), truth.name)
+    result = clean(ground, {}, mended)
     spent = time.perf_counter() - begin
     marks = marked(ground, mended.qpos)
     assert [point.name for point in marks.points] == [point.name for point in ground.points]

@@ -239,7 +239,7 @@ def list_penalties(figure: option.PenaltyFigure = None, as_json: option.AsJson =
     A clip configures them in [[penalty]] tables. The list shows default weights, and the units of options."""
     notes = {} if figure is None else {"prior": person.note_on(figure)}
     if as_json:
-        print(json.dumps([kind.described() for kind in kinds.KINDS.values()], indent=2))
+        print(json.dumps([kind.describe() for kind in kinds.KINDS.values()], indent=2))
         return
     for kind in kinds.KINDS.values():
         if kind.parts[0].name:

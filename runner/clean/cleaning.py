@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -27,7 +28,9 @@ from dynsplines.solver.problem import Problem
 from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface.points import places_of
 
-from ..clip.tracking.penalties import LONGEST_PANEL, NEXT_TO, POINTS, Ground, loose, problem
+from ..clip.context import Context
+from ..clip.kinds import Options
+from ..clip.tracking.problem import LONGEST_PANEL, NEXT_TO, POINTS, loose_frames, tracking_problem
 from ..measure.depths import bunches, depths
 from ..measure.measurement import RATE
 from ..motion import even_times, sample_runs, samples_at
@@ -57,7 +60,7 @@ class Cleaned:
     problem  the solved problem
     """
 
-    ground: Ground
+    context: Context
     before: Path
     recorded: Track
     rests: tuple[Contact, ...]
@@ -67,7 +70,7 @@ class Cleaned:
 
     @property
     def figure(self) -> Figure:
-        return self.ground.figure
+        return self.context.figure
 
     @property
     def after(self) -> Path:
@@ -79,52 +82,58 @@ class Cleaned:
         return [Frame.key(frame.time, figure.to_qpos(frame.state)) for frame in timeline.frames]
 
 
-def cleaned(
-    ground: Ground,
+def clean(
+    context: Context,
+    options: Mapping[str, Options],
     repaired: Repaired,
     specified: Sequence[Contact] | None = None,
     *,
     improved: Callable[[Improvement], None] | None = None,
 ) -> Cleaned:
-    """Return the motion near a recording that satisfies its stances, by default those inferred from it."""
-    figure = ground.figure
+    """Return the motion near a recording that satisfies its stances, by default those inferred from it.
+
+    Args:
+        options: The options of the soft constraints by kind, where they differ from the defaults.
+    """
+    figure = context.figure
     recorded = Track.of(figure, repaired.time, repaired.qpos, _by_state(figure, repaired.known))
     before = natural_spline(recorded.times, np.where(recorded.known > 0, recorded.states, recorded.bridged))
-    recorded = move_to_ground(recorded, ground.points, ground.surfaces)
+    recorded = move_to_ground(recorded, context.points, context.surfaces)
     rests, raised = tuple(specified or ()), tuple[Contact, ...]()
     if specified is None:
-        rests = infer_stances(recorded, ground.points, ground.surfaces, aligned=False)
-    recorded = align_to_ground(recorded, rests, ground.surfaces)
+        rests = infer_stances(recorded, context.points, context.surfaces, aligned=False)
+    recorded = align_to_ground(recorded, rests, context.surfaces)
     if specified is None:
-        rests, raised = infer_stances_and_raised(recorded, ground.points, ground.surfaces)
+        rests, raised = infer_stances_and_raised(recorded, context.points, context.surfaces)
     near = TrackingPenalty(recorded)
-    is_noisy = largest_noise(recorded, ground.points) > Thresholds.of(figure).noisy
+    problem_of = partial(_problem, near, context, options)
+    is_noisy = largest_noise(recorded, context.points) > Thresholds.of(figure).noisy
     if is_noisy:
-        sure = rests if specified is not None else tuple(_without_ends(ground, recorded, rest) for rest in rests)
-        tracking = _with_soft_start(_problem(near, ground, sure, near.times()), near, SOFTEST, improved)
+        sure = rests if specified is not None else tuple(_without_ends(context, recorded, rest) for rest in rests)
+        tracking = _with_soft_start(problem_of(sure, near.times()), near, SOFTEST, improved)
         if specified is None:
-            rests = _refined_stances(ground, recorded, tracking)
-            tracking = _problem(near, ground, rests, _times(tracking), _curve(tracking))
+            rests = _refined_stances(context, recorded, tracking)
+            tracking = problem_of(rests, _times(tracking), _curve(tracking))
     else:
-        tracking = _problem(near, ground, rests, near.times(FAITHFUL), far=CLOSE)
-    if is_noisy or _is_deep(ground, recorded):
+        tracking = problem_of(rests, near.times(FAITHFUL), far=CLOSE)
+    if is_noisy or _is_deep(context, recorded):
         tracking = _with_soft_start(tracking, near, SOFTER, improved)
-    tracking, solution = _out_of_edges(ground, tracking, inbetween(tracking, improved=improved), improved)
-    return Cleaned(ground, before, recorded, rests, raised, tracking, solution)
+    tracking, solution = _out_of_edges(context, tracking, inbetween(tracking, improved=improved), improved)
+    return Cleaned(context, before, recorded, rests, raised, tracking, solution)
 
 
 def _out_of_edges(
-    ground: Ground, problem: Problem, solution: Solution, improved: Callable[[Improvement], None] | None
+    context: Context, problem: Problem, solution: Solution, improved: Callable[[Improvement], None] | None
 ) -> tuple[Problem, Solution]:
     """Continue the search with more frames where a point passed through an edge between two samples. A long recording
     is searched only around these frames: another search of all of it would double the time."""
     for _ in range(3):
         path, times = path_of(solution.timeline), solution.timeline.times
-        more = missed_edge_times(ground, path, times)
+        more = missed_edge_times(context, path, times)
         if not more.size:
             break
         times = np.union1d(times, more)
-        problem = replace(problem, keys=loose(problem.figure, times, path.at(times)))
+        problem = replace(problem, keys=loose_frames(problem.figure, times, path.at(times)))
         if times[-1] - times[0] < LONG:
             solution = inbetween(problem, improved=improved)
         else:
@@ -143,9 +152,9 @@ def _stretches(times: Array) -> Iterator[tuple[float, float]]:
     yield first - ABOUT, last + ABOUT
 
 
-def _is_deep(ground: Ground, recorded: Track) -> bool:
+def _is_deep(context: Context, recorded: Track) -> bool:
     times = even_times(recorded.path.span, RATE)
-    return bool(depth(ground, recorded.path, times).max() > Thresholds.of(ground.figure).hovers)
+    return bool(depth(context, recorded.path, times).max() > Thresholds.of(context.figure).hovers)
 
 
 def _with_soft_start(
@@ -159,13 +168,14 @@ def _with_soft_start(
         )
         roughly = replace(problem.settings, tolerance=ROUGHLY)
         solution = inbetween(replace(problem, penalties=weights, settings=roughly), improved=improved)
-        problem = started_at(problem, solution)
+        problem = start_at(problem, solution)
     return problem
 
 
 def _problem(
     near: TrackingPenalty,
-    ground: Ground,
+    context: Context,
+    options: Mapping[str, Options],
     rests: Sequence[Contact],
     times: Array,
     start: Path | None = None,
@@ -181,8 +191,8 @@ def _problem(
     for time in (*sorted(ends), *sorted(outside)):
         if np.abs(times - time).min() > far:
             times = np.sort(np.append(times, time))
-    tracking = problem(near, ground, rests, times)
-    return tracking if start is None else replace(tracking, keys=loose(ground.figure, times, start.at(times)))
+    tracking = tracking_problem(near, context.with_schedule(on_ground=tuple(rests)), options, times)
+    return tracking if start is None else replace(tracking, keys=loose_frames(context.figure, times, start.at(times)))
 
 
 def _times(problem: Problem) -> Array:
@@ -193,10 +203,10 @@ def _curve(problem: Problem) -> Path:
     return natural_spline(_times(problem), problem.figure.to_state(np.array([key.state for key in problem.keys])))
 
 
-def _without_ends(ground: Ground, recorded: Track, rest: Contact) -> Contact:
+def _without_ends(context: Context, recorded: Track, rest: Contact) -> Contact:
     """Return a stance without the times in which the point may already move, hidden by noise."""
     first, last = recorded.path.span
-    unsure = min(Thresholds.of(ground.figure).moment, SHARE * (rest.last - rest.first))
+    unsure = min(Thresholds.of(context.figure).moment, SHARE * (rest.last - rest.first))
     return replace(
         rest,
         first=rest.first + unsure * (rest.first > first),
@@ -204,16 +214,16 @@ def _without_ends(ground: Ground, recorded: Track, rest: Contact) -> Contact:
     )
 
 
-def _refined_stances(ground: Ground, recorded: Track, soft_problem: Problem) -> tuple[Contact, ...]:
+def _refined_stances(context: Context, recorded: Track, soft_problem: Problem) -> tuple[Contact, ...]:
     """Return the stances of a noisy recording after a search with the sure parts of its first ones.
 
     Brief stances are left out, at both ends of a recording also somewhat longer ones: noise hides that a foot moves."""
-    calm = ground.figure.to_qpos(_curve(soft_problem).at(recorded.times))
-    smoothed = Track.of(ground.figure, recorded.times, calm)
-    averaged = max(1.0, recorded.rate * Thresholds.of(ground.figure).blurred)  # samples
-    noise = largest_noise(recorded, ground.points) / np.sqrt(averaged)
-    stances = infer_stances(smoothed, ground.points, ground.surfaces, noise)
-    unsure, (first, last) = Thresholds.of(ground.figure).moment, recorded.path.span
+    calm = context.figure.to_qpos(_curve(soft_problem).at(recorded.times))
+    smoothed = Track.of(context.figure, recorded.times, calm)
+    averaged = max(1.0, recorded.rate * Thresholds.of(context.figure).blurred)  # samples
+    noise = largest_noise(recorded, context.points) / np.sqrt(averaged)
+    stances = infer_stances(smoothed, context.points, context.surfaces, noise)
+    unsure, (first, last) = Thresholds.of(context.figure).moment, recorded.path.span
 
     def is_sure(stance: Contact) -> bool:
         is_cut_off = stance.first < first + unsure or stance.last > last - unsure
@@ -222,9 +232,9 @@ def _refined_stances(ground: Ground, recorded: Track, soft_problem: Problem) -> 
     return tuple(stance for stance in stances if is_sure(stance))
 
 
-def started_at(problem: Problem, solution: Solution) -> Problem:
+def start_at(problem: Problem, solution: Solution) -> Problem:
     """Return a problem whose search starts at a solution."""
-    return replace(problem, keys=loose(problem.figure, solution.timeline.times, solution.timeline.states))
+    return replace(problem, keys=loose_frames(problem.figure, solution.timeline.times, solution.timeline.states))
 
 
 def _by_state(figure: Figure, known: Mask) -> Array:
@@ -237,22 +247,22 @@ def _by_state(figure: Figure, known: Mask) -> Array:
     return out
 
 
-def depth(ground: Ground, path: Path, times: Array) -> Array:
+def depth(context: Context, path: Path, times: Array) -> Array:
     """Return the largest depth (T,) [m] of body and soles at times (T,)."""
-    body, found = bunches((*ground.clear, *ground.points)), list[Array]()
-    for samples in sample_runs(ground.figure, path, times):
+    body, found = bunches((*context.body_above_soles, *context.points)), list[Array]()
+    for samples in sample_runs(context.figure, path, times):
         found.append(np.zeros(samples.count))
-        for surface in ground.surfaces:
+        for surface in context.surfaces:
             for _, at, deep in depths(body, surface, samples):
                 found[-1][at] = np.maximum(found[-1][at], deep.max(axis=0))
     return np.concatenate(found)
 
 
-def missed_edge_times(ground: Ground, path: Path, frames: Array) -> Array:
+def missed_edge_times(context: Context, path: Path, frames: Array) -> Array:
     """Return times (k,) [s] for more frames beyond those at `frames` (M,) [s], where a foot passes through an edge
     unseen."""
     times = even_times(path.span, RATE)
-    deep = depth(ground, path, times)
+    deep = depth(context, path, times)
     missed_times = list[float]()
     for first, end in runs(deep > DEEP):
         if (end - first) / RATE > SHALLOW:
@@ -317,7 +327,7 @@ def closer(cleaned: Cleaned, max_displacement: float, improved: Callable[[Improv
             break
         weights = [(p, 2 * w if isinstance(p, TrackingPenalty) else w) for p, w in problem.penalties]
         problem = replace(problem, penalties=tuple(weights))
-        tried = replace(cleaned, solution=inbetween(started_at(problem, best.solution), improved=improved))
+        tried = replace(cleaned, solution=inbetween(start_at(problem, best.solution), improved=improved))
         if not is_sound(tried):
             break
         if displacements(tried)[0].maximum < largest:
@@ -329,7 +339,7 @@ def is_sound(cleaned: Cleaned) -> bool:
     """Return whether nothing slips or penetrates."""
     figure, path = cleaned.figure, cleaned.after
     slips = (slip(figure, path, rest) for rest in cleaned.rests)
-    return max(slips, default=0.0) <= SLIP and depth(cleaned.ground, path, even_times(path.span, RATE)).max() <= DEPTH
+    return max(slips, default=0.0) <= SLIP and depth(cleaned.context, path, even_times(path.span, RATE)).max() <= DEPTH
 
 
 def slip(figure: Figure, path: Path, rest: Contact) -> float:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
@@ -14,10 +14,11 @@ from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.solution import Improvement
 
 from .. import motion
+from ..clip.kinds import Options
 from ..clip.load import figure_of, obstacles
 from ..clip.parse import file_of
 from ..clip.table import MapTable, SceneTable, SurroundingsTable
-from ..clip.tracking.penalties import ground_of, rests_of
+from ..clip.tracking.problem import rests_of, tracking_context
 from ..errors import UserError, listed
 from ..exchange import formats, gaps
 from ..exchange.motion_import import ImportedMotion, read_recording
@@ -30,9 +31,10 @@ from ..scene import file_access
 from ..solving import Solved
 from ..system.output import Replacement, check_target
 from ..system.progress import Progress, silent
-from .cleaning import Cleaned, cleaned, closer, displacements
-from .repairs import repaired
+from .cleaning import Cleaned, clean, closer, displacements
+from .repairs import repair
 
+SLOWER = 0.95  # [1] factor on the speed limit of joints, because soft constraints are exceeded a little
 FAR = 0.05  # [m] displacement in 95 % of the time above which stances are in doubt: most for captured motion is 2.7 cm
 
 
@@ -59,6 +61,15 @@ class Source:
     writes_map: bool = False
     avoids_self_collision: bool = False
     speed: float | None = None
+
+    @property
+    def options(self) -> dict[str, Options]:
+        """The options of soft constraints by kind."""
+        speed = None if self.speed is None else float(np.degrees(SLOWER * self.speed))
+        return {
+            "collision": Options.unchecked(self=self.avoids_self_collision),
+            "limits": Options.unchecked(speed=speed),
+        }
 
 
 def run(
@@ -115,19 +126,19 @@ def _moving(file: Path, figure: str, scene: str, _state: tuple[int, int], _allow
     """Cached while the file is unchanged: editing a clip reads it repeatedly."""
     around, progress = SurroundingsTable(scene=SceneTable.model_validate_json(scene)), silent()
     recording = _read(Source(file, figure), around, progress)
-    return _cleaned(recording, around, None, progress)[1]
+    return _clean(recording, around, None, progress)[1]
 
 
 def clean_recording(source: Source, max_displacement: float | None, progress: Progress) -> tuple[Cleaned, Saved]:
     """Return a cleaned recording, and its motion; max_displacement [m] as in `closer`. Raises UserError."""
     around = _around(source)
     recording = _read(source, around, progress)
-    return _cleaned(recording, around, max_displacement, progress, source)
+    return _clean(recording, around, max_displacement, progress, source)
 
 
 def clean_motion(saved: Saved, max_displacement: float | None, progress: Progress) -> Saved:
     """Return a motion of this program, cleaned; max_displacement [m] as in `closer`."""
-    return _cleaned(_of_motion(saved), SurroundingsTable(), max_displacement, progress)[1]
+    return _clean(_of_motion(saved), SurroundingsTable(), max_displacement, progress)[1]
 
 
 def _of_motion(saved: Saved) -> ImportedMotion:
@@ -186,7 +197,7 @@ def _write_map(target: Path, used: maps.AppliedMap, progress: Progress) -> None:
     progress.report(f"wrote {target}")
 
 
-def _cleaned(
+def _clean(
     recording: ImportedMotion,
     around: SurroundingsTable,
     max_displacement: float | None,
@@ -194,19 +205,18 @@ def _cleaned(
     source: Source | None = None,
 ) -> tuple[Cleaned, Saved]:
     figure = figure_of(recording.scene, recording.name)
-    repaired_recording = repaired(figure, recording.time, recording.qpos, recording.name)
-    for note in repaired_recording.notes:
+    repaired = repair(figure, recording.time, recording.qpos, recording.name)
+    for note in repaired.notes:
         progress.report(f"note: {note}")
-    ground = ground_of(figure, repaired_recording.qpos)
-    if source is not None:
-        ground = replace(ground, avoids_self_collision=source.avoids_self_collision, speed=source.speed)
-    span = float(repaired_recording.time[0]), float(repaired_recording.time[-1])
-    requested = rests_of(ground, around.contact, span, recording.name) if around.contact else None
+    context = tracking_context(figure, repaired.time, figure.to_state(repaired.qpos), recording.name)
+    options = {} if source is None else source.options
+    span = float(repaired.time[0]), float(repaired.time[-1])
+    requested = rests_of(context, around.contact, span) if around.contact else None
 
     def improved(improvement: Improvement) -> None:
         progress.step("cleaning", None, f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}")
 
-    result = cleaned(ground, repaired_recording, requested, improved=improved)
+    result = clean(context, options, repaired, requested, improved=improved)
     if max_displacement is not None:
         result = closer(result, max_displacement, improved)
     for line in _notes(result, max_displacement):
@@ -218,7 +228,7 @@ def _notes(result: Cleaned, max_displacement: float | None) -> Iterator[str]:
     """Yield the stances of every point, first those of soles, and notes on stances and displacements to check."""
     if not result.rests:
         yield "note: no stance was detected, so feet may slip"
-    names = [point.name for point in (*result.ground.points, *(rest.point for rest in result.rests))]
+    names = [point.name for point in (*result.context.points, *(rest.point for rest in result.rests))]
     for name in dict.fromkeys(names):
         spans = [f"{rest.first:.2f}-{rest.last:.2f}" for rest in result.rests if rest.point.name == name]
         if spans:

@@ -37,7 +37,7 @@ class Repaired:
     notes: tuple[str, ...]
 
 
-def repaired(figure: Figure, time: Array, qpos: Array, where: str) -> Repaired:
+def repair(figure: Figure, time: Array, qpos: Array, where: str) -> Repaired:
     """Return repaired samples at times (T,) [s], qpos (T, nq), some entries not finite; where: label in errors.
 
     Raises UserError for too few samples, decreasing times, and gaps that are too long.

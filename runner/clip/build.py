@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from dynsplines.solver.contacts import Contact, ContactSchedule, Interval
+from dynsplines.solver.contacts import Contact, Interval
 from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import Figure
@@ -23,10 +23,10 @@ from ..motion import Saved
 from ..scene.assets import Scene
 from ..scene.model_notes import model_notes
 from .context import Context
-from .kinds import KINDS, Kind, Options
+from .kinds import KINDS, Options
 from .parse import Parsed, table_of
 from .table import ClipTable, SolveTable
-from .tracking.penalties import footings_of, ground_of, rests_of, stances_in, stances_of
+from .tracking.problem import rests_of, stances_in, stances_of, tracking_context
 from .tracking.recording import TrackedRecording
 
 CustomPenalties = Sequence[tuple[Penalty, float]]
@@ -56,7 +56,6 @@ class Clip:
         notes: Lines on missing or doubtful input.
         custom_penalties: Custom soft constraints with their weights, which the problem contains, too. They are not
             stored in files.
-        has_recording: Whether the clip follows a recording, so that most of its frames are not keyframes of its text.
     """
 
     name: str
@@ -67,7 +66,6 @@ class Clip:
     context: Context
     notes: tuple[str, ...]
     custom_penalties: tuple[tuple[Penalty, float], ...] = ()
-    has_recording: bool = False
 
     @property
     def figure(self) -> Figure:
@@ -80,6 +78,11 @@ class Clip:
         return tuple(self.problem.keys)
 
     @property
+    def has_recording(self) -> bool:
+        """Whether the clip follows a recording, so that most of its frames are not keyframes of its text."""
+        return self.context.is_tracking
+
+    @property
     def authored_keys(self) -> tuple[Frame, ...]:
         """The keyframes of the clip's text, without the frames of a recording that it follows."""
         return edits_of(self.keys, table_of(self.text, self.context.where)) if self.has_recording else self.keys
@@ -87,7 +90,7 @@ class Clip:
     @property
     def stances(self) -> list[dict[str, object]]:
         """The stances of the recording that the clip follows, in the format of motion files; empty for other clips."""
-        return stances_of(self.context.schedule.contacts) if self.has_recording else []
+        return stances_of(self.context.schedule.on_ground) if self.has_recording else []
 
     @property
     def penalties(self) -> tuple[tuple[Penalty, float], ...]:
@@ -153,7 +156,7 @@ def build(
     if "ends" not in solve.model_fields_set and any(stationary):
         ends, note = AT_REST[stationary]
         problem = replace(problem, ends=ends, end_slope=np.zeros((2, figure.width)))
-        context, resting = context.scheduled(keys=problem.raw), (note + FREE_NOTE,)
+        context, resting = context.with_schedule(keys=problem.raw), (note + FREE_NOTE,)
     context, penalties, notes = constraints(context, source.options)
     problem = replace(problem, penalties=penalties)
     all_notes = (*model_notes(figure.model), *notes, *resting, *_too_many(problem))
@@ -172,7 +175,7 @@ def constraints(
     options = {kind.name: Options() for kind in KINDS.values() if kind.is_default} | dict(listed)
     if "prior" not in listed and context.person is not None and context.person.is_robot:
         del options["prior"]
-    notes = [*context.lacking, *context.released]
+    notes = [*context.missing_features, *context.drifting_objects]
     context = _with_options(context, options, listed.keys())
     if "cycle" in listed and _weight("cycle", options["cycle"]) > 0 and context.schedule.gait_cycle is None:
         notes.append(NO_CYCLE)
@@ -181,25 +184,12 @@ def constraints(
     penalties = list[tuple[Penalty, float]]()
     for name in options:
         kind = KINDS[name]
-        terms = list(_built(context, kind, options[name]))
+        terms = list(kind.terms(context, options[name]))
         if name in listed and name != "cycle" and not terms and any(kind.weights(options[name]).values()):
             measured = "; ".join(part.quantity for part in kind.parts)
             notes.append(f"penalty '{name}' has no effect in this clip; it measures: {measured}")
         penalties += terms
     return context, tuple((p, weight) for p, weight in penalties if weight > 0), notes
-
-
-def _built(context: Context, kind: Kind, options: Options) -> Iterator[tuple[Penalty, float]]:
-    weights = kind.weights(options)
-    for part in [part for part in kind.parts if part.name in weights]:
-        try:
-            penalty = part.build(context, options)
-        except UserError:
-            raise
-        except ValueError as error:
-            raise UserError(f"{context.where}: penalty '{kind.name}': {error}") from None
-        if penalty is not None:
-            yield penalty, weights[part.name]
 
 
 def _weight(kind: str, options: Options, part: str = "") -> float:
@@ -210,12 +200,12 @@ def _with_options(context: Context, options: Mapping[str, Options], listed: Cont
     """Return the context with the options that affect several kinds: points of soles, limbs, flights, the cycle."""
     collision, limits, flight, cycle = (options[kind] for kind in ("collision", "limits", "flight", "cycle"))
     if collision.points is not None:
-        context = context.scheduled(points=context.sites(collision.points))
+        context = context.with_schedule(points=context.sites(collision.points))
     if limits.bend_joints is not None:
         context = replace(context, bends=context.limbs(limits.bend_joints))
     has_cycle = (True if "cycle" in listed else None) if _weight("cycle", cycle) > 0 else False
     flights = _flights(context, flight.intervals, is_requested="flight" in listed)
-    return context.scheduled(specified_flights=flights, has_cycle=has_cycle, period=cycle.period)
+    return context.with_schedule(specified_flights=flights, has_cycle=has_cycle, period=cycle.period)
 
 
 def _flights(
@@ -253,38 +243,15 @@ def build_following(
     Raises:
         UserError: For tables that do not fit the figure or the recording.
     """
-    figure, where = recording.recorded.figure, source.where
-    ground = ground_of(figure, figure.to_qpos(recording.recorded.states))
-    given_rests = rests_of(ground, source.table.contact, recording.recorded.path.span, where)
-    rests = recording.stances(ground, edits, given_rests) if stances is None else stances_in(stances, ground, where)
-    problem, factors = recording.problem(ground, edits, rests), weight_factors(source.options)
-    problem = replace(problem, penalties=tuple((p, w * factors.get(p.name, 1.0)) for p, w in problem.penalties))
-    _check_problem(problem, where)
-    bends = () if ground.bends is None else ground.bends.joints
-    schedule = ContactSchedule(
-        figure,
-        problem.raw,
-        ground.points,
-        ground.surfaces,
-        rests,
-        specified_footings=footings_of(rests),
-        specified_flights=(),
-        has_cycle=False,
-    )
-    context = Context(schedule, where, bends)
-    return Clip(source.name, source.text, scene, fps, problem, context, (), has_recording=True)
-
-
-def weight_factors(listed: Mapping[str, Options]) -> dict[str, float]:
-    """Return factors of the weights of terms, by name, for a clip that follows a recording."""
-    factors: dict[str, float] = {}
-    for name, options in listed.items():
-        weight, kind = options.weight, KINDS[name]
-        for part in kind.parts:
-            factor = weight.get(part.name) if isinstance(weight, dict) else weight
-            if factor is not None:
-                factors[kind.term(part)] = factor
-    return factors
+    recorded = recording.recorded
+    context = tracking_context(recorded.figure, recorded.times, recorded.states, source.where)
+    given_rests = rests_of(context, source.table.contact, recorded.path.span)
+    rests = recording.stances(context, edits, given_rests) if stances is None else stances_in(stances, context)
+    context = context.with_schedule(on_ground=rests)
+    problem = recording.problem(context, source.options, edits)
+    _check_problem(problem, source.where)
+    context = context.with_schedule(keys=problem.raw)
+    return Clip(source.name, source.text, scene, fps, problem, context, ())
 
 
 def _check_problem(problem: Problem, where: str) -> None:

@@ -57,7 +57,7 @@ def schedule_of(
     grasps = grasps_of(samples, keys, grasp_tables, where, soles)
     firm = [grasp for grasp, table in zip(grasps, grasp_tables, strict=True) if table.rotation != "free"]
     turns = tuple(turn for grasp in firm if _is_alone(grasp, grasps) for turn in rotation_points(samples, keys, grasp))
-    return ContactSchedule(figure, keys, soles, surfaces, (*specified, *grasps), turns)
+    return ContactSchedule(figure, keys, soles, surfaces, specified, grasps, turns)
 
 
 def contacts(

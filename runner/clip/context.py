@@ -22,7 +22,7 @@ from dynsplines.solver.figure.model import kinematics
 from dynsplines.solver.figure.root import has_fixed_base
 from dynsplines.solver.penalty import Bend, Lean, Person, Range, Support, holds, leans
 from dynsplines.solver.surface import Plane, Surface
-from dynsplines.solver.surface.points import Point, displacements
+from dynsplines.solver.surface.points import Point, body_points, bottoms_of, displacements
 
 from ..errors import UserError, unknown
 from .contacts import schedule_of
@@ -42,8 +42,8 @@ class Context:
     """The inputs of soft constraints.
 
     Attributes:
-        schedule: The schedule of contacts, with the figure, its keyframes, its sole points (or the sites listed for
-            `collision`), and the surfaces of the scene.
+        schedule: The schedule of contacts, with the figure, its keyframes or the samples of the recording that it
+            follows, its sole points (or the sites listed for `collision`), and the surfaces of the scene.
         where: The name of the clip in error messages.
         bends: The knees and elbows on ball joints: all, or those listed for `limits`.
     """
@@ -67,7 +67,7 @@ class Context:
         schedule = schedule_of(figure, keys, surfaces, where, tables, grasp_tables)
         return cls(replace(schedule, targets=targets), where, tuple(knees_and_elbows(figure)))
 
-    def scheduled(self, **changes: Any) -> Context:
+    def with_schedule(self, **changes: Any) -> Context:
         """Return the same inputs with changed fields of the schedule of contacts."""
         return replace(self, schedule=replace(self.schedule, **changes))
 
@@ -90,6 +90,29 @@ class Context:
     def surfaces(self) -> tuple[Surface, ...]:
         """The surfaces of the scene."""
         return self.schedule.surfaces
+
+    @property
+    def is_tracking(self) -> bool:
+        """Whether the soft constraints are those of a motion that follows a recording."""
+        return self.schedule.is_recording
+
+    @cached_property
+    def body_above_soles(self) -> tuple[Point, ...]:
+        """The points of the body, without those of feet and ankles below the resting soles, which these represent."""
+        figure, body = self.figure, body_points(self.figure)
+        if not body or not self.points:
+            return body
+        rest = Samples.still(figure, figure.to_state(figure.model.qpos0[None]))
+        heights = bottoms_of((*body, *self.points), rest)[:, 0]
+        soles = np.array([point.link for point in self.points])
+        lowest = {link: heights[len(body) :][soles == link].min() for link in np.unique(soles).tolist()}
+        flush = Thresholds.of(figure).tiny
+
+        def is_below(point: Point, height: float) -> bool:
+            feet = [link for link in lowest if point.link in (link, figure.links[link].parent)]
+            return any(height < lowest[link] - flush for link in feet)
+
+        return tuple(p for p, height in zip(body, heights.tolist(), strict=False) if not is_below(p, height))
 
     @cached_property
     def support(self) -> Support | None:
@@ -145,7 +168,7 @@ class Context:
         return is_stationary(0, 1, planted[0]), is_stationary(-1, -2, planted[1])
 
     @property
-    def lacking(self) -> list[str]:
+    def missing_features(self) -> list[str]:
         """Notes on common features that the figure or its scene lacks."""
         lines: list[str] = []
         if not self.surfaces:
@@ -205,7 +228,7 @@ class Context:
         ]
 
     @property
-    def released(self) -> list[str]:
+    def drifting_objects(self) -> list[str]:
         """Notes on objects that a keyframe after their last hold does not place, so that they may drift."""
         schedule, keys, lines = self.schedule, self.keys, list[str]()
         for i in schedule.objects:

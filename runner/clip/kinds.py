@@ -5,7 +5,7 @@ A new kind is a class in the solver and a record here.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Annotated, Any
 
@@ -16,7 +16,8 @@ from dynsplines import models
 from dynsplines.solver.contacts import Interval, surfaces_on
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
-from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.figure import Figure, JointKind
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.model import geom_name
 from dynsplines.solver.penalty import (
     Attachment,
@@ -34,6 +35,7 @@ from dynsplines.solver.penalty import (
     Penalty,
     Posture,
     Prior,
+    Range,
     RootAcceleration,
     SelfContact,
     Skate,
@@ -61,6 +63,7 @@ from .table import Angle, Flag, Names, Number, Real, Table
 
 BEND_BOUND = 8.0  # [degrees] default bound; the soft constraint then rarely exceeds 10°
 RAW_UNIT = 0.1  # [1] `most` of `UnitMagnitude`: limit of the raw spline's mean squared deviation, all joints together
+INSIDE = 0.015  # [rad, m] margin inside a joint's range while tracking
 BODY = "collision.body"  # name of the term of the body's contacts with surfaces
 
 
@@ -122,7 +125,9 @@ class Part:
         build: Returns the penalty for a clip's context and the options of its table; None if it does not apply.
         name: The key in a table of weights; the term is KIND.NAME. Empty for the only part of a kind.
         option: The option that switches it on or off; None: always on.
-        tracking: The weight while a clip follows a recording, without renormalisation; None: the part is then off.
+        tracking: The weight while a motion follows a recording; None: the part is then off. These terms are not divided
+            by their values on the raw spline, because the recording defines the scale: differences from it form a
+            chi-squared sum, 1 per standard deviation.
     """
 
     weight: float
@@ -157,7 +162,8 @@ class Kind:
         """Return the options besides the weight, with their units or values."""
         return {name: Options.model_fields[name].description or "" for name in self.options}
 
-    def described(self) -> dict[str, Any]:
+    def describe(self) -> dict[str, Any]:
+        """Return the parts and options as rows of a table."""
         parts = [
             {
                 "part": part.name,
@@ -174,7 +180,37 @@ class Kind:
         """Return the name of a part in E."""
         return f"{self.name}.{part.name}" if part.name else self.name
 
+    def terms(self, context: Context, options: Options) -> Iterator[tuple[Penalty, float]]:
+        """Yield the soft constraints that apply, with their weights.
+
+        Raises:
+            UserError: For options that do not fit the figure.
+        """
+        weights = self.tracking_weights(options) if context.is_tracking else self.weights(options)
+        for part in [part for part in self.parts if part.name in weights]:
+            try:
+                penalty = part.build(context, options)
+            except UserError:
+                raise
+            except ValueError as error:
+                raise UserError(f"{context.where}: penalty '{self.name}': {error}") from None
+            if penalty is not None:
+                yield penalty, weights[part.name]
+
+    def factors(self, options: Options) -> dict[str, float]:
+        """Return the factors of the weights of parts, by name, that options specify for following a recording."""
+        weight = options.weight
+        every = {part.name: weight.get(part.name) if isinstance(weight, dict) else weight for part in self.parts}
+        return {name: factor for name, factor in every.items() if factor is not None}
+
+    def tracking_weights(self, options: Options) -> dict[str, float]:
+        """Return the weights of the parts that are on while tracking: those with an option only if it is specified."""
+        factors, specified = self.factors(options), options.model_fields_set
+        on = [p for p in self.parts if p.option is None or (p.option in specified and getattr(options, p.option))]
+        return {p.name: p.tracking * factors.get(p.name, 1.0) for p in on if p.tracking is not None}
+
     def weights(self, options: Options) -> dict[str, float]:
+        """Return the weights of the parts that are on, by name."""
         weight, first = options.weight, self.parts[0].weight
         on = [part for part in self.parts if part.option is None or getattr(options, part.option)]
         if isinstance(weight, dict):
@@ -190,6 +226,8 @@ def _soles(context: Context, options: Options) -> Penalty | None:
 def _bend(context: Context, options: Options) -> Penalty | None:
     if not context.bends:
         return None
+    if context.is_tracking:
+        return BendLimits(context.bends).extended(Samples.still(context.figure, context.keys.states))
     return bend_limits(context.bends, options).allowing(context.figure, context.keys)
 
 
@@ -202,6 +240,8 @@ def bend_limits(bends: tuple[Bend, ...], options: Options) -> BendLimits:
 
 def _body(context: Context, options: Options) -> Penalty:
     margin = options.margin or 0.0
+    if context.is_tracking:  # the corners alone, which a recording keeps near its path
+        return Collision(context.body_above_soles, context.surfaces, term_name=BODY)
     parts = *body_contacts(context, margin), *_grasped_object_contacts(context, margin)
     return parts[0] if len(parts) == 1 else Sum(parts, term_name=BODY)
 
@@ -324,7 +364,9 @@ def _flight(context: Context, options: Options) -> Penalty | None:
     return Flight.of(context.figure, support.root, support.flights, options.angular or 0.0)
 
 
-def _support(context: Context, options: Options) -> Penalty:
+def _support(context: Context, options: Options) -> Penalty | None:
+    if context.is_tracking and not context.schedule.footings:
+        return None
     support = _supported(context, "support")
     return replace(support, friction=options.friction or support.friction)
 
@@ -337,7 +379,16 @@ def _supported(context: Context, kind: str) -> Support:
 
 def _range(context: Context, options: Options) -> Penalty | None:
     figure, joints = context.figure, joint_ranges(context.figure)
+    if context.is_tracking:
+        joints = tuple(map(_inside, joints))
     return JointRange(joints).allowing(figure, context.keys) if joints else None
+
+
+def _inside(joint: Range) -> Range:
+    """Return a range with a margin inside, because a soft constraint is exceeded a little."""
+    margin = min(INSIDE, 0.1 * (joint.high - joint.low))
+    low = joint.low + margin * (joint.low != 0 or joint.kind is not JointKind.BALL)
+    return replace(joint, low=low, high=joint.high - margin)
 
 
 def _posture(context: Context, options: Options) -> Penalty:
@@ -453,10 +504,6 @@ KINDS = {
         ), is_default=False),
     )
 }  # fmt: skip
-
-TRACKING_WEIGHTS = {
-    kind.term(part): part.tracking for kind in KINDS.values() for part in kind.parts if part.tracking is not None
-}
 
 
 def posing_limits(figure: Figure, listed: Mapping[str, Options]) -> tuple[BendLimits | None, tuple[Interval, ...]]:

@@ -23,10 +23,10 @@ from dynsplines.solver.tolerances import ROUNDING
 from ..errors import UserError, import_first, unknown
 from ..scene import file_access
 from ..scene.file_access import is_there, lies_in
-from .kinds import KINDS, TRACKING_WEIGHTS, Kind, Options
+from .kinds import KINDS, Kind, Options
 from .table import ClipTable, PenaltyTable, SolveTable, Table
 from .table_errors import describe, describe_toml
-from .tracking.penalties import LONGEST_PANEL, POINTS
+from .tracking.problem import LONGEST_PANEL, POINTS
 
 Tables = TypeVar("Tables", bound=Table)
 
@@ -258,13 +258,14 @@ def _misplaced(table: ClipTable) -> Iterator[str]:
         yield "[[grasp]] is for clips of keyframes; one that follows a recording has none"
     if table.solve.model_fields_set - {"coordinates"}:
         yield f"solve.{sorted(table.solve.model_fields_set)[0]} is for clips of keyframes, not for one with [recording]"
+    tracked = [kind.term(part) for kind in KINDS.values() for part in kind.parts if part.tracking is not None]
     for entry in table.penalty:
         weight = entry.options.get("weight")
         terms = [f"{entry.kind}.{part}" for part in weight] if isinstance(weight, dict) else []
-        unfit = [term for term in terms if term not in TRACKING_WEIGHTS]
-        kinds = {term.split(".")[0] for term in TRACKING_WEIGHTS}
+        unfit = [term for term in terms if term not in tracked]
+        kinds = {term.split(".")[0] for term in tracked}
         if entry.kind not in kinds or unfit or entry.options.keys() - {"weight"}:
-            yield f"penalty '{entry.kind}': beside a recording only weights count, of: {', '.join(TRACKING_WEIGHTS)}"
+            yield f"penalty '{entry.kind}': beside a recording only weights count, of: {', '.join(tracked)}"
 
 
 def keyframe_label(number: int, time: float) -> str:

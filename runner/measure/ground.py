@@ -49,7 +49,7 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
     root     index of the tree's root link;  height  (S,) [m] of its lowest point
     """
     schedule, figure = motion.clip.context.schedule, motion.clip.figure
-    carrying = [(rest.first, rest.last) for rest in schedule.contacts]
+    carrying = [(rest.first, rest.last) for rest in (*schedule.on_ground, *schedule.grasps)]
     name, lowest = figure.links[root].name, int(height.round(3).argmin())
     if BOUNDS["aloft"].most < height[lowest] < FAR and not schedule.flights and not carrying:
         text = f"the figure never comes down: lowest point {height[lowest]:.2f} m above the floor"

@@ -116,10 +116,11 @@ def _averaged(amount: Array, t: Array, window: float) -> Array:
 def _is_explained(motion: Measurement, samples: Samples, clear: float) -> Mask:
     """Return at which samples (S,) a specified contact away from the ground may carry the figure, or the hand of
     another figure."""
-    contacts = motion.clip.context.schedule.contacts
+    schedule = motion.clip.context.schedule
+    contacts = (*schedule.on_ground, *schedule.grasps)
     if not contacts:
         return np.zeros(samples.count, bool)
     centres, radii = places_of([contact.point for contact in contacts], samples)
-    height, _ = height_over(motion.clip.context.surfaces, centres, radii)
+    height, _ = height_over(schedule.surfaces, centres, radii)
     during = np.array([contact.during(samples.t) for contact in contacts])
     return np.asarray((during & (height > clear)).any(axis=0))

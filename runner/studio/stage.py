@@ -11,7 +11,7 @@ import numpy as np
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.model import kinematics
 
-from ..clip.build import Clip, weight_factors
+from ..clip.build import Clip
 from ..clip.kinds import KINDS
 from ..clip.parse import chosen, table_of
 from ..clip.posing.places import posable_sites
@@ -143,12 +143,10 @@ def outline(text: str, where: str) -> dict[str, Any]:
 
 def weights(table: ClipTable, where: str) -> dict[str, float]:
     """Return the weights in the clip's text by term; for a clip with a recording, the factors."""
-    if table.recording is not None:
-        return weight_factors(chosen(table.penalty, where))
     listed: dict[str, float] = {}
     for name, options in chosen(table.penalty, where).items():
         kind, weight = KINDS[name], options.weight
-        weights = {} if weight is None else kind.weights(options)
+        weights = {} if weight is None else kind.weights(options) if table.recording is None else kind.factors(options)
         for part in kind.parts:
             if part.name in weights and (not isinstance(weight, dict) or part.name in weight):
                 listed[kind.term(part)] = weights[part.name]
@@ -159,6 +157,6 @@ def kinds() -> list[dict[str, object]]:
     """Return the terms of soft constraints, one per row."""
     return [
         {"kind": kind["kind"], **part}
-        for kind in (kind.described() for kind in KINDS.values())
+        for kind in (kind.describe() for kind in KINDS.values())
         for part in kind["parts"]
     ]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -33,26 +33,28 @@ class ContactSchedule:
         keys: The keyframes.
         points: The sole points, or the points of the option `points` of `collision`.
         surfaces: The floor and the obstacles.
-        contacts: The contacts that the clip specifies, with the surroundings and with links that it grasps.
+        on_ground: The contacts with the surroundings: those that the clip specifies, and the stances of its recording.
+        grasps: The contacts with links, which the clip specifies.
         turns: The contacts that hold the rotation of grasped bodies, of points beside the grasps.
         targets: Contacts of an instant, which the search has to reach. A foot with a target elsewhere does not stand.
-        specified_footings: The contacts that can support the figure; None: inferred from stances.
         specified_flights: The intervals [s] in which nothing supports the figure; None: inferred from keyframes.
         has_cycle: Whether the keyframes form a gait cycle; None: inferred, true only if a cycle is unambiguous.
         period: The period of a gait cycle [s]; None: the likeliest one.
+        is_recording: Whether the frames are those of a recording, so that `on_ground` contains all that supports it.
     """
 
     figure: Figure
     keys: Timeline
     points: tuple[Point, ...] = ()
     surfaces: tuple[Surface, ...] = ()
-    contacts: tuple[Contact, ...] = ()
+    on_ground: tuple[Contact, ...] = ()
+    grasps: tuple[Contact, ...] = ()
     turns: tuple[Contact, ...] = ()
     targets: tuple[Contact, ...] = ()
-    specified_footings: tuple[Contact, ...] | None = None
     specified_flights: tuple[Interval, ...] | None = None
     has_cycle: bool | None = None
     period: float | None = None
+    is_recording: bool = False
 
     @cached_property
     def root(self) -> int | None:
@@ -62,16 +64,6 @@ class ContactSchedule:
             return None
         root = free_root(self.figure, self.points)
         return int(links[0]) if root is None else root
-
-    @cached_property
-    def on_ground(self) -> tuple[Contact, ...]:
-        """The specified contacts with the surroundings."""
-        return tuple(contact for contact in self.contacts if not contact.on)
-
-    @cached_property
-    def grasps(self) -> tuple[Contact, ...]:
-        """The specified contacts with links."""
-        return tuple(contact for contact in self.contacts if contact.on)
 
     @cached_property
     def stances(self) -> tuple[Contact, ...]:
@@ -120,9 +112,11 @@ class ContactSchedule:
 
     @cached_property
     def footings(self) -> tuple[Contact, ...]:
-        """The contacts that can support the figure."""
-        if self.specified_footings is not None or self.root is None:
-            return self.specified_footings or ()
+        """The contacts that can support the figure. The ground of a recording is taken to be level."""
+        if self.root is None:
+            return ()
+        if self.is_recording:
+            return tuple(replace(contact, surface=None) for contact in self.on_ground)
         return footings(self._tree_soles, self._carriers, self._tree_body)
 
     @property

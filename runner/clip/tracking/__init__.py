@@ -1,5 +1,5 @@
 """A clip that follows a recording.
 
 recording  a clip's [recording]: the motion that the clip follows and its keyframes edit
-penalties  soft constraints besides the recording: contacts, joint ranges, balance
+problem    the problem of following it: frames, stances, soft constraints
 """

@@ -6,7 +6,7 @@ than its poses, which preserves detail. If `blend` is specified, the rest of the
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -29,8 +29,10 @@ from dynsplines.solver.tolerances import ROUNDING
 
 from ...errors import UserError
 from ...motion import Saved, continuous, sample_count
+from ..context import Context
+from ..kinds import Options
 from ..table import RecordingTable
-from .penalties import Ground, problem
+from .problem import tracking_problem
 
 CLOSE = 0.004  # [s] minimum distance of frames
 RATE = 120.0  # [1/s] minimum rate at which a motion is sampled
@@ -84,14 +86,15 @@ class TrackedRecording:
             )
         return self.recorded.figure.to_qpos(self.recorded.path.at(np.array([time])))[0]
 
-    def stances(self, ground: Ground, edits: Sequence[Frame], specified: Sequence[Contact]) -> tuple[Contact, ...]:
+    def stances(self, context: Context, edits: Sequence[Frame], specified: Sequence[Contact]) -> tuple[Contact, ...]:
         """Return the recording's stances without points in contacts or moved by keyframes, and those of `specified`."""
-        inferred = infer_stances(self.recorded, ground.points, ground.surfaces)
+        inferred = infer_stances(self.recorded, context.points, context.surfaces)
         return (*(rest for rest in inferred if not self._is_void(rest, edits, specified)), *specified)
 
-    def problem(self, ground: Ground, edits: Sequence[Frame], rests: Sequence[Contact]) -> Problem:
+    def problem(self, context: Context, options: Mapping[str, Options], edits: Sequence[Frame]) -> Problem:
+        """Return the problem of following the recording through keyframes."""
         near = TrackingPenalty(self._warped(edits), tuple((edit.time, self.width) for edit in edits))
-        unweighted = problem(near, ground, rests, self._times(near, edits), edits)
+        unweighted = tracking_problem(near, context, options, self._times(near, edits), edits)
         weights = [(p, self.table.weight * w if p is near else w) for p, w in unweighted.penalties]
         keys = [self._fixed_outside_blends(frame, edits) for frame in unweighted.keys]
         settings = replace(unweighted.settings, tolerance=TOLERANCE)

@@ -24,6 +24,7 @@ from ..allowance import Allowance
 from ..block import Block
 from ..penalty import NEAR_ANGLE, Normalization, Penalty, Role
 
+RARE = 2.0  # [%] share of samples beyond extended limits
 ALONG, FLAT = 1e-9, 1e-18  # [1] sine of the angle between limb and hinge axis without defined flexion, and its square
 ANGLE, SIGN = np.array([0, 1, 1, 2, 2]), np.array([-1.0, 1, -1, 1, -1])  # of the five bounds, as in `_excess`
 JointFrames = tuple[Array, Array, Array, Array, Array, Array]
@@ -78,6 +79,17 @@ class BendLimits(Penalty):
         fixed = np.array([keys.fixed[:, group].all(axis=1) for group in columns])
         excess = np.maximum(self._excess(self.angles(samples)), 0) * fixed
         return replace(self, allowed=Allowance(keys.times, excess)) if excess.any() else self
+
+    def extended(self, samples: Samples) -> BendLimits:
+        """Return the limits, extended to nearly all samples."""
+        flexion, *aside = self.angles(samples)
+        sideways, twist = (float(np.percentile(np.abs(angle), 100 - RARE)) for angle in aside)
+        return replace(
+            self,
+            least=min(self.least, float(np.percentile(flexion, RARE))),
+            sideways=max(self.sideways, sideways),
+            twist=max(self.twist, twist),
+        )
 
     def _excess(self, angles: Array) -> Array:
         """Return the excess of angles (3, n, S) over each bound, negative within it, (5, n, S)."""

@@ -98,7 +98,7 @@ def test_violations_that_remain_are_printed_last(command, squats, tmp_path, monk
 @pytest.mark.slow
 def test_what_came_in_a_format_goes_out_in_it_unasked(command, squats, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(clean_command, "_cleaned", lambda recording, *_: (None, uncleaned(recording)))
+    monkeypatch.setattr(clean_command, "_clean", lambda recording, *_: (None, uncleaned(recording)))
     words = ("clean", squats / "bobs.bvh", "--figure", "human")
     done = command(*words)
     assert done.code == 0, done.err

@@ -13,9 +13,9 @@ from texts import read_data
 
 from dynsplines import recordings, solving
 from dynsplines.clean import cleaning
-from dynsplines.clean.cleaning import Cleaned, cleaned, closer, displacements, is_sound, slip
-from dynsplines.clean.repairs import repaired
-from dynsplines.clip.tracking.penalties import Ground, ground_of
+from dynsplines.clean.cleaning import Cleaned, closer, displacements, is_sound, slip
+from dynsplines.clean.repairs import repair
+from dynsplines.clip.tracking.problem import tracking_context
 from dynsplines.motion import even_times, samples_at
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Contact
@@ -25,9 +25,8 @@ from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import JointRange, Support, joint_ranges
 from dynsplines.solver.penalty.motion.acceleration import relative_accelerations
-from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.heights import height_over
-from dynsplines.solver.surface.points import body_points, places_of
+from dynsplines.solver.surface.points import places_of
 
 FPS = 60.0
 
@@ -57,7 +56,9 @@ def first_samples(take: Take, count: int) -> Take:
 
 
 def cleaned_of(take: Take, qpos: Array, rests: Sequence[Contact] | None = None) -> Cleaned:
-    return cleaned(ground_of(take.figure, qpos), repaired(take.figure, take.time, qpos, "recording"), rests)
+    figure, repaired = take.figure, repair(take.figure, take.time, qpos, "recording")
+    context = tracking_context(figure, repaired.time, figure.to_state(repaired.qpos), "recording")
+    return cleaning.clean(context, {}, repaired, rests)
 
 
 def ankle_error(take: Take, found: Cleaned) -> Array:
@@ -74,7 +75,7 @@ def measured(clean: Cleaned, path: Path) -> dict[str, float]:
     samples = samples_at(figure, path, even_times(path.span, 120))
     heights = [
         height_over(
-            clean.ground.surfaces if rest.surface is None else (rest.surface,), *places_of((rest.point,), still)
+            clean.context.surfaces if rest.surface is None else (rest.surface,), *places_of((rest.point,), still)
         )[0]
         for rest in clean.rests
         for still in [samples_at(figure, path, np.linspace(rest.first, rest.last, 50))]
@@ -119,16 +120,16 @@ def test_a_foot_that_goes_through_an_edge_between_two_frames_is_seen():
         <body><freejoint/><geom size=".01"/></body></worldbody></mujoco>"""
     )
     figure, frames = Figure(model), np.linspace(0, 1, 11)
-    ground = Ground(figure, body_points(figure), tuple(static_surfaces(model)))
     way = 2 * (frames - 0.55)
     places = np.stack([way - 0.006 / np.sqrt(2), 0 * way, 1 + way + 0.006 / np.sqrt(2)], axis=1)
-    path = natural_spline(frames, np.hstack([places, np.tile([1.0, 0, 0, 0], (11, 1))]))
-    deep = cleaning.depth(ground, path, np.linspace(0, 1, 2000))
-    more = cleaning.missed_edge_times(ground, path, frames)
+    states = np.hstack([places, np.tile([1.0, 0, 0, 0], (11, 1))])
+    path, context = natural_spline(frames, states), tracking_context(figure, frames, states, "ball")
+    deep = cleaning.depth(context, path, np.linspace(0, 1, 2000))
+    more = cleaning.missed_edge_times(context, path, frames)
     assert deep.max() > cleaning.DEEP
     assert more.size
     assert np.abs(more - np.linspace(0, 1, 2000)[deep.argmax()]).min() < 0.06
-    assert not cleaning.missed_edge_times(Ground(figure, ground.points, ()), path, frames).size
+    assert not cleaning.missed_edge_times(context.with_schedule(surfaces=()), path, frames).size
 
 
 def test_what_is_asked_to_stay_near_does_as_far_as_its_stances_let_it(take, bad, clean):

@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from dynsplines.clean.repairs import Repaired, repaired
+from dynsplines.clean.repairs import Repaired, repair
 from dynsplines.clip.load import figure_of
 from dynsplines.errors import UserError
 from dynsplines.scene.compose import compose, figure_spec
@@ -25,7 +25,7 @@ def motion() -> np.ndarray:
 
 
 def mended(time: np.ndarray, qpos: np.ndarray) -> Repaired:
-    return repaired(FIGURE, time, qpos, "walk.csv")
+    return repair(FIGURE, time, qpos, "walk.csv")
 
 
 def changed(rows: Any, columns: Any, value: Any) -> np.ndarray:

@@ -95,7 +95,7 @@ def test_the_robot_walks_on_the_ground_in_its_ranges(walked):
 @pytest.mark.slow
 def test_a_map_is_written_read_back_and_obeyed(command, files, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(clean_command, "_cleaned", lambda recording, *_: (None, uncleaned(recording)))
+    monkeypatch.setattr(clean_command, "_clean", lambda recording, *_: (None, uncleaned(recording)))
     words = ["retarget", files / "walk.bvh", "--to", files / "android.xml"]
     done = command(*words, "--map", "who.toml", "--write-map", "-o", "a.npz")
     assert done.code == 0, done.err

@@ -457,7 +457,7 @@ def test_feet_geoms_and_bodies_are_put_where_a_keyframe_specifies_and_rest_as_co
     points = ["right_ball", "left_calf 2", "left_calf", "trunk"]
     contacts = "".join(f'[[contact]]\npoint = "{point}"\nfrom = 0\nto = 1\n' for point in points)
     problem = read_robot("joints.left_knee = 12\n", contacts)
-    assert [rest.point.name for rest in problem.context.schedule.contacts] == points
+    assert [rest.point.name for rest in problem.context.schedule.on_ground] == points
     problem = read_robot("sites.left_ball = [0.2, 0.12, 0.1]\n")
     np.testing.assert_allclose(seen_points(problem).geom("left_ball").xpos, [0.2, 0.12, 0.1], atol=1e-6)
 

@@ -15,7 +15,7 @@ import dynsplines
 from dynsplines import Keyframe, build, motion, recordings, solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.build import Clip
-from dynsplines.clip.tracking.penalties import ground_of
+from dynsplines.clip.tracking.problem import tracking_context
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.motion import Saved
@@ -283,8 +283,8 @@ def test_a_loop_that_ships_is_followed_as_often_as_the_clip_specifies_and_false_
         with pytest.raises(UserError, match="stances"):
             clips.clip_from_motion(replace(found, search={"stances": change}))
     kept = clips.clip_from_motion(replace(found, search={"stances": clip.stances}))
-    assert [(r.point.name, r.first, r.last) for r in kept.context.schedule.contacts] == [
-        (r.point.name, r.first, r.last) for r in clip.context.schedule.contacts
+    assert [(r.point.name, r.first, r.last) for r in kept.context.schedule.on_ground] == [
+        (r.point.name, r.first, r.last) for r in clip.context.schedule.on_ground
     ]
 
 
@@ -328,7 +328,8 @@ def test_a_target_of_a_hand_in_a_recording_leaves_the_feet_in_their_stances():
 
 def test_all_of_a_foot_is_to_stay_out_of_the_ground():
     figure_39 = shipped.solved("run_loop").clip.figure
-    ground = ground_of(figure_39, figure_39.model.qpos0[None])
-    names = {point.name for point in ground.clear}
+    rest = np.tile(figure_39.to_state(figure_39.model.qpos0), (2, 1))
+    context = tracking_context(figure_39, np.array([0.0, 1.0]), rest, "rest")
+    names = {point.name for point in context.body_above_soles}
     assert {"left_toe_sole", "left_heel_sole", "right_toe_box"} <= names
-    assert [(point.name, point.radius) for point in ground.points][:2] == [("left_heel", 0.024), ("left_toe", 0.024)]
+    assert [(point.name, point.radius) for point in context.points][:2] == [("left_heel", 0.024), ("left_toe", 0.024)]

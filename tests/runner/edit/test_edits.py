@@ -342,11 +342,11 @@ def test_keyframes_of_a_recording_are_not_named_in_messages(motions, tmp_path):
 
 def test_a_motion_as_a_clip_has_its_tables_or_else_its_keyframes(motions, tmp_path):
     clip_text.write(motions["plain"], tmp_path / "plain.toml", overwrite=False)
-    assert recordings.load(str(tmp_path / "plain.toml")).context.schedule.contacts
+    assert recordings.load(str(tmp_path / "plain.toml")).context.schedule.on_ground
     clip_text.write(edits.mirrored(motions["plain"]), tmp_path / "edited.toml", overwrite=True)
     again = recordings.load(str(tmp_path / "edited.toml"))
     assert [key.time for key in again.keys] == [0, 0.2, 0.41]
-    assert not again.context.schedule.contacts
+    assert not again.context.schedule.on_ground
     with pytest.raises(UserError, match=r"follows the recording 'own\.npz'; save it as a motion"):
         clip_text.write(motions["following"], tmp_path / "other.toml", overwrite=False)
     clip_text.write(shipped.unsolved("step_on_kerb"), tmp_path / "kerb.toml", overwrite=False)  # follows what ships

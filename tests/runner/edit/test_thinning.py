@@ -95,7 +95,7 @@ def test_a_loop_stays_a_loop_in_its_clip(walk, tmp_path):
     assert found.ends == "periodic"
     assert np.array(found.problem.travel)[0] == pytest.approx(walk.timeline.states[-1, 0] - walk.timeline.states[0, 0])
     assert names(tmp_path) == ["walk.npz", "walk_thin.toml"]  # the figure ships, so it is only named
-    assert not found.context.schedule.contacts  # those of the clip that was solved
+    assert not found.context.schedule.on_ground  # those of the clip that was solved
 
 
 @pytest.mark.slow

@@ -58,7 +58,7 @@ def test_what_another_tree_holds_is_carried_with_all_its_parts():
     schedule = ContactSchedule(
         figure,
         raw_timeline(figure, [Frame.key(t, figure.model.qpos0) for t in (0, 1)]),
-        contacts=(Contact(hand, 0, 1, 3),),
+        grasps=(Contact(hand, 0, 1, 3),),
     )
     assert schedule.exclude_grasped([hand, knee, Point("lid", 4, np.zeros(3))]) == (hand, knee)
     assert {point.link for point in schedule.low_points} == {1, 2}

@@ -8,8 +8,9 @@ import shipped
 from figures import figure_of
 from motions import Take, kneeling
 
+from dynsplines.clip.context import Context
 from dynsplines.clip.posing.places import sole_points
-from dynsplines.clip.tracking.penalties import Ground
+from dynsplines.clip.tracking.problem import tracking_context
 from dynsplines.motion import samples_at
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
@@ -25,7 +26,7 @@ from dynsplines.solver.contacts.recorded_stances import (
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.surface import Box, Plane, static_surfaces
+from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import Point, places_of
 
@@ -47,11 +48,12 @@ def take() -> Take:
     return Take.of(shipped.solved("run_and_step"), FPS)
 
 
-def ground_of(take: Take) -> Ground:
-    return Ground(take.figure, sole_points(take.figure, take.qpos[::10]), tuple(static_surfaces(take.figure.model)))
+def ground_of(take: Take) -> Context:
+    context = tracking_context(take.figure, take.time, take.figure.to_state(take.qpos), "take")
+    return context.with_schedule(points=sole_points(take.figure, take.qpos[::10]))
 
 
-def resting(take: Take, ground: Ground) -> np.ndarray:
+def resting(take: Take, ground: Context) -> np.ndarray:
     """(p, T) which points are low and slow."""
     recorded = Track.of(take.figure, take.time, take.qpos)
     samples = samples_at(take.figure, recorded.path, take.time)
@@ -60,7 +62,7 @@ def resting(take: Take, ground: Ground) -> np.ndarray:
     return (np.linalg.norm(np.gradient(places, take.time, axis=2), axis=0) < 0.15) & (height < 0.03)
 
 
-def marked(stances: tuple[Contact, ...], take: Take, ground: Ground) -> np.ndarray:
+def marked(stances: tuple[Contact, ...], take: Take, ground: Context) -> np.ndarray:
     """(p, T) which points stand by stances."""
     out = np.zeros((len(ground.points), take.time.size), bool)
     for one in stances:
@@ -157,7 +159,7 @@ def test_of_all_ways_to_cut_a_recording_into_stances_the_likeliest_is_taken(rate
     assert seen >= ({0, 1, 2} if most == count else {1, 2, 3})
 
 
-def heights(take: Take, ground: Ground) -> np.ndarray:
+def heights(take: Take, ground: Context) -> np.ndarray:
     """(4, T) of the lowest points of heel and toe, left and right."""
     assert [point.name for point in ground.points] == ["left_heel", "left_toe", "right_heel", "right_toe"]
     places, _ = places_of(ground.points, Samples.still(take.figure, take.figure.to_state(take.qpos)))
