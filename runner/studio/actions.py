@@ -97,11 +97,13 @@ class Actions:
         offset: Sequence[float],
         plant: bool = True,
         alone: bool = False,
+        locks: Sequence[int] = (),
     ) -> str:
-        """Grab a point of a body at a time of the clip. With `alone`, only its limb moves."""
+        """Grab a point of a body at a time of the clip. With `alone`, only its limb moves; locked bodies stay."""
         poser = await self.poser()
         home = self.at(time, poser)
-        grip = await asyncio.to_thread(poser.gripped, home, int(body), offset, plant=plant, alone=alone)
+        how = {"plant": plant, "alone": alone, "locked": locks}
+        grip = await asyncio.to_thread(poser.gripped, home, int(body), offset, **how)
         self._drag = _DragAction(int(body), home, home, grip=grip)
         return ""
 
@@ -117,14 +119,15 @@ class Actions:
         bodies = _bodies(poser, posed.qpos)
         return {**bodies, "missed": round(posed.worst, 5), "ms": round(1e3 * (time.perf_counter() - begin), 2)}
 
-    async def turn(self, *, time: float, joint: str, turn: Sequence[float]) -> Message:
+    async def turn(self, *, time: float, joint: str, turn: Sequence[float], locks: Sequence[int] = ()) -> Message:
         """Return the pose with one joint rotated, in the format of `drag`."""
         poser, turned, drag = await self.poser(), (float(time), joint), self._drag
         if drag is None or drag.turned != turned:
             home = self.at(time, poser)
             body = next((int(link.body) for link in poser.figure.links[1:] if link.name == joint), 0)
             drag = self._drag = _DragAction(body, home, home, turned=turned)
-        drag.pose = (await self._same_poser(drag)).turned(drag.home, joint, turn)
+        pose = (await self._same_poser(drag)).turned(drag.home, joint, turn)
+        drag.pose = await asyncio.to_thread(poser.kept, drag.home, pose, locks) if locks else pose
         return _bodies(poser, drag.pose)
 
     async def drop(self, *, time: float, partial: bool = False) -> str:
@@ -207,20 +210,23 @@ class Actions:
                 raise UserError("none of these joints can be set on its own; select another limb")
         return await self.session.edit("add_key", {"entries": {"time": time, **entries}})
 
-    async def planted(self, at: Sequence[Any], entries: TomlTable) -> TomlTable:
-        """Return the entries of a keyframe's changed root, with legs that keep feet on the ground where they are.
+    async def kept(self, at: Sequence[Any], entries: TomlTable, locks: Sequence[int], *, plant: bool) -> TomlTable:
+        """Return changed entries of a keyframe, with limbs that keep locked bodies and feet on the ground in place.
 
         Feet with a target position keep it without this, and free joints stay free.
         """
-        poser, index, root = await self.poser(), int(at[1]), entries["root"]
+        import numpy as np
+
+        poser, index = await self.poser(), int(at[1])
         before, fixed = self._state(index), self.session.loaded["keys"][index]["fixed"]
-        position, rotation = root.get("position"), root.get("rotation")
-        if self._targets(index) or poser.root is None or "free" in (position, rotation):
+        after = poser.with_entries(before, entries)
+        if self._targets(index) or np.array_equal(before, after) or not np.isfinite(after).all():
             return entries
-        rotvec = None if rotation is None else rotation["rotvec"]
-        after = await asyncio.to_thread(poser.with_root, before, position, rotvec)
-        legs = {link.name for link in poser.figure.links[1:] if fixed[link.qpos]} - {poser.root}
-        return {**entries, **poser.select_joints(poser.keyframe_entries(after, before), legs)}
+        after = await asyncio.to_thread(poser.kept, before, after, locks, plant=plant or bool(locks))
+        changed = {*entries.get("joints", {}), *entries.get("roots", {}), *([poser.root] if "root" in entries else [])}
+        others = {link.name for link in poser.figure.links[1:] if fixed[link.qpos]} - changed
+        out = poser.select_joints(poser.keyframe_entries(after, before), others)
+        return {**entries, **out, **{name: {**out[name], **entries.get(name, {})} for name in out if name != "root"}}
 
     async def rest(self, *, key: int) -> str:
         """Set a keyframe's joints to the rest pose. The root stays at its position."""

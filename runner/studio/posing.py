@@ -6,7 +6,7 @@ centre of mass above the feet.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -67,6 +67,7 @@ class Grip:
         is_whole_figure: The entries that may move, (nq,).
         standing: The feet on the ground.
         hanging: The feet of the grabbed limb.
+        locked: MuJoCo's ids of bodies that stay where they are.
         is_balanced: Whether the centre of mass is above the feet.
         limits: The floor.
     """
@@ -78,6 +79,7 @@ class Grip:
     is_whole_figure: Mask
     standing: tuple[Spheres, ...]
     hanging: tuple[Spheres, ...]
+    locked: tuple[int, ...]
     is_balanced: bool
     limits: tuple[FloorClearance, ...]
 
@@ -98,12 +100,23 @@ class Poser:
         knees = set() if self.bends is None else {joint.link for joint in self.bends.joints}
         return dict.fromkeys(self.footing.end_joints - knees, END_RANGE)
 
-    def gripped(self, qpos: Array, body: int, offset: ArrayLike, *, plant: bool = True, alone: bool = False) -> Grip:
-        """Return the grip of a point.
+    def gripped(
+        self,
+        qpos: Array,
+        body: int,
+        offset: ArrayLike,
+        *,
+        plant: bool = True,
+        alone: bool = False,
+        locked: Collection[int] = (),
+    ) -> Grip:
+        """Return the grip of a point. Raises UserError for a point of a locked body.
 
         With `plant`, feet, floor and balance constrain the pose. With `alone`, only the limb of the point may move.
         """
         figure = self.figure
+        if body in locked:
+            raise UserError(f"'{figure.model.body(body).name}' is locked; unlock it to drag it")
         links, root = figure.limb(body), (figure.chain(body)[-1:] or [0])[0]
         limb_mask, whole = np.zeros(figure.width, bool), np.zeros(figure.width, bool)
         for link in links:
@@ -115,14 +128,15 @@ class Poser:
         set_qpos(self.figure.model, self.data, qpos)
         standing, hanging = list[Spheres](), list[Spheres]()
         for link in dict.fromkeys(point.link for point in self.soles) if plant else ():
-            if limb_mask.any() and figure.tables.path[link, links[-1]]:
+            is_locked = figure.links[link].body in locked
+            if limb_mask.any() and figure.tables.path[link, links[-1]] and not is_locked:
                 hanging.append(self.footing.spheres[link].lowest(self.footing.rest))
             elif self._stands(link):
                 standing.append(self.footing.spheres[link].lowest(self.data))
         floor = self.footing.floor(root, self.data) if plant else None
         grip = Grip(
             np.array(qpos, float), body, np.array(offset, float), limb_mask, whole, tuple(standing),
-            tuple(hanging), False, () if floor is None else (floor,),
+            tuple(hanging), tuple(locked), False, () if floor is None else (floor,),
         )  # fmt: skip
         support = self._support(grip, hanging)
         can_balance = support is not None and bool(whole[figure.links[root].columns].all())
@@ -187,6 +201,7 @@ class Poser:
         footing = self.footing
         set_qpos(self.figure.model, self.data, grip.qpos)
         goals = [footing.fixed(foot, self.data) for foot in (*grip.standing, *fixed)]
+        goals += [footing.locked(body, self.data) for body in grip.locked]
         aloft = [foot for foot in grip.hanging if foot not in fixed and foot not in landing]
         level = [(LEVEL_WEIGHT, BodyGoal("foot", self.data.xquat[foot.body].copy(), foot.body)) for foot in aloft]
         set_qpos(self.figure.model, self.data, begin)
@@ -225,35 +240,52 @@ class Poser:
     def _point(grip: Grip, data: mujoco.MjData) -> Array:
         return np.array(data.xpos[grip.body] + data.xmat[grip.body].reshape(3, 3) @ grip.offset)
 
-    def with_root(self, qpos: Array, position: Sequence[Any] | None, rotvec: Sequence[float] | None) -> Array:
-        """Return a pose (nq,) with its root elsewhere, and feet that stood on the ground where they were.
+    def kept(self, before: Array, after: Array, locked: Collection[int], *, plant: bool = True) -> Array:
+        """Return a pose (nq,) like `after` in which locked bodies are where they were before.
 
-        If the legs cannot reach, they move along with the root.
-
-        Args:
-            position: Coordinates [m]; entries that are no numbers remain. None for the present position.
-            rotvec: Rotation vector [degrees]; None for the present rotation.
+        Joints that differ from `before` remain. Limbs and root move instead. With `plant`, feet that stood on the ground
+        stay, too, but move along if the legs cannot reach. Raises UserError if a locked body cannot stay.
         """
-        figure, out = self.figure, np.array(qpos, float)
-        assert figure.root is not None
-        start = figure.links[figure.root.link].qpos
-        for axis, value in enumerate(position or ()):
-            out[start + axis] = value if isinstance(value, int | float) else out[start + axis]
-        if rotvec is not None:
-            out[start + 3 : start + 7] = quat.from_rotation_vector(np.radians(np.array(rotvec, float)))
-        set_qpos(figure.model, self.data, qpos)
-        feet = [link for link in dict.fromkeys(point.link for point in self.soles) if self._stands(link)]
-        goals = [self.footing.fixed(self.footing.spheres[link].lowest(self.data), self.data) for link in feet]
-        legs = np.zeros(figure.width, bool)
-        for link in (link for foot in feet for link in figure.limb(figure.links[foot].body)):
-            legs[figure.links[link].columns] = figure.links[link].kind is not JointKind.FREE
-        if not legs.any():
-            return out
-        constraints = Constraints(tuple(goals[1:]))
-        posed = dragged(
-            figure, out, legs, goals[0], constraints, self.bends, begin=out, range_shares=self._range_shares
-        )  # fmt: skip
-        return posed.qpos if posed.worst <= SHORT else out
+        figure, footing = self.figure, self.footing
+        set_qpos(figure.model, self.data, before)
+        locks = [footing.locked(body, self.data) for body in locked]
+        feet = [footing.spheres[link] for link in dict.fromkeys(point.link for point in self.soles) if plant]
+        feet = [foot for foot in feet if foot.body not in locked and self._stands(int(figure.body_link[foot.body]))]
+        goals = [*locks, *(footing.fixed(foot.lowest(self.data), self.data) for foot in feet)]
+        for some in (goals, locks) if locks else (goals,):
+            free = np.zeros(figure.width, bool)
+            for link in {link for goal in some for link in (*figure.limb(goal.index), *figure.chain(goal.index)[-1:])}:
+                columns = figure.links[link].columns
+                free[columns] = np.abs(after - before)[columns].max() < MOVED
+            if not free.any():
+                continue
+            posed = dragged(
+                figure, after, free, some[0], Constraints(tuple(some[1:])), self.bends, begin=after,
+                range_shares=self._range_shares,
+            )  # fmt: skip
+            if posed.worst <= SHORT:
+                return posed.qpos
+        set_qpos(figure.model, self.data, after)
+        for lock in locks:
+            if np.abs(lock.missed(figure.model, self.data)).max() > SHORT:
+                name = figure.model.body(lock.index).name
+                raise UserError(f"'{name}' is locked and cannot stay where it is; unlock it, or change less")
+        return after
+
+    def with_entries(self, qpos: Array, entries: Mapping[str, Any]) -> Array:
+        """Return a pose (nq,) with the numbers in entries of a keyframe."""
+        out, roots = np.array(qpos, float), {self.root: entries.get("root", {}), **entries.get("roots", {})}
+        for link in self.figure.links[1:]:
+            value, start = entries.get("joints", {}).get(link.name), link.qpos
+            if link.kind is JointKind.FREE:
+                for axis, place in enumerate(roots.get(link.name, {}).get("position", ())):
+                    out[start + axis] = place if isinstance(place, int | float) else out[start + axis]
+                value, start = roots.get(link.name, {}).get("rotation"), start + 3
+            if isinstance(value, Mapping):
+                out[start : start + 4] = quat.from_rotation_vector(np.radians(np.array(value["rotvec"], float)))
+            elif isinstance(value, int | float):
+                out[start] = np.radians(value) if link.kind is JointKind.HINGE else value
+        return out
 
     def turned(self, qpos: Array, joint: str, turn: ArrayLike) -> Array:
         """Return a pose (nq,) with one joint rotated by a quaternion in the world (4,); a hinge by its component."""

@@ -184,8 +184,10 @@ class _Desk:
             return await getattr(actions, do)(**arguments)
         match do:
             case "edit":
-                if arguments.pop("plant", False):
-                    arguments["entries"] = await actions.planted(arguments["at"], arguments["entries"])
+                plant, locks = arguments.pop("plant", False), arguments.pop("locks", [])
+                if plant or locks:
+                    kept = actions.kept(arguments["at"], arguments["entries"], locks, plant=plant)
+                    arguments["entries"] = await kept
                 return await session.edit(arguments.pop("name"), arguments)
             case "undo" | "redo" | "reload" | "keep":
                 return await getattr(session, do)(**arguments)

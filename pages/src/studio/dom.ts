@@ -105,6 +105,21 @@ export const toast = (words: string, kind: "done" | "wrong" | "note" = "done"): 
   fading = window.setTimeout(() => { line.hidden = true; }, kind === "wrong" ? 9000 : 2600);
 };
 
+/** A menu at a place of the page; `done` is called with the chosen entry, or null. */
+export const menu = (title: string, at: { clientX: number; clientY: number }, entries: string[], done: (chosen: string | null) => void): void => {
+  const box = el("dialog", { class: "menu", "aria-label": title });
+  let chosen: string | null = null;
+  box.append(el("p", { class: "hint", text: title }), ...entries.map((text) => el("button", { type: "button", text, onclick: () => { chosen = text; box.close(); } })));
+  box.addEventListener("close", () => { box.remove(); done(chosen); });
+  box.addEventListener("click", (event) => { if (event.target === box) box.close(); });
+  document.body.append(box);
+  box.showModal();
+  const { width, height } = box.getBoundingClientRect();
+  box.style.left = `${Math.max(4, Math.min(at.clientX, innerWidth - width - 8))}px`;
+  box.style.top = `${Math.max(4, Math.min(at.clientY, innerHeight - height - 8))}px`;
+  box.querySelector("button")?.focus();
+};
+
 /** A number with as many digits as it takes. */
 export const short = (value: number, digits = 3): string => String(+value.toFixed(digits));
 

@@ -2,6 +2,7 @@
 import * as THREE from "three";
 import { TransformControls } from "three/examples/jsm/controls/TransformControls.js";
 import { axesOf } from "./axes";
+import { toast } from "./dom";
 import { act, addressOf, ask, change } from "./link";
 import { model, type Obstacle } from "./model";
 import type { Stage } from "./stage";
@@ -118,10 +119,11 @@ export class Gizmo {
     const turn = this.handle.quaternion.clone().multiply(this.begin.clone().invert());
     held.again = false;
     held.waits = true;
-    void ask("turn", { time: held.time, joint: model.joint, turn: [turn.w, turn.x, turn.y, turn.z] }).then((answer) => {
+    void ask("turn", { time: held.time, joint: model.joint, turn: [turn.w, turn.x, turn.y, turn.z], locks: model.locked }).then((answer) => {
       held.waits = false;
       if (this.held !== held) return;
       if (answer.ok) this.stage.show(answer);
+      else toast(answer.words!, "wrong");
       this.turn(held);
     });
   }

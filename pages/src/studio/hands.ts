@@ -1,6 +1,6 @@
 // Hands on the figure: what the mouse lies on lights up; a drag of any point of it is posed by the server.
 import * as THREE from "three";
-import { $, toast } from "./dom";
+import { $, el, menu, toast } from "./dom";
 import { act, ask } from "./link";
 import { axesOf } from "./axes";
 import { model, type Obstacle } from "./model";
@@ -15,6 +15,23 @@ interface Held {
   body: number; offset: number[]; plane: THREE.Plane; x: number; y: number; time: number;
   moved: boolean; waits: boolean; next: THREE.Vector3 | null; ended: boolean;
 }
+
+/** A padlock, drawn. */
+const padlock = (): THREE.CanvasTexture => {
+  const canvas = el("canvas", { width: 64, height: 64 }), pen = canvas.getContext("2d")!;
+  for (const [colour, wide] of [["#14171c", 10], ["#ffb454", 0]] as const) {
+    pen.strokeStyle = pen.fillStyle = colour;
+    pen.lineWidth = 7 + wide;
+    pen.beginPath();
+    pen.arc(32, 23, 11, Math.PI, 0);
+    pen.lineTo(43, 32);
+    pen.moveTo(21, 23);
+    pen.lineTo(21, 32);
+    pen.stroke();
+    pen.fillRect(14 - wide / 2, 29 - wide / 2, 36 + wide, 26 + wide);
+  }
+  return new THREE.CanvasTexture(canvas);
+};
 
 /** Where a ray meets an obstacle. */
 const meets = (stage: Stage, obstacle: Obstacle, ray: THREE.Ray): THREE.Vector3 | null => {
@@ -37,6 +54,9 @@ export class Hands {
     new THREE.SphereGeometry(0.022, 16, 12),
     new THREE.MeshBasicMaterial({ color: 0xffb454, depthTest: false, transparent: true, opacity: 0.95 }),
   );
+  private readonly padlocks = new THREE.Group();
+  private readonly paint = new THREE.SpriteMaterial({ map: padlock(), depthTest: false, sizeAttenuation: false });
+  private over: number | null = null; // the body at the pointer
   times: number[] = []; // [ms] of the server for every pose of drags, for measures
   trips: number[] = []; // [ms] from asking to having it
 
@@ -44,14 +64,19 @@ export class Hands {
     const { canvas } = stage;
     this.mark.visible = false;
     this.mark.renderOrder = 10;
-    stage.extra.add(this.mark);
+    stage.extra.add(this.mark, this.padlocks);
+    stage.sights.push(() => this.showLocks());
     canvas.addEventListener("pointermove", (event) => this.move(event));
     canvas.addEventListener("pointerdown", (event) => this.down(event), true);
     window.addEventListener("pointerup", (event) => void this.up(event));
     canvas.addEventListener("pointerleave", () => { if (!this.held) this.light(null); });
     let pressed = { x: NaN, y: NaN };
-    canvas.addEventListener("pointerdown", ({ clientX, clientY, button }) => { pressed = button === 0 ? { x: clientX, y: clientY } : { x: NaN, y: NaN }; });
-    canvas.addEventListener("pointerup", (event) => { if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) < STILL && canvas.dataset.gizmo !== "on") this.choose(event); });
+    canvas.addEventListener("pointerdown", ({ clientX, clientY }) => { pressed = { x: clientX, y: clientY }; });
+    canvas.addEventListener("pointerup", (event) => {
+      if (Math.hypot(event.clientX - pressed.x, event.clientY - pressed.y) >= STILL || canvas.dataset.gizmo === "on") return;
+      if (event.button === 0) this.choose(event);
+      else if (event.button === 2) this.offer(event);
+    });
   }
 
   /** Whether something is being dragged. */
@@ -66,6 +91,42 @@ export class Hands {
     await ask("cancel");
     if (!this.held) this.stage.override = null;
     this.stage.draw();
+  }
+
+  /** Locks or unlocks a body. */
+  lock(body = this.over ?? model.stage?.joints.find((joint) => joint.name === model.joint)?.body): void {
+    const name = model.stage?.bodies[body ?? -1];
+    if (!name || model.stage!.still[body!]) { toast("point at a body, or select a joint", "note"); return; }
+    if (!model.locks.delete(name)) model.locks.add(name);
+    toast(`${name} is ${model.locks.has(name) ? "locked" : "not locked any more"}`);
+    this.stage.draw();
+  }
+
+  /** The menu of a body. */
+  private offer(event: PointerEvent): void {
+    const body = this.hit(event)?.body, name = model.stage?.bodies[body ?? -1];
+    if (!name) return;
+    const entry = model.locks.has(name) ? "Unlock" : "Lock";
+    menu(name, event, [entry, ...(model.locks.size ? ["Unlock all"] : [])], (chosen) => {
+      if (chosen === entry) this.lock(body);
+      else if (chosen) { model.locks.clear(); this.stage.draw(); }
+    });
+  }
+
+  /** A padlock on every locked body. */
+  private showLocks(): void {
+    const { locked } = model;
+    while (this.padlocks.children.length < locked.length) {
+      const sprite = new THREE.Sprite(this.paint);
+      sprite.scale.setScalar(0.03);
+      sprite.renderOrder = 12;
+      this.padlocks.add(sprite);
+    }
+    this.padlocks.children.forEach((sprite, i) => {
+      sprite.visible = i < locked.length;
+      const site = model.stage!.sites.findLast(({ body }) => body === locked[i]);
+      if (sprite.visible) sprite.position.copy(this.stage.placeOf(locked[i], site?.offset ?? [0, 0, 0]));
+    });
   }
 
   /** The body at a point of the page, or near it. */
@@ -98,13 +159,14 @@ export class Hands {
 
   private light(found: { body: number; point: THREE.Vector3 } | null, event?: PointerEvent): void {
     const lit = found !== null, name = $("hover");
+    this.over = found?.body ?? null;
     this.stage.canvas.style.cursor = lit ? "grab" : "";
     if (this.mark.visible !== lit || lit) this.stage.draw();
     this.mark.visible = lit;
     if (found) this.mark.position.copy(found.point);
     name.hidden = !found || !event;
     if (!found || !event) return;
-    name.textContent = model.stage?.bodies[found.body] ?? "";
+    name.textContent = `${model.stage?.bodies[found.body] ?? ""}${model.locked.includes(found.body) ? ", locked" : ""}`;
     name.style.transform = `translate(${event.offsetX + 14}px, ${event.offsetY + 10}px)`;
   }
 
@@ -135,7 +197,7 @@ export class Hands {
     if (!held.moved && Math.hypot(event.clientX - held.x, event.clientY - held.y) < STILL) return;
     if (!held.moved) {
       held.moved = held.waits = true;
-      void ask("grip", { time: held.time, body: held.body, offset: held.offset, plant: !event.altKey, alone: model.partial && model.here === null })
+      void ask("grip", { time: held.time, body: held.body, offset: held.offset, plant: !event.altKey, alone: model.partial && model.here === null, locks: model.locked })
         .then((answer) => this.answered(held, answer.ok, answer.words));
     }
     held.next = this.stage.through(event).intersectPlane(held.plane, new THREE.Vector3());

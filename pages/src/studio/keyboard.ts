@@ -83,6 +83,7 @@ export const deeds = (stage: Stage, timeline: Timeline, hands: Hands, handles: H
     model.joint = joints[(joints.indexOf(model.joint ?? "") + 1) % joints.length] ?? null;
     model.tell("joint");
   }],
+  ["X", "lock or unlock the body at the pointer, or of the selected joint", () => hands.lock()],
   ["Escape", "cancel a drag; deselect", () => {
     if (hands.busy) { void hands.cancel(); return; }
     if (handles.busy) { handles.cancel(); return; }
@@ -101,6 +102,7 @@ const MOUSE: [string, string][] = [
   ["drag the figure", "pose it: the limb bends, then the whole figure follows; planted soles stay (Alt: they may move)"],
   ["click the figure", "select a joint and rotate it by its rings"],
   ["select an obstacle in the panel Scene", "arrows move it; the dots on its faces and ends resize it"],
+  ["right button on the figure", "lock or unlock a body: it stays where it is while others are posed"],
   ["drag the background", "orbit; right button or Shift: pan; wheel: zoom"],
   ["drag a diamond", "move keyframes; Shift or Ctrl: select more; Ctrl-Alt: scale in time; Alt: do not snap"],
   ["drag over a point's row", "new contact; drag it or its ends; on a hand's row (select a joint of its arm): new grasp"],

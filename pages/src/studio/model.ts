@@ -67,6 +67,7 @@ class Model {
   bar: { kind: "contact" | "grasp"; index: number } | null = null;
   joint: string | null = null;
   obstacle: { kind: string; index: number } | null = null;
+  readonly locks = new Set<string>(); // bodies that stay where they are while others are posed
   private readonly ears = new Map<Heard, (() => void)[]>();
 
   on(what: Heard | Heard[], ear: () => void): void {
@@ -76,6 +77,9 @@ class Model {
   tell(what: Heard): void {
     for (const ear of this.ears.get(what) ?? []) ear();
   }
+
+  /** Numbers of the locked bodies. */
+  get locked(): number[] { return (this.stage?.bodies ?? []).flatMap((name, body) => (this.locks.has(name) ? [body] : [])); }
 
   get first(): number { return this.now?.first ?? this.document?.keys[0]?.time ?? 0; }
   get last(): number { return this.now?.last ?? this.document?.keys.at(-1)?.time ?? 1; }

@@ -61,7 +61,7 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
     let entries: object = { joints: { [joint.name]: joint.kind === "ball" ? { rotvec: now } : value } };
     if (joint.kind === "free" && i >= 3) entries = rooted({ rotation: { rotvec: now.slice(3) } });
     else if (joint.kind === "free") entries = rooted({ position: now.slice(0, 3).map((each, k) => (k !== i && !present.fixed[joint.qpos + k] ? "free" : each)) });
-    void edit("change", { at, entries, revision, plant: isRoot }, stroke); // feet on the ground stay where they are
+    void edit("change", { at, entries, revision, plant: isRoot, locks: model.locked }, stroke); // feet on the ground and locked bodies stay where they are
   };
   const names = joint.kind === "free" ? ["x", "y", "z", "turn x", "turn y", "turn z"] : joint.kind === "ball" ? ["x", "y", "z"] : [""];
   const pins: HTMLElement[] = [];

@@ -72,7 +72,7 @@ export class Stage {
     Object.assign(this.orbit, { enableDamping: true, dampingFactor: 0.15, minDistance: 0.25, maxDistance: 90, maxPolarAngle: 0.97 * Math.PI });
     this.orbit.addEventListener("change", () => { this.nameView(); this.draw(); });
     window.addEventListener("pagehide", () => {
-      sessionStorage[KEPT] = JSON.stringify({ at: location.search, time: model.time, camera: camera.position.toArray(), target: this.orbit.target.toArray() });
+      sessionStorage[KEPT] = JSON.stringify({ at: location.search, time: model.time, camera: camera.position.toArray(), locks: [...model.locks], target: this.orbit.target.toArray() });
     });
     this.around.scene.add(this.extra);
     this.caster.layers.enable(UNSEEN);
@@ -132,6 +132,7 @@ export class Stage {
     const kept = JSON.parse(sessionStorage[KEPT] ?? "null");
     if (kept?.at !== location.search) return false;
     model.seek(kept.time);
+    for (const name of kept.locks) model.locks.add(name);
     this.centre.copy(this.middle());
     this.orbit.target.fromArray(kept.target);
     this.camera.position.fromArray(kept.camera);

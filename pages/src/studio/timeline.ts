@@ -1,6 +1,6 @@
 // The timeline: a ruler, keyframes as diamonds, limbs when unfolded, contacts, grasps and flights as bars.
 import { Quaternion, Vector3 } from "three";
-import { $, el, toast } from "./dom";
+import { $, el, menu, toast } from "./dom";
 import { act, change, edit, moveKeys } from "./link";
 import { model, type Bar } from "./model";
 
@@ -403,17 +403,7 @@ export class Timeline {
         && !own?.joints.some((joint) => stage.joints.find((each) => each.name === joint)?.body === body))
       .sort((a, b) => Number(b.other) - Number(a.other) || a.away - b.away).slice(0, 8);
     if (!bodies.length) { toast("there is no free body to grasp", "note"); done(null); return; }
-    const menu = el("dialog", { class: "menu", "aria-label": `body held by ${hand}` });
-    let chosen: string | null = null;
-    menu.append(el("p", { class: "hint", text: `${hand} holds` }), ...bodies.map(({ name }) => el("button", { type: "button", text: name, onclick: () => { chosen = name; menu.close(); } })));
-    menu.addEventListener("close", () => { menu.remove(); done(chosen); });
-    menu.addEventListener("click", (event) => { if (event.target === menu) menu.close(); });
-    document.body.append(menu);
-    menu.showModal();
-    const box = menu.getBoundingClientRect();
-    menu.style.left = `${Math.max(4, Math.min(at.clientX, innerWidth - box.width - 8))}px`;
-    menu.style.top = `${Math.max(4, Math.min(at.clientY, innerHeight - box.height - 8))}px`;
-    menu.querySelector("button")?.focus();
+    menu(`${hand} holds`, at, bodies.map(({ name }) => name), done);
   }
 
   private boxSelect(begin: number, event: PointerEvent): void {

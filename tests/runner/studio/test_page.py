@@ -560,6 +560,40 @@ def test_a_partial_keyframe_specifies_only_the_dragged_limb(tab):
     tab.press("n")
 
 
+def test_a_locked_body_stays_in_place(tab):
+    page, place = tab.page, "studio.hands.padlocks.children[0].position.toArray()"
+    tab.seek(0.6)
+    tab.press("2")
+    tab.shown()
+    arm = tab.grip("left_forearm")
+    page.mouse.move(*arm)
+    page.locator("#hover").wait_for()
+    tab.press("x")
+    toast(tab, "left_forearm is locked")
+    tab.shown()
+    before = tab.evaluate(place)
+    stays = f"(studio.stage.draw(), {place}.every((x, i) => Math.abs(x - {before}[i]) < 3e-3))"
+    x, y = tab.grip("pelvis")
+    tab.changes(lambda: tab.drag((x, y), (x - 14, y + 10)))
+    tab.until(f"!studio.stage.melting && {stays}", 5)
+    height = page.get_by_label("root z [m]")
+    height.fill(str(float(height.input_value()) + 0.02))
+    tab.changes(lambda: height.press("Enter"))
+    tab.until(f"!studio.stage.melting && {stays}", 5)
+    height.fill("3")
+    height.press("Enter")
+    toast(tab, "'left_forearm' is locked and cannot stay")
+    x, y = tab.grip("left_forearm")
+    tab.drag((x, y), (x + 20, y))
+    toast(tab, "'left_forearm' is locked; unlock it")
+    page.mouse.click(x, y, button="right")
+    page.get_by_role("button", name="Unlock", exact=True).click()
+    assert tab.evaluate("studio.model.locks.size") == 0
+    undo(tab)
+    undo(tab)
+    assert not tab.evaluate("studio.model.document.dirty")
+
+
 def test_a_grasp_is_drawn_for_the_hand_of_the_arm_that_is_chosen(tab):
     page = tab.page
     assert page.locator("[data-hand]").count() == 0

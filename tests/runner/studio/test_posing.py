@@ -61,23 +61,68 @@ def test_a_target_out_of_reach_is_approached_in_bounded_time_by_the_limb_alone_i
     assert set(poser.keyframe_entries(alone, home)["joints"]) == {"left_shoulder"}
 
 
+SOLES = ("left_heel", "left_toe", "right_heel", "right_toe")
+
+
 def test_feet_on_the_ground_stay_where_a_moved_root_lets_them(clip, poser):
     model, home = clip.figure.model, np.array(clip.keys[-1].state)
     start = clip.figure.links[clip.figure.root.link].qpos
     place = home[start : start + 3]
-    soles = [model.site(name).id for name in ("left_heel", "left_toe", "right_heel", "right_toe")]
-    before = kinematics(model, home).site_xpos[soles]
-    lower = poser.with_root(home, [place[0] + 0.03, "free", place[2] - 0.08], None)
+
+    def soles(qpos):
+        return kinematics(model, qpos).site_xpos[[model.site(name).id for name in SOLES]]
+
+    def kept(**root):
+        return poser.kept(home, poser.with_entries(home, {"root": root}), ())
+
+    lower = kept(position=[place[0] + 0.03, "free", place[2] - 0.08])
     assert lower[start : start + 3] == pytest.approx(place + np.array([0.03, 0, -0.08]))
     assert lower[start + 3 : start + 7] == pytest.approx(home[start + 3 : start + 7])
-    np.testing.assert_allclose(kinematics(model, lower).site_xpos[soles], before, atol=3e-3)
+    np.testing.assert_allclose(soles(lower), soles(home), atol=3e-3)
     assert set(poser.keyframe_entries(lower, home)["joints"]) <= {
         f"{side}_{joint}" for side in ("left", "right") for joint in ("hip", "knee", "ankle")
     }
-    higher = poser.with_root(home, [*place[:2], place[2] + 0.5], None)
-    np.testing.assert_allclose(kinematics(model, higher).site_xpos[soles], before + np.array([0, 0, 0.5]), atol=1e-6)
-    turned = poser.with_root(home, None, [0, 0, 10])
-    np.testing.assert_allclose(kinematics(model, turned).site_xpos[soles], before, atol=3e-3)
+    np.testing.assert_allclose(
+        soles(kept(position=[*place[:2], place[2] + 0.5])), soles(home) + [0, 0, 0.5], atol=1e-6
+    )
+    np.testing.assert_allclose(soles(kept(rotation={"rotvec": [0, 0, 10]})), soles(home), atol=3e-3)
+
+
+def place_of(model, qpos, name):
+    """[m] Of an arm, the place of its hand."""
+    data = kinematics(model, qpos)
+    body = data.body(name)
+    return data.site("left_hand").xpos if "arm" in name else np.concatenate([body.xpos, 0.3 * body.xmat])
+
+
+@pytest.mark.parametrize("name", ["left_forearm", "left_foot", "pelvis"])
+def test_a_locked_body_stays_while_others_are_dragged_turned_or_typed(clip, poser, name):
+    model, home = clip.figure.model, np.array(clip.keys[-1].state)
+    here, locks = place_of(model, home, name), (model.body(name).id,)
+    with pytest.raises(UserError, match=f"'{name}' is locked"):
+        poser.gripped(home, model.body(name).id, np.zeros(3), locked=locks)
+    offset = np.array([0.02, 0.03, -0.12])
+    for pulled in ("chest", "right_foot", "left_upper_arm", "left_shin"):
+        body = kinematics(model, home).body(pulled)
+        grip = poser.gripped(home, body.id, offset, plant=False, locked=locks)
+        target = body.xpos + body.xmat.reshape(3, 3) @ offset + [0.1, 0.05, 0.06]
+        found = poser.pulled(grip, target, poser.pulled(grip, target, home).qpos).qpos
+        np.testing.assert_allclose(place_of(model, found, name), here, atol=3e-3)
+        assert np.abs(found - home).max() > 0.01
+    for joint in ("left_hip", "left_shoulder"):
+        typed = poser.with_entries(home, {"joints": {joint: {"rotvec": [4, -12, 2]}}})
+        after = poser.kept(home, typed, locks)
+        np.testing.assert_allclose(place_of(model, after, name), here, atol=3e-3)
+        link = next(link for link in clip.figure.links if link.name == joint)
+        np.testing.assert_allclose(after[link.columns], typed[link.columns])
+
+
+def test_a_change_that_a_locked_body_cannot_follow_is_rejected(clip, poser):
+    home = np.array(clip.keys[-1].state)
+    place = home[clip.figure.links[clip.figure.root.link].qpos :][:3]
+    higher = poser.with_entries(home, {"root": {"position": [*place[:2], place[2] + 0.5]}})
+    with pytest.raises(UserError, match="'left_foot' is locked and cannot stay"):
+        poser.kept(home, higher, [clip.figure.model.body("left_foot").id])
 
 
 def test_a_joint_turns_about_an_axis_of_the_world(clip, poser):
