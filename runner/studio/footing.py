@@ -110,7 +110,7 @@ class Footing:
         return PointGoal("sole", foot.body, outermost.offsets, outermost.centres(data))
 
     def locked(self, body: int, data: mujoco.MjData) -> PointGoal:
-        """Return the goal that fixes a body, or only its end if its limb has too few degrees of freedom for all of it."""
+        """Return the goal that fixes a body, or its end if its limb has too few degrees of freedom."""
         figure, link, offsets = self.figure, int(self.figure.body_link[body]), ARM * np.eye(3, 3, -1)
         slices, model = [figure.links[link].dofs for link in figure.limb(body)], figure.model
         if sum(dofs.stop - dofs.start for dofs in slices) < RIGID:

@@ -243,8 +243,8 @@ class Poser:
     def kept(self, before: Array, after: Array, locked: Collection[int], *, plant: bool = True) -> Array:
         """Return a pose (nq,) like `after` in which locked bodies are where they were before.
 
-        Joints that differ from `before` remain. Limbs and root move instead. With `plant`, feet that stood on the ground
-        stay, too, but move along if the legs cannot reach. Raises UserError if a locked body cannot stay.
+        Joints that differ from `before` remain. Limbs and root move instead. With `plant`, feet that stood on the
+        ground stay, too, but move along if the legs cannot reach. Raises UserError if a locked body cannot stay.
         """
         figure, footing = self.figure, self.footing
         set_qpos(figure.model, self.data, before)

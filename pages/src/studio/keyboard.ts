@@ -3,7 +3,6 @@ import { $, el, strokeOf } from "./dom";
 import { act, moveKeys } from "./link";
 import { model, type Which } from "./model";
 import { toggleCurves } from "./curves";
-import type { Handles } from "./handles";
 import type { Hands } from "./hands";
 import { showTab } from "./panels";
 import type { Stage } from "./stage";
@@ -22,7 +21,7 @@ const move = (change: (time: number, first: number) => number): void => {
 const nudge = (by: number): void => move((time) => time + by / model.fps);
 const scaled = (factor: number): void => { if (selected().length > 1) move((time, first) => first + factor * (time - first)); };
 
-export const deeds = (stage: Stage, timeline: Timeline, hands: Hands, handles: Handles): Deed[] => [
+export const deeds = (stage: Stage, timeline: Timeline, hands: Hands): Deed[] => [
   ["Space", "play or pause", () => play()],
   ["ArrowLeft", "previous frame", () => step(-1)],
   ["ArrowRight", "next frame", () => step(1)],
@@ -83,13 +82,13 @@ export const deeds = (stage: Stage, timeline: Timeline, hands: Hands, handles: H
     model.joint = joints[(joints.indexOf(model.joint ?? "") + 1) % joints.length] ?? null;
     model.tell("joint");
   }],
+  ["R", "arrows of an obstacle: move or resize it", () => { model.resizes = !model.resizes; model.tell("joint"); }],
   ["X", "lock or unlock the body at the pointer, or of the selected joint", () => hands.lock()],
   ["Escape", "cancel a drag; deselect", () => {
     if (hands.busy) { void hands.cancel(); return; }
-    if (handles.busy) { handles.cancel(); return; }
     if (model.joint !== null || model.obstacle !== null) { model.joint = model.obstacle = null; model.tell("joint"); } else model.select([]);
   }],
-  ["?", "this list", () => help(stage, timeline, hands, handles)],
+  ["?", "this list", () => help(stage, timeline, hands)],
 ];
 
 const speed = (by: number): void => {
@@ -101,7 +100,7 @@ const speed = (by: number): void => {
 const MOUSE: [string, string][] = [
   ["drag the figure", "pose it: the limb bends, then the whole figure follows; planted soles stay (Alt: they may move)"],
   ["click the figure", "select a joint and rotate it by its rings"],
-  ["select an obstacle in the panel Scene", "arrows move it; the dots on its faces and ends resize it"],
+  ["select an obstacle in the panel Scene", "arrows move it, or resize it (R)"],
   ["right button on the figure", "lock or unlock a body: it stays where it is while others are posed"],
   ["drag the background", "orbit; right button or Shift: pan; wheel: zoom"],
   ["drag a diamond", "move keyframes; Shift or Ctrl: select more; Ctrl-Alt: scale in time; Alt: do not snap"],
@@ -109,11 +108,11 @@ const MOUSE: [string, string][] = [
   ["Ctrl-wheel, Shift-wheel", "zoom and move the timeline"],
 ];
 
-const help = (stage: Stage, timeline: Timeline, hands: Hands, handles: Handles): void => {
+const help = (stage: Stage, timeline: Timeline, hands: Hands): void => {
   const shown = (keys: string) => keys.replace("Arrow", "").replace("Left", "←").replace("Right", "→").replace("Up", "↑").replace("Down", "↓").replace("Page↑", "PgUp").replace("Page↓", "PgDn");
   const row = (keys: string, says: string) => el("div", {}, el("kbd", { text: keys }), el("span", { text: says }));
   const box = el("dialog", { class: "help", "aria-label": "keys" }, el("h2", { text: "Keys" }),
-    el("div", { class: "columns" }, ...deeds(stage, timeline, hands, handles).map(([keys, says]) => row(shown(keys), says))),
+    el("div", { class: "columns" }, ...deeds(stage, timeline, hands).map(([keys, says]) => row(shown(keys), says))),
     el("h2", { text: "Mouse" }), el("div", { class: "columns wide" }, ...MOUSE.map(([keys, says]) => row(keys, says))),
     el("form", { method: "dialog" }, el("div", { class: "buttons end" }, el("button", { type: "submit", class: "main", text: "Close" }))));
   box.addEventListener("close", () => box.remove());
@@ -121,8 +120,8 @@ const help = (stage: Stage, timeline: Timeline, hands: Hands, handles: Handles):
   box.showModal();
 };
 
-export const beginKeyboard = (stage: Stage, timeline: Timeline, hands: Hands, handles: Handles): void => {
-  const table = new Map(deeds(stage, timeline, hands, handles).map(([keys, , done]) => [keys, done]));
+export const beginKeyboard = (stage: Stage, timeline: Timeline, hands: Hands): void => {
+  const table = new Map(deeds(stage, timeline, hands).map(([keys, , done]) => [keys, done]));
   $("help").addEventListener("click", () => table.get("?")!());
   window.addEventListener("keydown", (event) => {
     const target = event.target as HTMLElement;

@@ -5,7 +5,6 @@ import { beginCurves } from "./curves";
 import { $, el, icon } from "./dom";
 import { beginFiles } from "./files";
 import { Gizmo } from "./gizmo";
-import { Handles } from "./handles";
 import { Hands } from "./hands";
 import { beginKeyboard } from "./keyboard";
 import { ask, connect, pending } from "./link";
@@ -26,7 +25,6 @@ connect(); // messages arrive after this script has run
 try {
   const stage = new Stage();
   const gizmo = new Gizmo(stage);
-  const handles = new Handles(stage); // before hands: they are taken first
   const hands = new Hands(stage);
   const timeline = new Timeline();
   new Trails(stage);
@@ -34,7 +32,7 @@ try {
   beginPanels();
   beginCurves(timeline);
   beginFiles();
-  beginKeyboard(stage, timeline, hands, handles);
+  beginKeyboard(stage, timeline, hands);
   $("files").prepend(icon("menu"));
   $("theme").append(icon("theme"));
   $("theme").addEventListener("click", () => {
@@ -46,7 +44,7 @@ try {
   model.on("status", () => { if (!model.stage && model.status.words) { $("waiting").textContent = model.status.words; $("waiting").hidden = false; } });
   model.tell("theme");
   // For tests and measures
-  Object.assign(window, { studio: { ask, pending, model, stage, hands, handles, gizmo, timeline } });
+  Object.assign(window, { studio: { ask, pending, model, stage, hands, gizmo, timeline } });
 } catch (error) {
   $("waiting").replaceChildren(el("p", { text: `This browser cannot draw in three dimensions: WebGL 2 is missing or switched off. (${error})` }));
 }

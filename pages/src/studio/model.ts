@@ -67,6 +67,7 @@ class Model {
   bar: { kind: "contact" | "grasp"; index: number } | null = null;
   joint: string | null = null;
   obstacle: { kind: string; index: number } | null = null;
+  resizes = false; // whether the arrows of an obstacle resize it
   readonly locks = new Set<string>(); // bodies that stay where they are while others are posed
   private readonly ears = new Map<Heard, (() => void)[]>();
 

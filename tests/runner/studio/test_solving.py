@@ -137,6 +137,8 @@ def test_the_motion_at_rest_depends_on_the_text_alone(work, tmp_path, checks):
     edited = problems.changed("[0, 40, 0]", "[0, 44, 0]")
     fresh = Recorded()
     fresh.loaded(tmp_path, edited)
+    expected = fresh.solution
+    assert expected is not None
     work.loaded(tmp_path, problems.CLIP)
     good = work.solution
     rows = good.timeline.rows.copy()
@@ -148,7 +150,7 @@ def test_the_motion_at_rest_depends_on_the_text_alone(work, tmp_path, checks):
     uninterrupted(work)
     messages += work.asked("curves", on=False)
     assert [message["stop"] for message in messages if message["is"] == "settled"] == ["CONVERGED"]
-    np.testing.assert_array_equal(work.solution.timeline.rows, fresh.solution.timeline.rows)
+    np.testing.assert_array_equal(work.solution.timeline.rows, expected.timeline.rows)
 
 
 INVALID = {"text": "figure = 1", "name": "tiny", "place": "tiny.toml", "folder": ".", "revision": 1, "go": True}
