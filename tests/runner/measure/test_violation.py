@@ -22,6 +22,7 @@ from dynsplines.clip.build import Clip
 from dynsplines.edit import edits
 from dynsplines.measure import violation
 from dynsplines.measure.bounds import BOUNDS, WHIP_SHARE, Violation
+from dynsplines.measure.checks import Hits
 from dynsplines.motion import Sampled
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -546,6 +547,13 @@ def test_a_search_that_ended_early():
         found = [(each.kind, each.time, each.text) for each in wrong(problem, stop=stop)]
         is_early = stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS)
         assert found == ([("search", None, f"the search ended early: {stop.value}")] if is_early else [])
+
+
+def test_of_equal_amounts_with_a_label_the_first_is_the_largest():
+    hits = Hits(np.array([0, 0, 0, 1, 1]), np.array([5, 3, 4, 2, 1]), np.array([1.0, 1, 1, 2, 3]))
+    assert hits.largest(np.array([7, 7, 7, 2, 2])).tolist() == [4, 1]
+    assert hits.largest(np.array([0, -1, -1, 0, -1])).tolist() == [3]
+    assert hits.largest(np.full(5, -1)).size == 0
 
 
 def test_the_worst_comes_first_by_how_many_times_its_bound_it_is():
