@@ -19,6 +19,7 @@ from pydantic.fields import FieldInfo
 from dynsplines import models
 from dynsplines.clip import table
 from dynsplines.clip.kinds import KINDS
+from dynsplines.clip.tracking.problem import LONGEST_PANEL, POINTS
 
 ROOT = Path(__file__).parents[1]
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -56,7 +57,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "contact": "points that stay at rest for an interval",
             "grasp": "hands that hold a body for an interval",
             "recording": "a recorded motion that the clip follows",
-            "penalty": "changes to soft constraints",
+            "penalty": "changes to soft constraints, by [these keys](soft_constraints.md#all-kinds)",
             "solve": "settings of the solver",
             "mirror": "left and right of the figure, for mirror images",
         },
@@ -92,7 +93,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
     "bodies.NAME": (
         table.BodyTable,
         {
-            "flat": "`true` makes the sole parallel to the ground; of the rotations below, only `heading` may be added",
+            "flat": "`true` makes the body as level as in the rest pose; of the rotations below, only `heading` may be "
+            "added",
             "position": "in the world, in metres, for the origin of the body or the point `at`",
             "at": "a point in the axes of the body, in metres",
         }
@@ -116,7 +118,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "from": "the start, in seconds",
             "to": "the end, in seconds",
             "position": "in the axes of the held body, in metres; default: the position in the keyframes",
-            "rotation": '`"free"` lets the body rotate about the site; default: its rotation in the hand is held, too',
+            "rotation": '`"free"` lets the body rotate about the site; default: a single hand holds its rotation, too',
         },
     ),
     "[scene] step": (
@@ -144,7 +146,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "times": "pairs of a time in the recording and a time in the clip, instead of `at` and `speed`",
             "weight": "a factor of the weights that keep the motion near the recording",
             "blend": "how long before and after a keyframe the motion may leave the recording, in seconds, at least "
-            "0.01; default: 0.4, but contacts and collisions may change other times",
+            "0.01; default: 0.4, but contacts and collisions may change more",
         },
     ),
     "[mirror]": (
@@ -154,10 +156,11 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
     "[solve]": (
         table.SolveTable,
         {
-            "coordinates": 'what rotations of the spline are relative to, the world or the parent joint; "auto" '
-            "chooses by the kinds of joints",
+            "coordinates": 'whether rotations of the spline are relative to the world or to the parent; "auto" depends '
+            "on the kinds of joints",
             "ends": "the ends of the motion; default: see [ends](keyframes.md#ends)",
-            "travel": "the displacement of the root in one cycle of a loop, in metres; default: as in the keyframes",
+            "travel": "the displacement of the root in one cycle of a loop, in metres; default: x and y as in the "
+            "keyframes",
             "turn": "the rotation of the root in one cycle of a loop, in degrees; default: as in the keyframes",
             "variable": "variable frames between two keyframes at the start of the search; default 2, in a long clip "
             "3, and more between distant keyframes",
@@ -174,8 +177,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "tolerance": "the search ends when a step is predicted to decrease the objective by less than this share; "
             "default 0.001",
             "quadrature": "the quadrature rule of the objective",
-            "samples": "samples between two neighbouring frames, default 3, and more where these would miss a "
-            'collision; with "uniform": samples in the whole clip, default 100',
+            "samples": f"samples in every {LONGEST_PANEL:g} s between two frames, default {POINTS}, and more where "
+            'these would miss a collision; with "uniform": samples in the whole clip, default 100',
         },
     ),
 }
@@ -205,8 +208,8 @@ def default(field: FieldInfo) -> str:
 
 def meaning(text: str, field: FieldInfo) -> str:
     """The text on a key, and its choices if there are several."""
-    several = [f'"{choice}"' for choice in choices(field)]
-    return f"{text}: {', '.join(several)}" if len(several) > 1 else text
+    several, (text, mark, end) = [f'"{choice}"' for choice in choices(field)], text.partition("; default: ")
+    return f"{text}: {', '.join(several)}{mark}{end}" if len(several) > 1 else text + mark + end
 
 
 def keys() -> Iterator[str]:
@@ -292,9 +295,9 @@ def speed() -> Iterator[str]:
     yield f"{cores()}:"
     yield ""
     time, length = seconds(solve[1]), duration("run_and_step")
-    yield f"- The clip `run_and_step`, {length} of motion, takes {time}."
+    yield f"- The clip `run_and_step`, {length} of motion, is solved in {time}."
     yield (
-        f"- A simpler running figure takes {seconds(runner[1])} to within 0.5 % of the optimum. CasADi with IPOPT "
+        f"- A simpler running figure is solved to 0.5 % of the optimum in {seconds(runner[1])}. CasADi with IPOPT "
         f"takes {factor(ipopt[2])} times as long."
     )
     dense = factor(row("barr", DENSE)[2])
