@@ -50,11 +50,13 @@ def pose(
     for row, here, free in zip(rows, places, loose, strict=True):
         if row.others == "previous" and not keys:
             raise UserError(f"{here}: others = 'previous' has no keyframe before it")
-        keys.append(_based(_key(figure, row, keys[-1] if keys else None, free, here), base))
+        keys.append(_based(key_of(figure, row, keys[-1] if keys else None, free, here), base))
     stander, missed = stander_of(source, figure), list[str]()
     if any(goals for goals, _ in targets):
         for k, (row, (goals, _), here) in enumerate(zip(rows, targets, places, strict=True)):
-            partial = _key(figure, row, keys[k - 1] if k else None, loose[k], here)  # "previous" uses solved keyframes
+            partial = key_of(
+                figure, row, keys[k - 1] if k else None, loose[k], here
+            )  # "previous" uses solved keyframes
             keys[k] = _based(partial, base)
             if goals:
                 among, index = (keys, k) if base is None else ([_later(keys[k], base, by) for by in (-1, 0, 1)], 1)
@@ -97,7 +99,7 @@ def _targets(
     if any(row.sites or row.bodies for row in rows):
         keys: list[Frame] = []
         for row, here in zip(rows, where, strict=True):
-            keys.append(_key(figure, row, keys[-1] if keys else None, (), here))
+            keys.append(key_of(figure, row, keys[-1] if keys else None, (), here))
         places = Places(figure, soles_of(figure, keys))
     return [targets_of(places, row, here) for row, here in zip(rows, where, strict=True)]
 
@@ -108,7 +110,7 @@ def soles_of(figure: Figure, keys: Sequence[Frame]) -> tuple[Point, ...]:
     return sole_points(figure, np.reshape(whole, (-1, figure.width)))
 
 
-def _key(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequence[int], where: str) -> Frame:
+def key_of(figure: Figure, row: KeyframeTable, before: Frame | None, loose: Sequence[int], where: str) -> Frame:
     """Return the qpos and mask of a keyframe; unspecified degrees of freedom are free, at rest, or as in `before`. The
     joints of the links `loose` are free whatever `others` is."""
     qpos = np.array(figure.model.qpos0)

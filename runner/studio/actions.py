@@ -215,12 +215,13 @@ class Actions:
 
         Feet with a target position keep it without this, and free joints stay free.
         """
-        import numpy as np
-
         poser, index = await self.poser(), int(at[1])
         before, fixed = self._state(index), self.session.loaded["keys"][index]["fixed"]
-        after = poser.with_entries(before, entries)
-        if self._targets(index) or np.array_equal(before, after) or not np.isfinite(after).all():
+        try:
+            after = poser.with_entries(before, entries)
+        except (UserError, ValueError):  # the edit reports it
+            return entries
+        if self._targets(index):
             return entries
         after = await asyncio.to_thread(poser.kept, before, after, locks, plant=plant or bool(locks))
         changed = {*entries.get("joints", {}), *entries.get("roots", {}), *([poser.root] if "root" in entries else [])}

@@ -22,8 +22,6 @@ from dynsplines.solver.surface.touch import LEVEL
 from ..clip.posing.places import posable_sites
 
 CONTACT = 0.004  # [m] height over the lowest point of a foot up to which its points touch the ground
-ARM = 0.3  # [m] distance of two points of a locked body from its origin
-RIGID = 6  # number of degrees of freedom of a rigid body
 END = 0.45  # distance to the tip, relative to the limb's length, below which a joint is an ankle or a wrist
 
 
@@ -110,17 +108,12 @@ class Footing:
         return PointGoal("sole", foot.body, outermost.offsets, outermost.centres(data))
 
     def locked(self, body: int, data: mujoco.MjData) -> PointGoal:
-        """Return the goal that fixes a body, or its end if its limb has too few degrees of freedom."""
-        figure, link, offsets = self.figure, int(self.figure.body_link[body]), ARM * np.eye(3, 3, -1)
-        slices, model = [figure.links[link].dofs for link in figure.limb(body)], figure.model
-        if sum(dofs.stop - dofs.start for dofs in slices) < RIGID:
-            sites = [model.site(name) for name in posable_sites(model)]
-            places = [site.pos for site in sites if site.bodyid[0] == body]
-            if not places and link in self.spheres:  # the point farthest from its joint
-                spheres, anchor = self.spheres[link], self.rest.xanchor[figure.links[link].joint]
-                away = np.linalg.norm(spheres.centres(self.rest) - anchor, axis=1)
-                places = [spheres.offsets[int(away.argmax())]]
-            offsets = np.array(places[-1:] or [np.zeros(3)])
+        """Return the goal that fixes a body, or its last site if its limb has less than six degrees of freedom."""
+        model, dofs = self.figure.model, [self.figure.links[link].dofs for link in self.figure.limb(body)]
+        offsets = np.eye(3, 3, -1)  # [m]
+        if sum(each.stop - each.start for each in dofs) < 6:
+            sites = (model.site(name) for name in posable_sites(model))
+            offsets = np.array([model.body_ipos[body], *(site.pos for site in sites if site.bodyid[0] == body)])[-1:]
         return PointGoal("lock", body, offsets, data.xpos[body] + offsets @ data.xmat[body].reshape(3, 3).T)
 
     def landed(self, foot: Spheres, data: mujoco.MjData) -> PointGoal:

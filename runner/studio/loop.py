@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from dynsplines.solver.curve.frame import Timeline
-from dynsplines.solver.inbetween import continue_from, inbetween, one_thread
+from dynsplines.solver.inbetween import ROUGH, continue_from, inbetween, one_thread
 from dynsplines.solver.refine.warm_start import warm_start
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.solution import Improvement, Solution
@@ -41,7 +41,6 @@ if TYPE_CHECKING:
 
 MAX_CACHED = 40  # number of texts whose solutions are cached
 SEND_INTERVAL = 0.04  # [s] minimum interval between paths sent
-ENOUGH = 0.98  # [1] E after a step relative to E before it, above which a search from the present path ends
 
 
 def serve(line: Line, outside: bool) -> None:
@@ -133,16 +132,9 @@ class SolverLoop:
         folder: str,
         revision: int,
         go: bool,
-        path: bytes | None = None,
         id: int | None = None,
     ) -> None:
-        """Load a text and send its clip and keyframes. A search starts from the present path.
-
-        Args:
-            go: Whether to search.
-            path: The present path after a restart of this process, pickled.
-            id: Number of the request.
-        """
+        """Load a text and send its clip and keyframes. With `go`, a search starts from the present path."""
         before = self.clip
         if table_of(text, place).solve.ends == MIRRORED:
             raise UserError(
@@ -151,8 +143,6 @@ class SolverLoop:
         clip = recordings.from_text(text, name=name, where=place, folder=Path(folder), like=before)
         is_same = before is not None and before.name == name
         present = self.solution.timeline if is_same and self.solution is not None else None
-        if path is not None:
-            present = pickle.loads(path)  # data of this program only
         known = self._cached(clip)
         begin = self._initial_guess(clip, before, present) if known is None else known.timeline
         if before is None or clip.figure is not before.figure:
@@ -245,7 +235,7 @@ class SolverLoop:
             if is_better and time.monotonic() - self._sent >= SEND_INTERVAL:
                 details = {"evaluation": improvement.evaluation, "parts": _plain(improvement.parts)}
                 self._send_path(improvement.build(), "best", value=float(improvement.value), **details)
-            if self.has_message() or (is_warm and improvement.value > ENOUGH * last):
+            if self.has_message() or (is_warm and improvement.value > (1 - ROUGH) * last):
                 raise StopSearch
             last = improvement.value
 

@@ -35,8 +35,9 @@ from dynsplines.solver.surface.points import Point
 
 from ..clip.kinds import posing_limits
 from ..clip.parse import chosen
+from ..clip.pose import key_of
 from ..clip.posing.places import Places, sole_points
-from ..clip.table import PenaltyTable
+from ..clip.table import KeyframeTable, PenaltyTable
 from ..clip.text import TomlTable, keyframe_tables, tables
 from ..errors import UserError, unknown
 from .footing import Footing, Spheres
@@ -116,7 +117,7 @@ class Poser:
         """
         figure = self.figure
         if body in locked:
-            raise UserError(f"'{figure.model.body(body).name}' is locked; unlock it to drag it")
+            raise UserError(f"'{figure.model.body(body).name}': locked; unlock it to drag it")
         links, root = figure.limb(body), (figure.chain(body)[-1:] or [0])[0]
         limb_mask, whole = np.zeros(figure.width, bool), np.zeros(figure.width, bool)
         for link in links:
@@ -249,43 +250,30 @@ class Poser:
         figure, footing = self.figure, self.footing
         set_qpos(figure.model, self.data, before)
         locks = [footing.locked(body, self.data) for body in locked]
-        feet = [footing.spheres[link] for link in dict.fromkeys(point.link for point in self.soles) if plant]
-        feet = [foot for foot in feet if foot.body not in locked and self._stands(int(figure.body_link[foot.body]))]
-        goals = [*locks, *(footing.fixed(foot.lowest(self.data), self.data) for foot in feet)]
-        for some in (goals, locks) if locks else (goals,):
+        links = [link for link in dict.fromkeys(point.link for point in self.soles) if plant and self._stands(link)]
+        feet = [footing.fixed(footing.spheres[link].lowest(self.data), self.data) for link in links]
+        feet = [foot for foot in feet if foot.index not in locked]
+        for goals in ([*locks, *feet], locks):
             free = np.zeros(figure.width, bool)
-            for link in {link for goal in some for link in (*figure.limb(goal.index), *figure.chain(goal.index)[-1:])}:
+            for link in {link for goal in goals for link in (*figure.limb(goal.index), *figure.chain(goal.index)[-1:])}:
                 columns = figure.links[link].columns
                 free[columns] = np.abs(after - before)[columns].max() < MOVED
-            if not free.any():
-                continue
+            if not goals:
+                return after
             posed = dragged(
-                figure, after, free, some[0], Constraints(tuple(some[1:])), self.bends, begin=after,
+                figure, after, free, goals[0], Constraints(tuple(goals[1:])), self.bends, begin=after,
                 range_shares=self._range_shares,
             )  # fmt: skip
             if posed.worst <= SHORT:
                 return posed.qpos
-        set_qpos(figure.model, self.data, after)
-        for lock in locks:
-            if np.abs(lock.missed(figure.model, self.data)).max() > SHORT:
-                name = figure.model.body(lock.index).name
-                raise UserError(f"'{name}' is locked and cannot stay where it is; unlock it, or change less")
-        return after
+        names = " and ".join(f"'{figure.model.body(body).name}'" for body in locked)
+        raise UserError(f"{names}: locked, and cannot stay in place; unlock it, or change less")
 
     def with_entries(self, qpos: Array, entries: Mapping[str, Any]) -> Array:
-        """Return a pose (nq,) with the numbers in entries of a keyframe."""
-        out, roots = np.array(qpos, float), {self.root: entries.get("root", {}), **entries.get("roots", {})}
-        for link in self.figure.links[1:]:
-            value, start = entries.get("joints", {}).get(link.name), link.qpos
-            if link.kind is JointKind.FREE:
-                for axis, place in enumerate(roots.get(link.name, {}).get("position", ())):
-                    out[start + axis] = place if isinstance(place, int | float) else out[start + axis]
-                value, start = roots.get(link.name, {}).get("rotation"), start + 3
-            if isinstance(value, Mapping):
-                out[start : start + 4] = quat.from_rotation_vector(np.radians(np.array(value["rotvec"], float)))
-            elif isinstance(value, int | float):
-                out[start] = np.radians(value) if link.kind is JointKind.HINGE else value
-        return out
+        """Return a pose (nq,) with the values in entries of a keyframe. Raises UserError or ValueError."""
+        row = KeyframeTable.model_validate({"time": 0.0, **entries})
+        key = key_of(self.figure, row, None, (), "the keyframe")
+        return np.where(key.fixed, key.state, qpos)
 
     def turned(self, qpos: Array, joint: str, turn: ArrayLike) -> Array:
         """Return a pose (nq,) with one joint rotated by a quaternion in the world (4,); a hinge by its component."""

@@ -181,10 +181,10 @@ class Session:
         """Return a text as the solver has loaded it, which then searches it. Raises UserError for an invalid clip."""
         return await self.solver.ask(self._load_request(text, self.document.revision + 1))
 
-    def _load_request(self, text: str, revision: int, path: bytes | None = None) -> Message:
+    def _load_request(self, text: str, revision: int) -> Message:
         document = self.document
         place = {"name": document.name, "place": document.place, "folder": str(document.folder)}
-        return {"do": "load", "text": text, **place, "revision": revision, "go": self.go, "path": path}
+        return {"do": "load", "text": text, **place, "revision": revision, "go": self.go}
 
     def _changed(self, loaded: Message, words: str) -> str:
         """Show a changed document, and store it as unsaved work. Return the words, with the reason if it cannot be."""
@@ -312,9 +312,8 @@ class Session:
         self._show(message["kind"], message["data"])
 
     def _resume(self, words: str) -> None:
-        """Resume after a crash: the new process gets the present text and the last path."""
+        """Resume after a crash: the new process gets the present text."""
         self._show_state("loading")
         self.tell({"is": "note", "words": words})
         self.want_curves(self._has_curves)
-        path = None if self._path is None else self._path[1]
-        self.solver.send(self._load_request(self.document.text, self.document.revision, path))
+        self.solver.send(self._load_request(self.document.text, self.document.revision))

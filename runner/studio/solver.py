@@ -91,7 +91,7 @@ class Solver:
             self._process.join(5)
 
     def restart(self) -> None:
-        """End the process at once. A new one continues from the last path."""
+        """End the process at once. A new one starts."""
         if self._process is not None:
             self._process.kill()
 
@@ -124,7 +124,7 @@ class Solver:
             return
         self._losses += 1
         how = f"was ended by signal {-code}" if code is not None and code < 0 else f"ended with code {code}"
-        words = f"the solver process {how}; a new one continues from the last path"
+        words = f"the solver process {how}; a new one solves the clip again"
         if self._losses > MOST_LOSSES:
             words = f"the solver process {how} repeatedly; free memory, then start the studio again"
         for number in self._answers:

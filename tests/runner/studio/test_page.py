@@ -583,10 +583,10 @@ def test_a_locked_body_stays_in_place(tab):
     tab.until(f"!studio.stage.melting && {stays}", 5)
     height.fill("3")
     height.press("Enter")
-    toast(tab, "'left_forearm' is locked and cannot stay")
+    toast(tab, "'left_forearm': locked, and cannot stay")
     x, y = tab.grip("left_forearm")
     tab.drag((x, y), (x + 20, y))
-    toast(tab, "'left_forearm' is locked; unlock it")
+    toast(tab, "'left_forearm': locked; unlock it")
     page.mouse.click(x, y, button="right")
     page.get_by_role("button", name="Unlock", exact=True).click()
     assert tab.evaluate("studio.model.locks.size") == 0

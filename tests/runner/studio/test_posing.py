@@ -11,7 +11,7 @@ from oracles import kinematics
 
 from dynsplines.clip import load as clips
 from dynsplines.clip.kinds import posing_limits
-from dynsplines.clip.pose import _key
+from dynsplines.clip.pose import key_of
 from dynsplines.clip.table import ClipTable
 from dynsplines.errors import UserError
 from dynsplines.solver.figure.kinematics import Samples
@@ -98,7 +98,7 @@ def place_of(model, qpos, name):
 def test_a_locked_body_stays_while_others_are_dragged_turned_or_typed(clip, poser, name):
     model, home = clip.figure.model, np.array(clip.keys[-1].state)
     here, locks = place_of(model, home, name), (model.body(name).id,)
-    with pytest.raises(UserError, match=f"'{name}' is locked"):
+    with pytest.raises(UserError, match=f"'{name}': locked"):
         poser.gripped(home, model.body(name).id, np.zeros(3), locked=locks)
     offset = np.array([0.02, 0.03, -0.12])
     for pulled in ("chest", "right_foot", "left_upper_arm", "left_shin"):
@@ -120,7 +120,7 @@ def test_a_change_that_a_locked_body_cannot_follow_is_rejected(clip, poser):
     home = np.array(clip.keys[-1].state)
     place = home[clip.figure.links[clip.figure.root.link].qpos :][:3]
     higher = poser.with_entries(home, {"root": {"position": [*place[:2], place[2] + 0.5]}})
-    with pytest.raises(UserError, match="'left_foot' is locked and cannot stay"):
+    with pytest.raises(UserError, match="'left_foot': locked, and cannot stay"):
         poser.kept(home, higher, [clip.figure.model.body("left_foot").id])
 
 
@@ -141,7 +141,7 @@ def test_what_a_pose_says_is_that_pose(clip, poser):
     assert set(entries) == {"joints", "root"}
     row = {"time": 0.0, **entries}
     table = ClipTable.model_validate({"figure": "human", "keyframe": [row]})
-    key = _key(clip.figure, table.keyframe[0], None, (), "here")
+    key = key_of(clip.figure, table.keyframe[0], None, (), "here")
     np.testing.assert_allclose(key.state[key.fixed], other[key.fixed], atol=2e-5)
 
 

@@ -156,7 +156,7 @@ def lost(start, monkeypatch):
 def test_an_edit_during_which_the_solver_process_crashes_is_rejected_and_the_present_text_is_loaded(lost):
     shown = []
     lost.enter(shown.append)
-    words = "the solver process was ended by signal 9; a new one continues from the last path"
+    words = "the solver process was ended by signal 9; a new one solves the clip again"
     with pytest.raises(UserError, match=words):
         add_key(lost, 0.15)
     assert [message["revision"] for message in lost.sent] == [1, 0]
@@ -166,7 +166,7 @@ def test_an_edit_during_which_the_solver_process_crashes_is_rejected_and_the_pre
 
 def test_a_solver_that_crashes_again_and_again_is_not_started_again(lost):
     for _ in range(solver.MOST_LOSSES):
-        with pytest.raises(UserError, match="a new one continues"):
+        with pytest.raises(UserError, match="a new one solves"):
             add_key(lost, 0.15)
     with pytest.raises(UserError, match="was ended by signal 9 repeatedly"):
         add_key(lost, 0.15)
