@@ -1,4 +1,4 @@
-"""Curves beside the timeline: angles, speeds, torques, and E."""
+"""Curves beside the timeline: angles, speeds and torques of joints."""
 
 from __future__ import annotations
 
@@ -12,40 +12,31 @@ from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.dynamics import generalised_forces, velocities
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
-from dynsplines.solver.objective import segment_integrals
 from dynsplines.solver.solution import Solution
 
-from ..clip.build import Clip
 from ..motion import samples_at
 
 RATE = 100.0  # [1/s] sampling rate of a short motion
 MOST = 1500  # number of samples of a long motion
-Series = dict[str, str | list[float]]  # "name", and values "after" and "before"
-Group = dict[str, Any]  # "name", "unit", and "series" of this unit
 
 
-def curves(clip: Clip, solution: Solution) -> dict[str, Any]:
-    """Return groups of series at times [s]; a group has a name and a unit, a series a name and values after and before.
-
-    E is computed per segment between frames, as steps of its value per second.
-    """
+def curves(figure: Figure, solution: Solution) -> dict[str, Any]:
+    """Return groups of series, with a unit each, at times [s]."""
     first, last = float(solution.timeline.times[0]), float(solution.timeline.times[-1])
     time = np.linspace(first, last, int(np.clip((last - first) * RATE, 20, MOST)) + 1)
     sides = {"after": solution.timeline}
     if solution.timeline is not solution.raw:
         sides["before"] = solution.raw
-    by_side = {side: _side(clip, timeline, time) for side, timeline in sides.items()}
-    groups: list[Group] = []
+    by_side = {side: _side(figure, timeline, time) for side, timeline in sides.items()}
+    groups = []
     for name, unit in (("angle", "°"), ("speed", "°/s"), ("torque", "N m")):
         names = list(by_side["after"][name])
         series = [{"name": label, **{side: by_side[side][name].get(label, []) for side in by_side}} for label in names]
         groups.append({"name": name, "unit": unit, "series": series})
-    groups.append({"name": "E by segment", "unit": "1/s", "series": _by_term(clip, solution, time)})
     return {"time": time.round(4).tolist(), "groups": groups}
 
 
-def _side(clip: Clip, timeline: Timeline, time: Array) -> dict[str, dict[str, list[float]]]:
-    figure = clip.figure
+def _side(figure: Figure, timeline: Timeline, time: Array) -> dict[str, dict[str, list[float]]]:
     samples = samples_at(figure, path_of(timeline), time)
     qpos, (qvel, _) = figure.to_qpos(samples.y), velocities(samples)
     forces = generalised_forces(samples)
@@ -73,19 +64,6 @@ def _size(figure: Figure, index: int, values: Array) -> Array:
     """Return the norm of a joint's part of velocities or forces (T, nv), of a free joint's rotation only, (T,)."""
     components = values[:, figure.links[index].dofs]
     return np.linalg.norm(components[:, -3:], axis=1) if components.shape[1] > 1 else components[:, 0]
-
-
-def _by_term(clip: Clip, solution: Solution, time: Array) -> list[Series]:
-    """Return the contribution of every term to E per second, between frames."""
-    objective, edges = clip.problem.objective, solution.timeline.times
-    by_term: dict[str, dict[str, list[float]]] = {}
-    for side, timeline in (("after", solution.timeline), ("before", solution.raw)):
-        parts = segment_integrals(objective, path_of(timeline), edges) / np.diff(edges)[:, None]
-        at = np.clip(np.searchsorted(edges, time, side="right") - 1, 0, edges.size - 2)
-        by_term.setdefault("all", {})[side] = _rounded(parts.sum(axis=1)[at])
-        for k, term in enumerate(objective.terms):
-            by_term.setdefault(term.penalty.name, {})[side] = _rounded(parts[at, k])
-    return [{"name": name, **sides} for name, sides in by_term.items()]
 
 
 def _rounded(values: Array) -> list[float]:

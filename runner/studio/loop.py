@@ -98,7 +98,7 @@ class SolverLoop:
         self.is_searching = self.is_near = False
         self.revision = 0
         self.has_curves = False
-        self.cache: dict[str, Solution] = {}  # results of searches from the raw spline, by text
+        self.cache: dict[str, Any] = {}  # by text, results of searches from the raw spline, without figures
         self._is_interruptible = False
         self._sent = 0.0  # [s] when the last path was sent
 
@@ -143,7 +143,9 @@ class SolverLoop:
         clip = recordings.from_text(text, name=name, where=place, folder=Path(folder), like=before)
         is_same = before is not None and before.name == name
         present = self.solution.timeline if is_same and self.solution is not None else None
-        known = self._cached(clip)
+        known, cached = None, self.cache.get(clip.text)  # of a clip that was undone or redone
+        if cached is not None and np.array_equal(cached[1].rows, clip.problem.raw.rows):  # no files have changed
+            known = Solution(clip.figure, clip.problem.objective, *cached)
         begin = self._initial_guess(clip, before, present) if known is None else known.timeline
         if before is None or clip.figure is not before.figure:
             figure = pickle.dumps((clip.scene, clip.figure.coordinates))
@@ -161,11 +163,6 @@ class SolverLoop:
             self._judge(known.stop.name)
         elif not go:
             self._judge("paused")
-
-    def _cached(self, clip: Clip) -> Solution | None:
-        """Return the solution of a clip that was undone or redone; None if it is not known, or files have changed."""
-        known = self.cache.get(clip.text)
-        return known if known is not None and np.array_equal(known.raw.rows, clip.problem.raw.rows) else None
 
     def _initial_guess(self, clip: Clip, before: Clip | None, present: Timeline | None) -> Timeline | None:
         """Return the initial guess for a clip from the present path; None if that does not fit."""
@@ -233,8 +230,7 @@ class SolverLoop:
             nonlocal last
             is_better = improvement.evaluation > 1 if is_warm else is_first
             if is_better and time.monotonic() - self._sent >= SEND_INTERVAL:
-                details = {"evaluation": improvement.evaluation, "parts": _plain(improvement.parts)}
-                self._send_path(improvement.build(), "best", value=float(improvement.value), **details)
+                self._send_path(improvement.build(), "best", **_cost(improvement.value, improvement.parts))
             if self.has_message() or (is_warm and improvement.value > (1 - ROUGH) * last):
                 raise StopSearch
             last = improvement.value
@@ -247,17 +243,17 @@ class SolverLoop:
         if is_warm or is_first or is_result:
             self._show(solution)
         if is_result:
-            self._cache(clip.text, solution)
+            timelines = _bare(solution.timeline), _bare(solution.raw)
+            self.cache[clip.text] = (*timelines, solution.trace[-1:], solution.evaluations, solution.stop)
+            if len(self.cache) > MAX_CACHED:
+                del self.cache[next(iter(self.cache))]
             self.is_searching = False
             self._judge(solution.stop.name)
 
     def _show(self, solution: Solution) -> None:
         """Make the path of a solution the present one, and send it."""
         self.solution = solution
-        cost: Message = {}  # of a path that no search has evaluated
-        if solution.trace:
-            cost = {"value": solution.trace[-1][2], "parts": _plain(solution.trace[-1][3])}
-        self._send_path(solution.timeline, "best", evaluation=solution.evaluations, **cost)
+        self._send_path(solution.timeline, "best", **(_cost(*solution.trace[-1][2:]) if solution.trace else {}))
 
     def _minimise(self, clip: Clip, begin: Timeline | None, improved: Callable[[Improvement], None]) -> Solution | None:
         """Return the result of a search, from the raw spline if `begin` is None. Return None if a message has ended it
@@ -273,13 +269,6 @@ class SolverLoop:
             return None
         finally:
             self._is_interruptible = False
-
-    def _cache(self, text: str, solution: Solution) -> None:
-        """Store the solution of a text for undo and redo."""
-        self.cache.pop(text, None)
-        self.cache[text] = solution
-        if len(self.cache) > MAX_CACHED:
-            del self.cache[next(iter(self.cache))]
 
     def _judge(self, stop: str) -> None:
         """Send the present path's violations, and the reason for the end of the search."""
@@ -297,7 +286,7 @@ class SolverLoop:
         if self.clip is not None and self.solution is not None:
             from .curves import curves  # imported late: curves are rarely shown
 
-            self._report("curves", curves=curves(self.clip, self.solution))
+            self._report("curves", curves=curves(self.clip.figure, self.solution))
 
     def _send_path(self, timeline: Timeline, kind: str, **details: Any) -> None:
         """Send a path: as the page plays it, and pickled for the server, which adds keyframes from it."""
@@ -317,8 +306,9 @@ def _bare(timeline: Timeline) -> Timeline:
     return Timeline(timeline.frames, timeline.end_slope, timeline.ends)
 
 
-def _plain(parts: dict[str, float]) -> dict[str, float]:
-    return {name: float(value) for name, value in parts.items()}
+def _cost(value: float, parts: dict[str, float]) -> Message:
+    """Return E and its terms, with numbers of Python."""
+    return {"value": float(value), "parts": {name: float(part) for name, part in parts.items()}}
 
 
 def _shape(clip: Clip) -> dict[str, object]:
@@ -333,6 +323,5 @@ def _shape(clip: Clip) -> dict[str, object]:
             for stance in schedule.stances
         ],
         "flights": [[float(a), float(b)] for a, b in schedule.flights],
-        "ends": clip.ends,
         "weights": {penalty.name: float(weight) for penalty, weight in clip.penalties},
     }

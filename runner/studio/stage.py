@@ -130,14 +130,12 @@ def outline(text: str, where: str) -> dict[str, Any]:
         "contacts": content.get("contact", []),
         "grasps": content.get("grasp", []),
         "weights": weights(table, where),
-        "options": {entry["kind"]: entry for entry in content.get("penalty", [])},
         "obstacles": [
             {"kind": kind, "index": index, **obstacle}
             for kind, rows in scene.items()
             for index, obstacle in enumerate([rows] if kind == "step" else rows)
         ],
         "solve": content.get("solve", {}),
-        "recording": content.get("recording"),
     }
 
 

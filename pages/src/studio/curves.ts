@@ -16,8 +16,6 @@ let hidden = new Set<string>();
 let shown = false;
 let span = (): [number, number] => [model.first, model.last];
 
-export const curvesShown = (): boolean => shown;
-
 export const toggleCurves = (): void => {
   shown = !shown;
   $("curves").hidden = !shown;

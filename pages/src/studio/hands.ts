@@ -207,7 +207,7 @@ export class Hands {
   /** Continues with the mouse's present position, or lets go after a refusal. */
   private answered(held: Held, ok: boolean, words = ""): void {
     held.waits = false;
-    if (!ok && !held.ended) toast(words, "wrong");
+    if (!ok && !held.ended) { toast(words, "wrong"); held.ended = true; } // what follows from it is not reported
     if (this.held !== held) return;
     if (ok) this.pull(held);
     else void this.cancel();

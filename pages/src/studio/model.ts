@@ -13,13 +13,12 @@ export interface Obstacle { kind: string; index: number; [key: string]: unknown;
 export interface Outline {
   name: string; file: string | null; dirty: boolean; revision: number; undo: string | null; redo: string | null;
   figure: string; fps: number; keys: KeyframeRow[]; contacts: Bar[]; grasps: Bar[]; weights: Record<string, number>;
-  options: Record<string, Record<string, unknown>>; obstacles: Obstacle[]; solve: Record<string, unknown>;
-  recording: unknown;
+  obstacles: Obstacle[]; solve: Record<string, unknown>;
 }
 export interface KeyState { time: number; qpos: number[]; fixed: boolean[]; known: boolean[]; }
 export interface Loaded {
   revision: number; keys: KeyState[]; stances: { point: string; from: number; to: number }[]; flights: [number, number][]; notes: string[];
-  ends: string; weights: Record<string, number>;
+  weights: Record<string, number>;
 }
 export interface Joint {
   name: string; kind: "free" | "ball" | "hinge" | "slide"; qpos: number; body: number; range: number[] | null;
@@ -32,7 +31,7 @@ export interface Stage extends Drawn {
 }
 export interface Violation { kind: string; name: string; time: number | null; amount: number; unit: string; keyframe: number | null; text: string; }
 export interface Kind { kind: string; part: string; term: string; weight: number; quantity: string; "is on": boolean; }
-export interface Course { value?: number; parts?: Record<string, number>; evaluation?: number; frames: number[]; kind: string; }
+export interface Course { value?: number; parts?: Record<string, number>; frames: number[]; kind: string; }
 
 export type Which = "after" | "before" | "both" | "side" | "snapshot";
 export type Heard =

@@ -125,15 +125,15 @@ const pose = (): void => {
 };
 
 const problems = (): void => {
-  const { violations } = model, count = violations.length;
+  const { violations } = model, count = violations.length, notes = (model.loaded?.notes ?? []).map((text) => el("p", { class: "hint", text }));
   $("count").textContent = count ? String(count) : "";
   $("count").hidden = !count;
   const box = $("panel-problems");
   if (!count) {
-    fill(box, el("p", { class: "hint good", id: "nothing-wrong", text: model.status.state === "settled" ? "No problems." : "No problems so far." }));
+    fill(box, el("p", { class: "hint good", id: "nothing-wrong", text: model.status.state === "settled" ? "No problems." : "No problems so far." }), ...notes);
     return;
   }
-  fill(box, el("p", { class: "hint", text: "Worst first. Click one to go there." }), el("ol", { class: "violations" }, ...violations.map((violation) =>
+  fill(box, ...notes, el("p", { class: "hint", text: "Worst first. Click one to go there." }), el("ol", { class: "violations" }, ...violations.map((violation) =>
     el("li", {}, el("button", {
       type: "button", class: violation.keyframe === null ? "" : "own", text: violation.text,
       onclick: () => {
@@ -237,7 +237,7 @@ export const beginPanels = (): void => {
   }
   model.on(["time", "joint"], () => { if (!model.playing) panels.pose(); });
   model.on(["loaded", "stage", "document"], panels.pose);
-  model.on(["settled", "status"], panels.problems);
+  model.on(["settled", "status", "loaded"], panels.problems);
   model.on(["kinds", "document", "loaded", "settled"], panels.weights);
   let later = 0;
   model.on("path", () => { if (!later) later = window.setTimeout(() => { later = 0; weights(); }, 300); });

@@ -100,16 +100,15 @@ def test_the_centre_of_mass_is_the_figure_s_without_its_table_and_what_lies_on_i
     np.testing.assert_allclose(middle[0], data.subtree_com[model.body("arm").id], atol=1e-3)
 
 
-def test_curves_are_of_joints_and_terms(work, tmp_path):
+def test_curves_are_of_joints(work, tmp_path):
     work.loaded(tmp_path, problems.CLIP)
     (told,) = work.asked("curves", on=True)
     groups = {group["name"]: group for group in told["curves"]["groups"]}
-    assert set(groups) == {"angle", "speed", "torque", "E by segment"}
+    assert set(groups) == {"angle", "speed", "torque"}
     knee = next(each for each in groups["angle"]["series"] if each["name"] == "left_knee")
     at = told["curves"]["time"].index(min(told["curves"]["time"], key=lambda t: abs(t - 0.2)))
     assert knee["after"][at] == pytest.approx(40, abs=1)
     assert len(knee["after"]) == len(told["curves"]["time"])
-    assert groups["E by segment"]["series"][0]["name"] == "all"
 
 
 def test_the_present_motion_is_kept_for_what_is_made_of_it(work, tmp_path):
