@@ -587,6 +587,8 @@ def test_a_locked_body_stays_in_place(tab):
     x, y = tab.grip("left_forearm")
     tab.drag((x, y), (x + 20, y))
     toast(tab, "'left_forearm': locked; unlock it")
+    tab.until("!studio.hands.busy && studio.stage.override === null")
+    assert "unlock it to drag it" in tab.words()  # and not that there is nothing to drag
     page.mouse.click(x, y, button="right")
     page.get_by_role("button", name="Unlock", exact=True).click()
     assert tab.evaluate("studio.model.locks.size") == 0
