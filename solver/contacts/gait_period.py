@@ -32,7 +32,6 @@ LEFT_OUT = ((0, 0), (1, 0), (0, 1), (1, 1))  # numbers of first and last keyfram
 OUTSIDE = 0.2  # least increase of the gain for each keyframe left out
 FEWEST, MOST = 3, 100  # numbers of complete keyframes for which a cycle is inferred
 CYCLES = 0.8  # least number of cycles in a clip
-GAIN = -0.15  # least gain of a cycle over smooth motion
 SLIP = 0.33  # largest slip of a cycle, see `GaitCycle`
 # largest slip of the likeliest cycle if its rivals slip RIVAL times as much and the body travels steadily
 LOOSE = 0.85
@@ -89,14 +88,14 @@ class Gait:
 
     @property
     def _cycle_of_all(self) -> GaitCycle | None:
-        if not (self._may_walk and self._is_level and self._raises_feet):
+        if not (self._may_walk and self._is_level):
             return None
         poses = PoseVectors.of(self.figure, self.keys)
         if poses is None or not FEWEST <= poses.times.size <= MOST:
             return None
         shortest, longest = self._periods
         longest = min(longest, poses.sides / 2 * (poses.times[-1] - poses.times[0]) / CYCLES)
-        cycles = self.candidates(PoseProcess(poses), (shortest, longest), GAIN)
+        cycles = self.candidates(PoseProcess(poses), (shortest, longest))
         sure = [r for r in cycles if r.slip <= SLIP] or self._without_rival(cycles)
         best = max(sure, key=lambda gait_cycle: gait_cycle.gain, default=None)
         return None if best is None or best.trust.mean() < TRUST else best
@@ -119,7 +118,7 @@ class Gait:
         if poses is None:
             return None
         between = self._periods if self._may_walk else self.limits.any_period
-        cycles = self.candidates(PoseProcess(poses), between, -np.inf)
+        cycles = self.candidates(PoseProcess(poses), between)
         return min(cycles, key=lambda gait_cycle: (gait_cycle.slip > SLIP, -gait_cycle.gain), default=None)
 
     def with_period(self, period: float) -> GaitCycle | None:
@@ -127,15 +126,15 @@ class Gait:
         poses = PoseVectors.of(self.figure, self.keys)
         return None if poses is None else self._rhythm(PoseProcess(poses), period)
 
-    def candidates(self, process: PoseProcess, between: tuple[float, float], least: float) -> list[GaitCycle]:
-        """Return the cycles at periods `between` [s] where the gain peaks above `least`, the likeliest first."""
+    def candidates(self, process: PoseProcess, between: tuple[float, float]) -> list[GaitCycle]:
+        """Return the cycles at periods `between` [s] where the gain peaks, the likeliest first."""
         if between[0] >= between[1]:
             return []
         count = max(3, int(np.ceil(np.log(between[1] / between[0]) / FINENESS)) + 1)
         tried = np.geomspace(*between, count)
         gain = np.array([process.gain(float(period)) for period in tried])
         padded = np.concatenate([[-np.inf], gain, [-np.inf]])
-        peaks = np.flatnonzero((gain >= padded[:-2]) & (gain > padded[2:]) & (gain > least))
+        peaks = np.flatnonzero((gain >= padded[:-2]) & (gain > padded[2:]))
         peaks = peaks[np.argsort(-gain[peaks])][:TRIED]
         return [self._rhythm(process, _refined(process, tried, gain, int(i))) for i in peaks]
 
@@ -163,12 +162,6 @@ class Gait:
         places, heights = self._standing
         lowest = heights.argmin(axis=0), np.arange(heights.shape[1])
         return float(np.ptp((places[2] - heights)[lowest])) < self.limits.same_spot
-
-    @property
-    def _raises_feet(self) -> bool:
-        """Whether a sole point is off the ground in a keyframe. Otherwise the keyframes contain no sign of a cycle."""
-        _, heights = self._standing
-        return bool(np.ptp(heights, axis=1).max() > self.limits.near_surface)
 
     @property
     def _root(self) -> Array:
