@@ -50,7 +50,7 @@ class Ranges:
     count: int
 
     @classmethod
-    def of(cls, figure: Figure, joints: Sequence[int], dofs: Index, beyond: float) -> Ranges:
+    def of(cls, figure: Figure, joints: Sequence[int], dofs: Index) -> Ranges:
         model = figure.model
         links = [link for i in joints if model.jnt_limited[(link := figure.links[i]).joint]]
         balls = [link for link in links if link.kind is JointKind.BALL]
@@ -60,11 +60,11 @@ class Ranges:
         share = (model.qpos0[columns] - limits[:, 0]) / np.maximum(np.ptp(limits, axis=1), ROUNDING)
         hinges = np.array([link.kind is JointKind.HINGE for link in simple], bool)
         directions = hinges * (1.0 * (share < ONE_SIDED) - (share > 1 - ONE_SIDED))
-        margin = np.minimum(INSIDE, np.ptp(limits, axis=1) / 4) - beyond * hinges
+        margin = np.minimum(INSIDE, np.ptp(limits, axis=1) / 4)
         return cls(
             np.array([link.qpos for link in balls], np.intp)[:, None] + np.arange(4),
             np.searchsorted(dofs, np.array([link.dof for link in balls], np.intp))[:, None] + np.arange(3),
-            model.jnt_range[[link.joint for link in balls], 1] + (beyond - INSIDE),
+            model.jnt_range[[link.joint for link in balls], 1] - INSIDE,
             columns,
             np.searchsorted(dofs, np.array([link.dof for link in simple], np.intp)),
             limits + np.array([1, -1]) * margin[:, None],

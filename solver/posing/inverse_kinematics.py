@@ -26,7 +26,6 @@ def posed(
     goals: Sequence[Goal],
     bends: BendLimits | None = None,
     starts: int = STARTS,
-    beyond: float = 0.0,
     preferred: Sequence[tuple[float, Goal]] = (),
 ) -> Posed:
     """Return the pose nearest to qpos that meets the goals; if none does, the pose with the smallest residual.
@@ -37,13 +36,12 @@ def posed(
         qpos: The initial pose, (nq,).
         free: The mask of the entries of qpos that may change, (nq,).
         bends: The knees and elbows on ball joints, with their bounds.
-        beyond: The permitted excess of hinges and ball joints over their ranges [rad].
         preferred: Pairs of a weight [1/rad or 1/m] and a goal that is met approximately.
     """
     free, there = np.asarray(free, bool), np.array(qpos, float)
     fixed, missed, tried = np.zeros(figure.width, bool), np.zeros(len(goals)), 0
     for group in _apart(figure, free, goals):
-        pose = _known(figure, there, free, tuple(goals[i] for i in group), bends, beyond, starts, tuple(preferred))
+        pose = _known(figure, there, free, tuple(goals[i] for i in group), bends, starts, tuple(preferred))
         there, fixed, tried = np.where(pose.fixed, pose.qpos, there), fixed | pose.fixed, max(tried, pose.starts)
         missed[group] = pose.missed
     return Posed(there, fixed, missed, tried)
@@ -58,7 +56,6 @@ def _known(
     free: Mask,
     goals: tuple[Goal, ...],
     bends: BendLimits | None,
-    beyond: float,
     starts: int,
     preferred: tuple[tuple[float, Goal], ...],
 ) -> Posed:
@@ -66,10 +63,8 @@ def _known(
     on are set to the rest pose, so that they do not change the cache key. Editing a clip repeats most of its poses."""
     goal_key = reached(figure, goals)
     home, free = np.where(goal_key, home, figure.model.qpos0), free & goal_key
-    key = cache_key((figure.digest, home, free, goals, bends, beyond, starts, preferred))
-    return _poses.get(
-        key, lambda: _posed(PoseSearch(figure, home, free, goals, bends, beyond, preferred=preferred), starts)
-    )
+    key = cache_key((figure.digest, home, free, goals, bends, starts, preferred))
+    return _poses.get(key, lambda: _posed(PoseSearch(figure, home, free, goals, bends, preferred=preferred), starts))
 
 
 def _posed(search: PoseSearch, starts: int) -> Posed:

@@ -73,7 +73,6 @@ class PoseSearch:
         home: The pose from which distances are measured, (nq,).
         free: The mask of the entries of qpos that may change, (nq,).
         bends: The knees and elbows on ball joints, with their bounds.
-        beyond: The permitted excess of hinges and ball joints over their ranges [rad].
         range_shares: The permitted share of a joint's range, by the index of its link.
         preferred: Pairs of a weight [1/rad or 1/m] and a goal that is met approximately.
     """
@@ -85,7 +84,6 @@ class PoseSearch:
         free: Mask,
         goals: tuple[Goal, ...],
         bends: BendLimits | None,
-        beyond: float = 0.0,
         range_shares: Mapping[int, float] | None = None,
         preferred: Sequence[tuple[float, Goal]] = (),
     ) -> None:
@@ -99,7 +97,7 @@ class PoseSearch:
         self.joints = [
             i for i in links if figure.links[i].kind is not JointKind.FREE and free[figure.links[i].columns].all()
         ]
-        self.ranges = Ranges.of(figure, self.joints, self.dofs, beyond)
+        self.ranges = Ranges.of(figure, self.joints, self.dofs)
         if range_shares:
             self.ranges = self.ranges.narrowed({figure.links[i].qpos: share for i, share in range_shares.items()}, home)
         self.bends = None if bends is None else Bends.of(figure, bends, free)

@@ -40,7 +40,6 @@ from ..contacts import schedule_of
 from ..table import ContactTable, GraspTable, SolveTable
 from .grounding import Grounding
 
-BEYOND = float(np.radians(10))  # [rad] most excess of joint ranges that keeps a foot in its place
 NEARLY = 1e-3  # [m, rad] largest error of a pose that meets its goals
 STARTS = 4  # most starting poses
 BALANCE = 100.0  # [1/m] weight of the preference of balance, relative to 1 rad of a limb joint
@@ -215,7 +214,7 @@ class Stander:
             if target.covers(key.time):
                 position = target.place(np.array([key.time]))[:, 0]
                 groups.append([PointGoal.of(self.figure, target.point, position)])
-        home, count = figure.to_qpos(frame.state), len(groups)
+        home = figure.to_qpos(frame.state)
         root = figure.root
         may_shift = root is not None and not frame.fixed[figure.links[root.link].qpos + np.arange(2)].all()
         is_determined, missed = np.zeros(figure.width, bool), list[Goal]()
@@ -223,8 +222,6 @@ class Stander:
             goals = [goal for group in groups for goal in group]
             preferred = balance_of(figure, known.soles, goals, STANDING) if may_shift else []
             pose = upright(figure, home, ~frame.fixed, goals, self.bends, preferred)
-            if pose.worst > NEARLY and len(groups) == count:
-                pose = posed(figure, home, ~frame.fixed, goals, self.bends, STARTS, BEYOND)
             if pose.worst <= NEARLY:
                 home, is_determined = pose.qpos, pose.fixed & ~frame.fixed
                 break
