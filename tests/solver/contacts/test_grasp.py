@@ -160,6 +160,7 @@ def test_keyframes_on_an_arc_are_in_one_free_fall_that_ends_where_a_stretched_le
     ("poses", "misses"),
     [
         ((crouch(0.3), (0.45, 1.6, 0.1), crouch(0.6)), 1),  # too high for the time
+        ((crouch(0.3), (0.45, 1.7, 0.1), crouch(0.7)), 1),  # likewise, between uneven neighbours
         ((crouch(0), (0.3, 1.3, 0.1), (0.5, 1.9, 0.1), (0.7, 1.3, 0.1), crouch(1)), 2),
     ],
 )
