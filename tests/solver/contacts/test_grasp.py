@@ -168,7 +168,10 @@ def test_keyframes_that_no_free_fall_meets_are_named_with_the_height_that_would_
     schedule = hop(*poses)
     (fall,) = schedule.falls
     assert schedule.flights == () and fall.misses == misses
-    mended = [(t, z - fall.by * (k == misses), drawn) for k, (t, z, drawn) in enumerate(poses)]
+    half, mended = (
+        [(t, z - share * fall.by * (k == misses), drawn) for k, (t, z, drawn) in enumerate(poses)] for share in (0.5, 1)
+    )
+    assert hop(*half).falls[0].by == pytest.approx(fall.by / 2)
     assert hop(*mended).flights or hop(*mended).falls == ()
 
 
