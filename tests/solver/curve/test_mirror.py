@@ -5,7 +5,7 @@ from __future__ import annotations
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE, figure_of, link_named
+from figures import BALL, BALL_TREE, figure_of, link_named
 from oracles import kinematics
 from random_models import evenly, random_qpos
 from texts import read_data
@@ -102,6 +102,18 @@ def changed(old: str, new: str, text: str = ROBOT) -> Figure:
 def test_a_figure_without_two_sides_is_refused_by_the_joints_that_have_no_partner(figure, words):
     with pytest.raises(MirrorError, match=words):
         Mirror.of(figure)
+
+
+@pytest.mark.parametrize("y", [-0.2, 0.0])
+def test_a_hinge_across_the_mirror_plane_is_in_the_middle_if_its_mass_is(y):
+    """Its body begins beside the plane."""
+    lid = f'<body name="lid" pos="0 .2 .1"><joint name="lid" axis="0 1 0"/><geom size=".1" pos="0 {y} .1"/></body>'
+    figure = figure_of(BALL.replace('<geom size=".1"/>', f'<geom size=".1"/>{lid}'))
+    if y:
+        assert Mirror.of(figure).partner.tolist() == [0, 1, 2]
+    else:
+        with pytest.raises(MirrorError, match="no partner on the other side for: 'lid'"):
+            Mirror.of(figure)
 
 
 PARTS = (  # name, parent, place at rest, kind and axis of the joint
