@@ -241,9 +241,9 @@ def bend_limits(bends: tuple[Bend, ...], options: Options) -> BendLimits:
 def _body(context: Context, options: Options) -> Penalty:
     margin = options.margin or 0.0
     if context.is_tracking:  # the corners alone, which a recording keeps near its path
-        return Collision(context.body_above_soles, context.surfaces, term_name=BODY)
+        return Collision(context.body_above_soles, context.surfaces, name=BODY)
     parts = *body_contacts(context, margin), *_grasped_object_contacts(context, margin)
-    return parts[0] if len(parts) == 1 else Sum(parts, term_name=BODY)
+    return parts[0] if len(parts) == 1 else Sum(parts, name=BODY)
 
 
 def body_contacts(context: Context, margin: float = 0.0) -> tuple[Collision, ...]:
@@ -269,7 +269,7 @@ def _grasped_object_contacts(context: Context, margin: float) -> tuple[Collision
     points = context.schedule.exclude_grasped(body_points(context.figure))
     objects = [(link, surfaces_on(context.figure, link)) for link in context.schedule.grasped]
     return tuple(
-        Collision(points, surfaces, margin, term_name=BODY, carrier=link).allowing(
+        Collision(points, surfaces, margin, name=BODY, carrier=link).allowing(
             context.figure,
             context.keys,
             [(grasp.point.link, grasp.first, grasp.last) for grasp in context.schedule.grasps if grasp.on == link],
@@ -288,9 +288,9 @@ def _contacts(
     for surface in surfaces:
         groups.setdefault(links.get(surface.name, frozenset()), []).append(surface)
     contacts = [
-        Collision(tuple(p for p in points if p.link not in bolted_here), tuple(group), margin, term_name=BODY)
+        Collision(tuple(p for p in points if p.link not in bolted_here), tuple(group), margin, name=BODY)
         for bolted_here, group in groups.items()
-    ] or [Collision(points, surfaces, margin, term_name=BODY)]
+    ] or [Collision(points, surfaces, margin, name=BODY)]
     return tuple(contact.allowing(context.figure, context.keys) for contact in contacts)
 
 
@@ -320,12 +320,12 @@ def _contact(context: Context, options: Options) -> Penalty | None:
 
 def _grasp(context: Context, options: Options) -> Penalty | None:
     grasps, turns = context.schedule.grasps, context.schedule.turns
-    return Attachment((*grasps, *turns), term_name="attach.grasp") if grasps else None
+    return Attachment((*grasps, *turns), name="attach.grasp") if grasps else None
 
 
 def _placement(context: Context, options: Options) -> Penalty | None:
     targets = context.schedule.targets
-    return Attachment(targets, term_name="attach.placement") if targets else None
+    return Attachment(targets, name="attach.placement") if targets else None
 
 
 def _no_slip(context: Context, options: Options) -> Penalty | None:
@@ -349,10 +349,10 @@ def _equality(context: Context, options: Options) -> Penalty | None:
     loops, followers = closures(context.figure), couplings(context.figure)
     parts = list[Penalty]()
     if loops:
-        parts.append(Attachment(loops, term_name="closed"))
+        parts.append(Attachment(loops, name="closed"))
     if followers:
         parts.append(CouplingPenalty(followers))
-    return Sum(tuple(parts), term_name="equality") if parts else None
+    return Sum(tuple(parts), name="equality") if parts else None
 
 
 def _flight(context: Context, options: Options) -> Penalty | None:
@@ -420,7 +420,7 @@ def _trunk(context: Context, options: Options) -> Penalty | None:
 
 def _root(context: Context, options: Options) -> Penalty | None:
     ranges = root_ranges(context.figure, context.keys, context.schedule.flights, context.schedule.grasped)
-    return JointRange(tuple(ranges), term_name="upright.root") if ranges else None
+    return JointRange(tuple(ranges), name="upright.root") if ranges else None
 
 
 def _bodies(context: Context, options: Options) -> Penalty | None:

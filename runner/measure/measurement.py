@@ -204,7 +204,7 @@ def _obstacle_contacts(clip: Clip, parts: Sequence[Penalty]) -> tuple[Collision,
     if clip.has_recording:  # whose own contacts have the corners of bodies only
         contacts = [part for part in contacts if part.name != BODY]
     names = {part.name for part in contacts}
-    if Collision.term_name not in names:
+    if Collision.name not in names:
         contacts.append(Collision(clip.context.points, clip.context.surfaces))
     if BODY not in names:
         contacts += body_contacts(clip.context)

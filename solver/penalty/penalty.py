@@ -154,11 +154,7 @@ class Sum(Penalty):
     """The sum of at least one soft constraint, all of the same unit."""
 
     parts: tuple[Penalty, ...]
-    term_name: str
-
-    @property
-    def name(self) -> str:
-        return self.term_name
+    name: str = "sum"
 
     @property
     def role(self) -> Role:

@@ -48,14 +48,10 @@ class Attachment(Penalty):
 
     contacts: tuple[Contact, ...]
     surfaces: tuple[Surface, ...] = ()
-    term_name: str = "attach.stance"
+    name: str = "attach.stance"
 
     role = Role.TARGET
     normalization = Normalization(1e-4, length_power=2)
-
-    @property
-    def name(self) -> str:
-        return self.term_name
 
     @cached_property
     def is_sharp(self) -> bool:

@@ -40,15 +40,11 @@ class Collision(Penalty):
     surfaces: tuple[Surface, ...]
     margin: float = 0.0
     allowed: Allowance | None = None
-    term_name: str = "collision.soles"
+    name: str = "collision.soles"
     carrier: int = 0
 
     is_sharp = True
     normalization = Normalization(1e-4, length_power=2)
-
-    @property
-    def name(self) -> str:
-        return self.term_name
 
     def allowing(self, figure: Figure, keys: Timeline, holding: Sequence[tuple[int, float, float]] = ()) -> Collision:
         """Return the penalty without the depth that keyframes fix, including the margin.

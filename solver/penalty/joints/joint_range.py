@@ -64,15 +64,11 @@ class JointRange(Penalty):
 
     joints: tuple[Range, ...]
     allowed: Allowance | None = None
-    term_name: str = "limits.range"
+    name: str = "limits.range"
 
     role = Role.LIMIT
     is_sharp = True
     normalization = Normalization(float(np.radians(1)) ** 2)
-
-    @property
-    def name(self) -> str:
-        return self.term_name
 
     def allowing(self, figure: Figure, keys: Timeline) -> JointRange:
         """Return the penalty with tolerances for joints that keyframes fix beyond their ranges."""
@@ -164,7 +160,7 @@ class JointRange(Penalty):
         if which.size == len(self.joints):
             return self, which
         allowed = None if self.allowed is None else replace(self.allowed, excess=self.allowed.excess[:, which])
-        return JointRange(tuple(self.joints[i] for i in which), allowed, self.term_name), which
+        return JointRange(tuple(self.joints[i] for i in which), allowed, self.name), which
 
     @cached_property
     def _links(self) -> Index:

@@ -38,7 +38,7 @@ def overshoot(holds: Sequence[Range]) -> JointRange | None:
         margin = ROOM[_unit(joint)]
         low = joint.low if joint.home is not None else joint.low - margin
         ranges.append(replace(joint, low=low, high=joint.high + margin))
-    return JointRange(tuple(ranges), term_name="limits.overshoot") if ranges else None
+    return JointRange(tuple(ranges), name="limits.overshoot") if ranges else None
 
 
 def holds(figure: Figure, keys: Timeline, flights: Sequence[tuple[float, float]] = ()) -> list[Range]:

@@ -39,7 +39,7 @@ class Upright(Penalty):
     """
 
     leans: tuple[Lean, ...]
-    term_name: str = "upright.trunk"
+    name: str = "upright.trunk"
 
     role = Role.TARGET
     normalization = Normalization(float(np.radians(10) ** 2))
@@ -64,10 +64,6 @@ class Upright(Penalty):
         else:
             axes = [quat.rotated(figure.body_turn[body], axis) / np.linalg.norm(axis) for body in bodies]
         return cls(tuple(Lean(link, along) for link, along in zip(links, axes, strict=True)), "upright.bodies")
-
-    @property
-    def name(self) -> str:
-        return self.term_name
 
     @cached_property
     def instants(self) -> Array:

@@ -48,7 +48,7 @@ CENTIMETRE = {
     "planted": Attachment((Contact.at(ORIGIN, -1, 1, np.zeros(3)),)),
     "resting": Attachment((Contact(ORIGIN, -1, 1),), (FLOOR,)),
     "placement": Attachment((Contact.at(ORIGIN, 0, 0, np.zeros(3)),)),
-    "closed": Attachment((Contact.at(ORIGIN, -np.inf, np.inf, np.zeros(3)),), term_name="closed"),
+    "closed": Attachment((Contact.at(ORIGIN, -np.inf, np.inf, np.zeros(3)),), name="closed"),
     "self": SelfContact((Bar(0, 1, 0 * UP, UP, 0.0, 0.1), Bar(1, 0, 0.19 * UP, UP, 0.0, 0.1)), np.array([[0], [1]])),
 }  # fmt: skip
 

@@ -100,7 +100,7 @@ def test_points_of_closed_loops_are_those_of_mujoco(rng):
     model = mujoco.MjModel.from_xml_string(FOUR_BAR)
     figure, data = Figure(model), mujoco.MjData(model)
     samples = random_samples(figure, rng)
-    apart = Attachment(closures(figure), term_name="closed").displacements(samples)[2].reshape(3, -1, samples.count)
+    apart = Attachment(closures(figure), name="closed").displacements(samples)[2].reshape(3, -1, samples.count)
     for i, qpos in enumerate(figure.to_qpos(samples.y)):
         data.qpos[:] = qpos
         mujoco.mj_forward(model, data)
