@@ -11,11 +11,7 @@ import numpy as np
 from dynsplines.solver.array import Array, Mask, runs
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.ground_alignment import align_to_ground, move_to_ground
-from dynsplines.solver.contacts.recorded_stances import (
-    infer_stances,
-    infer_stances_and_raised,
-    largest_noise,
-)
+from dynsplines.solver.contacts.recorded_stances import infer_stances, largest_noise
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.recording import Track
@@ -101,10 +97,10 @@ def clean(
     recorded = move_to_ground(recorded, context.points, context.surfaces)
     rests, raised = tuple(specified or ()), tuple[Contact, ...]()
     if specified is None:
-        rests = infer_stances(recorded, context.points, context.surfaces, aligned=False)
+        rests, _ = infer_stances(recorded, context.points, context.surfaces, aligned=False)
     recorded = align_to_ground(recorded, rests, context.surfaces)
     if specified is None:
-        rests, raised = infer_stances_and_raised(recorded, context.points, context.surfaces)
+        rests, raised = infer_stances(recorded, context.points, context.surfaces)
     near = TrackingPenalty(recorded)
     problem_of = partial(_problem, near, context, options)
     is_noisy = largest_noise(recorded, context.points) > Thresholds.of(figure).noisy
@@ -222,7 +218,7 @@ def _refined_stances(context: Context, recorded: Track, soft_problem: Problem) -
     smoothed = Track.of(context.figure, recorded.times, calm)
     averaged = max(1.0, recorded.rate * Thresholds.of(context.figure).blurred)  # samples
     noise = largest_noise(recorded, context.points) / np.sqrt(averaged)
-    stances = infer_stances(smoothed, context.points, context.surfaces, noise)
+    stances, _ = infer_stances(smoothed, context.points, context.surfaces, noise)
     unsure, (first, last) = Thresholds.of(context.figure).moment, recorded.path.span
 
     def is_sure(stance: Contact) -> bool:

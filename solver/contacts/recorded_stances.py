@@ -10,7 +10,7 @@ hardly moves, but only the toe is planted.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -42,8 +42,10 @@ def infer_stances(
     smoothed: float = 0.0,
     *,
     aligned: bool = True,
-) -> tuple[Contact, ...]:
-    """Return the stances of points on surfaces, point by point in order of time.
+) -> tuple[tuple[Contact, ...], tuple[Contact, ...]]:
+    """Return the stances of points on surfaces, and the intervals in which they rest too high for a stance.
+
+    Both are in the order of the points, and of time.
 
     smoothed  noise [m] of positions that an earlier search has smoothed. A point that rests only briefly then seems to
               move, so that a stance includes at least half of the samples that look like one.
@@ -51,45 +53,51 @@ def infer_stances(
               lowest point of the soles, and from its own lowest stance.
     """
     if not points or not surfaces or recorded.times.size < ORDER:
-        return ()
-    segments = _segments(recorded, points, surfaces, aligned)
-    return tuple(_stances(segments, segments.near, points, surfaces, smoothed))
-
-
-def infer_stances_and_raised(
-    recorded: Track, points: Sequence[Point], surfaces: Sequence[Surface]
-) -> tuple[tuple[Contact, ...], tuple[Contact, ...]]:
-    """Return the stances of an aligned recording, and the intervals in which points rest too high for a stance."""
-    if not points or not surfaces or recorded.times.size < ORDER:
         return (), ()
-    segments = _segments(recorded, points, surfaces, aligned=True)
-    near, raised = (tuple(_stances(segments, runs, points, surfaces)) for runs in (segments.near, segments.raised))
-    return near, raised
+    limits, tracks = Thresholds.of(recorded.figure), _tracks(recorded, points)
+    speeds, heights = _smooth(recorded, points, surfaces, tracks.times)
+    near, high = _resting_runs(tracks, heights, points, surfaces, limits, aligned=aligned)
+    largest = _largest_speed(speeds, near, limits) + REMAINS * smoothed / limits.blurred
+    largest = np.minimum(largest, limits.fast + tracks.noise / limits.blurred)
+    stances, raised = list[Contact](), list[Contact]()
+    for i, point in enumerate(points):
+        place, noise = tracks.places[:, i], float(tracks.noise[i])
+        for contacts, run in [*((stances, run) for run in near[i]), *((raised, run) for run in high[i])]:
+            usual = float(np.median(speeds[i, slice(*run)])) if smoothed else 0.0
+            still = speeds[i] <= max(largest[i], min(usual, limits.fast))
+            still &= _is_low(place, *run, noise, limits)
+            a, b = _trimmed(still, *run)
+            if b - a > 1 and not _moves(tracks.times, place, a, b, noise, limits):
+                ground = ground_at(surfaces, place[:, a:b].mean(axis=1), point.radius, limits.edge)
+                first, last = float(tracks.times[a]), float(tracks.times[b - 1])
+                contacts.append(Contact(point, first, last, surface=ground, rolls=True))
+    return tuple(stances), tuple(raised)
 
 
-class _Segments(NamedTuple):
-    """Tracks, speeds (p, T) [m/s], and for each point the runs in which it rests near surfaces or above them."""
-
-    tracks: _Tracks
-    speeds: Array
-    near: list[list[tuple[int, int]]]
-    raised: list[list[tuple[int, int]]]
-    limits: Thresholds
+Runs = list[list[tuple[int, int]]]
 
 
-def _segments(recorded: Track, points: Sequence[Point], surfaces: Sequence[Surface], aligned: bool) -> _Segments:
-    limits = Thresholds.of(recorded.figure)
-    tracks = _tracks(recorded, points)
+def _resting_runs(
+    tracks: _Tracks,
+    heights: Array,
+    points: Sequence[Point],
+    surfaces: Sequence[Surface],
+    limits: Thresholds,
+    *,
+    aligned: bool,
+) -> tuple[Runs, Runs]:
+    """Return the runs of samples in which each point rests near surfaces, and those in which it rests above them.
+
+    heights  (p, T) [m] of the smoothed motion
+    """
     times, centres, is_known, noise = tracks
     height, _ = heights_nearby(surfaces, centres, np.array([point.radius for point in points]), limits.edge)
     moving = surprisal(times, centres, noise**2 + limits.rolls**2, is_known, limits)
-    speeds, smooth_height = _smooth(recorded, points, surfaces, times)
-    lowest = smooth_height.min(axis=0)  # of the soles at each time, which a recording that drifts raises or lowers
-    above = smooth_height - (np.clip(lowest, 0, limits.same_spot) if aligned else lowest)
+    lowest = heights.min(axis=0)  # of the soles at each time, which a recording that drifts raises or lowers
+    above = heights - (np.clip(lowest, 0, limits.same_spot) if aligned else lowest)
     links = np.array([point.link for point in points])
-    tilt = smooth_height - np.array([smooth_height[links == link].min(axis=0) for link in links])
-    near: list[list[tuple[int, int]]] = []
-    raised: list[list[tuple[int, int]]] = []
+    tilt = heights - np.array([heights[links == link].min(axis=0) for link in links])
+    near, high = Runs(), Runs()
     for i, point_noise in enumerate(noise.tolist()):
         cuts = _cut(times, centres[:, i], height[i], moving[i], is_known, point_noise, limits)
         runs = _joined(times, cuts, centres[:, i], point_noise, limits)
@@ -98,31 +106,8 @@ def _segments(recorded: Track, points: Sequence[Point], surfaces: Sequence[Surfa
         unsure = SURE * REMAINS * point_noise
         is_near = (above[i] <= planted_height + limits.clear + unsure) & (tilt[i] <= flat + limits.moved + unsure)
         near.append([part for run in runs for part in _parts(is_near, *run)])
-        raised.append([part for run in runs for part in _parts(~is_near, *run)])
-    return _Segments(tracks, speeds, near, raised, limits)
-
-
-def _stances(
-    segments: _Segments,
-    runs: Sequence[Sequence[tuple[int, int]]],
-    points: Sequence[Point],
-    surfaces: Sequence[Surface],
-    smoothed: float = 0.0,
-) -> Iterator[Contact]:
-    """Yield the stances in runs of every point, without their ends in which the point moves."""
-    (times, centres, _, noise), speeds, near, _, limits = segments
-    largest = _largest_speed(speeds, near, limits) + REMAINS * smoothed / limits.blurred
-    largest = np.minimum(largest, limits.fast + noise / limits.blurred)
-    for i, point in enumerate(points):
-        place, point_noise = centres[:, i], float(noise[i])
-        for run in runs[i]:
-            usual = float(np.median(speeds[i, slice(*run)])) if smoothed else 0.0
-            still = speeds[i] <= max(largest[i], min(usual, limits.fast))
-            still &= _is_low(place, *run, point_noise, limits)
-            a, b = _trimmed(still, *run)
-            if b - a > 1 and not _moves(times, place, a, b, point_noise, limits):
-                ground = ground_at(surfaces, place[:, a:b].mean(axis=1), point.radius, limits.edge)
-                yield Contact(point, float(times[a]), float(times[b - 1]), surface=ground, rolls=True)
+        high.append([part for run in runs for part in _parts(~is_near, *run)])
+    return near, high
 
 
 def largest_noise(recorded: Track, points: Sequence[Point]) -> float:

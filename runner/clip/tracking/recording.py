@@ -88,7 +88,7 @@ class TrackedRecording:
 
     def stances(self, context: Context, edits: Sequence[Frame], specified: Sequence[Contact]) -> tuple[Contact, ...]:
         """Return the recording's stances without points in contacts or moved by keyframes, and those of `specified`."""
-        inferred = infer_stances(self.recorded, context.points, context.surfaces)
+        inferred, _ = infer_stances(self.recorded, context.points, context.surfaces)
         return (*(rest for rest in inferred if not self._is_void(rest, edits, specified)), *specified)
 
     def problem(self, context: Context, options: Mapping[str, Options], edits: Sequence[Frame]) -> Problem:

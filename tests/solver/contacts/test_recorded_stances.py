@@ -20,7 +20,6 @@ from dynsplines.solver.contacts.recorded_stances import (
     DEAR,
     _cut,
     infer_stances,
-    infer_stances_and_raised,
     surprisal,
 )
 from dynsplines.solver.contacts.thresholds import Thresholds
@@ -74,7 +73,7 @@ def marked(stances: tuple[Contact, ...], take: Take, ground: Context) -> np.ndar
 @pytest.mark.slow
 def test_of_a_run_that_ships_they_are_where_soles_rest(take):
     ground = ground_of(take)
-    stances = infer_stances(Track.of(take.figure, take.time, take.qpos), ground.points, ground.surfaces)
+    stances, _ = infer_stances(Track.of(take.figure, take.time, take.qpos), ground.points, ground.surfaces)
     found, true = marked(stances, take, ground), resting(take, ground)
     assert (found & true).sum() >= 0.9 * true.sum()
     assert (found & ~true).sum() <= 0.15 * found.sum()
@@ -93,7 +92,7 @@ FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
 
 def stances_of(times: np.ndarray, x: np.ndarray, over: np.ndarray) -> tuple[Contact, ...]:
     """Of a sphere at places along a line, its lowest spot so high over the floor."""
-    return infer_stances(Track.of(SLED, times, np.column_stack([x, over + 0.15]), exact=True), [RUNNER], [FLOOR])
+    return infer_stances(Track.of(SLED, times, np.column_stack([x, over + 0.15]), exact=True), [RUNNER], [FLOOR])[0]
 
 
 def spans(stances: tuple[Contact, ...]) -> list[tuple[float, float]]:
@@ -175,7 +174,7 @@ def test_who_kneels_stands_on_the_toe_alone(pitch, metres, degrees):
     take = kneeling(FPS, np.radians(pitch))
     ground = ground_of(take)
     qpos = take.shaking(take.qpos, np.random.default_rng(1), metres, np.radians(degrees))
-    stances, raised = infer_stances_and_raised(Track.of(take.figure, take.time, qpos), ground.points, ground.surfaces)
+    stances, raised = infer_stances(Track.of(take.figure, take.time, qpos), ground.points, ground.surfaces)
     height, found, resting_high = heights(take, ground), marked(stances, take, ground), marked(raised, take, ground)
     assert height[2, found[2]].max() < 0.07
     assert found[2, height[2] < 0.005].mean() > 0.9
@@ -191,10 +190,10 @@ def test_a_stance_on_an_edge_is_on_what_ends_there():
     box = Box("box", np.array([-1.04, 0.0, 0.25]), np.eye(3), np.array([1.0, 1.0, 0.25]))
     times = np.arange(40) / FPS
     recorded = Track.of(SLED, times, np.column_stack([0 * times, np.full(40, 0.65)]), exact=True)
-    (one,) = infer_stances(recorded, [RUNNER], [FLOOR, box])
+    (one,) = infer_stances(recorded, [RUNNER], [FLOOR, box])[0]
     assert one.surface is not None
     assert one.surface.height(np.array([0.0, 0.0, 0.5])) == pytest.approx(0, abs=1e-12)
-    assert infer_stances(recorded, [RUNNER], [FLOOR]) == ()
+    assert infer_stances(recorded, [RUNNER], [FLOOR])[0] == ()
 
 
 FIGURE = figure_of("""<mujoco><worldbody><body name="trunk"><freejoint/><geom size=".1"/>
