@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 
@@ -13,7 +12,6 @@ from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.ground_alignment import align_to_ground, move_to_ground
 from dynsplines.solver.contacts.recorded_stances import infer_stances, largest_noise
 from dynsplines.solver.contacts.thresholds import Thresholds
-from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.curve.spline import Path, natural_spline, path_of
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
@@ -72,11 +70,6 @@ class Cleaned:
     def after(self) -> Path:
         return path_of(self.solution.timeline)
 
-    @property
-    def frames(self) -> list[Frame]:
-        figure, timeline = self.figure, self.solution.timeline
-        return [Frame.key(frame.time, figure.to_qpos(frame.state)) for frame in timeline.frames]
-
 
 def clean(
     context: Context,
@@ -102,14 +95,18 @@ def clean(
     if specified is None:
         rests, raised = infer_stances(recorded, context.points, context.surfaces)
     near = TrackingPenalty(recorded)
-    problem_of = partial(_problem, near, context, options)
+
+    def problem_of(rests: Sequence[Contact], times: Array, far: float = FAR) -> Problem:
+        standing = context.with_schedule(on_ground=tuple(rests))
+        return tracking_problem(near, standing, options, _times_with_ends(near, rests, times, far))
+
     is_noisy = largest_noise(recorded, context.points) > Thresholds.of(figure).noisy
     if is_noisy:
         sure = rests if specified is not None else tuple(_without_ends(context, recorded, rest) for rest in rests)
         tracking = _with_soft_start(problem_of(sure, near.times()), near, SOFTEST, improved)
         if specified is None:
             rests = _refined_stances(context, recorded, tracking)
-            tracking = problem_of(rests, _times(tracking), _curve(tracking))
+            tracking = start_on(problem_of(rests, _times(tracking)), _curve(tracking))
     else:
         tracking = problem_of(rests, near.times(FAITHFUL), far=CLOSE)
     if is_noisy or _is_deep(context, recorded):
@@ -164,31 +161,22 @@ def _with_soft_start(
         )
         roughly = replace(problem.settings, tolerance=ROUGHLY)
         solution = inbetween(replace(problem, penalties=weights, settings=roughly), improved=improved)
-        problem = start_at(problem, solution)
+        problem = start_on(problem, path_of(solution.timeline))
     return problem
 
 
-def _problem(
-    near: TrackingPenalty,
-    context: Context,
-    options: Mapping[str, Options],
-    rests: Sequence[Contact],
-    times: Array,
-    start: Path | None = None,
-    *,
-    far: float = FAR,
-) -> Problem:
-    """Return the problem of tracking a recording from a path, by default the recording's, with frames at times (M,) [s]
-    and near the starts and ends of stances. Velocity and acceleration are 0 there, so that the path outside of a stance
-    could hardly follow the recording without a frame `OUTSIDE` the end."""
+def _times_with_ends(near: TrackingPenalty, rests: Sequence[Contact], times: Array, far: float) -> Array:
+    """Return times (M,) [s] of frames, more of them near the starts and ends of stances.
+
+    Velocity and acceleration are 0 there, so that the path outside of a stance could hardly follow the recording
+    without a frame `OUTSIDE` the end."""
     first, last = near.recorded.path.span
     ends = {time for rest in rests for time in (rest.first, rest.last)}
     outside = {time for rest in rests for time in (rest.first - OUTSIDE, rest.last + OUTSIDE) if first < time < last}
     for time in (*sorted(ends), *sorted(outside)):
         if np.abs(times - time).min() > far:
             times = np.sort(np.append(times, time))
-    tracking = tracking_problem(near, context.with_schedule(on_ground=tuple(rests)), options, times)
-    return tracking if start is None else replace(tracking, keys=loose_frames(context.figure, times, start.at(times)))
+    return times
 
 
 def _times(problem: Problem) -> Array:
@@ -228,9 +216,10 @@ def _refined_stances(context: Context, recorded: Track, soft_problem: Problem) -
     return tuple(stance for stance in stances if is_sure(stance))
 
 
-def start_at(problem: Problem, solution: Solution) -> Problem:
-    """Return a problem whose search starts at a solution."""
-    return replace(problem, keys=loose_frames(problem.figure, solution.timeline.times, solution.timeline.states))
+def start_on(problem: Problem, path: Path) -> Problem:
+    """Return a problem whose search starts on a path."""
+    times = _times(problem)
+    return replace(problem, keys=loose_frames(problem.figure, times, path.at(times)))
 
 
 def _by_state(figure: Figure, known: Mask) -> Array:
@@ -323,7 +312,7 @@ def closer(cleaned: Cleaned, max_displacement: float, improved: Callable[[Improv
             break
         weights = [(p, 2 * w if isinstance(p, TrackingPenalty) else w) for p, w in problem.penalties]
         problem = replace(problem, penalties=tuple(weights))
-        tried = replace(cleaned, solution=inbetween(start_at(problem, best.solution), improved=improved))
+        tried = replace(cleaned, solution=inbetween(start_on(problem, best.after), improved=improved))
         if not is_sound(tried):
             break
         if displacements(tried)[0].maximum < largest:

@@ -260,4 +260,5 @@ def _saved(result: Cleaned, recording: ImportedMotion) -> Saved:
     times = np.union1d(result.before.spline.times, timeline.times)
     recorded = figure.to_qpos(result.before.at(times))
     raw = raw_timeline(figure, Frame.many(times, recorded, np.ones(recorded.shape, bool)))
-    return Saved(recording.name, "", recording.scene, figure, recording.fps, tuple(result.frames), exact, raw, [], {})
+    keys = tuple(Frame.many(timeline.times, figure.to_qpos(timeline.states), everything))
+    return Saved(recording.name, "", recording.scene, figure, recording.fps, keys, exact, raw, [], {})

@@ -67,15 +67,11 @@ def rests_of(context: Context, tables: Sequence[ContactTable], span: tuple[float
 
 def stances_of(rests: Sequence[Contact]) -> list[dict[str, object]]:
     """Return stances as stored in a motion's file, see `StanceTable`."""
-    return [
-        {
-            "point": rest.point.name,
-            "from, s": rest.first,
-            "to, s": rest.last,
-            **({} if rest.surface is None else {"on": [*rest.surface.point.tolist(), *rest.surface.normal.tolist()]}),
-        }
-        for rest in rests
-    ]
+    rows = list[StanceTable]()
+    for rest in rests:
+        on = None if rest.surface is None else (*rest.surface.point.tolist(), *rest.surface.normal.tolist())
+        rows.append(StanceTable.unchecked(point=rest.point.name, start=rest.first, end=rest.last, on=on))
+    return [row.model_dump(by_alias=True, exclude_none=True) for row in rows]
 
 
 def stances_in(stances: object, context: Context) -> tuple[Contact, ...]:
