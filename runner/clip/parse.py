@@ -258,7 +258,8 @@ def _misplaced(table: ClipTable) -> Iterator[str]:
         yield "[[grasp]] is for clips of keyframes; one that follows a recording has none"
     if table.solve.model_fields_set - {"coordinates"}:
         yield f"solve.{sorted(table.solve.model_fields_set)[0]} is for clips of keyframes, not for one with [recording]"
-    tracked = [kind.term(part) for kind in KINDS.values() for part in kind.parts if part.tracking is not None]
+    parts = [(kind, part) for kind in KINDS.values() for part in kind.parts]
+    tracked = [kind.term(part) for kind, part in parts if part.tracking is not None and part.option is None]
     for entry in table.penalty:
         weight = entry.options.get("weight")
         terms = [f"{entry.kind}.{part}" for part in weight] if isinstance(weight, dict) else []

@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 import pytest
 import shipped
+from figures import OBJECT_BALL, biped, figure_of, scene
 from oracles import kinematics
 from paper.penetration import penetration
 
@@ -15,13 +16,15 @@ import dynsplines
 from dynsplines import Keyframe, build, motion, recordings, solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.build import Clip
+from dynsplines.clip.kinds import KINDS, Options
 from dynsplines.clip.tracking.problem import tracking_context
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.motion import Saved
+from dynsplines.solver.contacts import Contact
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import TrackingPenalty
+from dynsplines.solver.penalty import Support, TrackingPenalty
 from dynsplines.solver.problem import Problem
 from dynsplines.system.progress import Progress
 
@@ -202,6 +205,7 @@ def test_beyond_pairs_of_times_the_speed_is_that_of_the_neighbouring_interval(fo
         (BARE + "[[keyframe]]\ntime = 7\n", "is outside the recording, which lasts from 0 to 2.2 s"),
         (BARE + '[solve]\nends = "periodic"\n', "solve.ends is for clips of keyframes"),
         (BARE + '[[penalty]]\nkind = "cycle"\n', "beside a recording only weights count"),
+        (BARE + '[[penalty]]\nkind = "collision"\nweight = {self = 2}', "beside a recording only weights count"),
         (BARE + '[[contact]]\npoint = "left_hel"\nfrom = 0\nto = 1\n', "contact 1 ('left_hel')"),
     ],
 )
@@ -333,3 +337,14 @@ def test_all_of_a_foot_is_to_stay_out_of_the_ground():
     names = {point.name for point in context.body_above_soles}
     assert {"left_toe_sole", "left_heel_sole", "right_toe_box"} <= names
     assert [(point.name, point.radius) for point in context.points][:2] == [("left_heel", 0.024), ("left_toe", 0.024)]
+
+
+def test_the_ground_supports_the_figure_with_feet_after_another_free_body():
+    figure = figure_of(scene(OBJECT_BALL, biped()))
+    states = np.tile(figure.to_state(figure.model.qpos0), (2, 1))
+    context = tracking_context(figure, np.array([0.0, 1.0]), states, "biped")
+    standing = context.with_schedule(on_ground=tuple(Contact(point, 0.0, 1.0) for point in context.points))
+    ((support, weight),) = KINDS["support"].terms(standing, Options())
+    assert isinstance(support, Support)
+    assert figure.links[support.root].name == "root"
+    assert (len(support.footings), weight) == (len(context.points), 1000.0)
