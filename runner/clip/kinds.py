@@ -408,8 +408,7 @@ def _overshoot(context: Context, options: Options) -> Penalty | None:
 
 
 def _speed(context: Context, options: Options) -> Penalty | None:
-    speed = Speed.of(context.figure, float(np.radians(options.speed or 0.0)))
-    return speed if speed.links.size else None
+    return Speed(float(np.radians(options.speed or 0.0))) if context.figure.tables.rotary_links.size else None
 
 
 def _trunk(context: Context, options: Options) -> Penalty | None:

@@ -180,18 +180,12 @@ def ranges(joints: Sequence[Range], kinds: tuple[str, str], text: str, fixed: Ma
 
 
 def speeds(figure: Figure, limit: Speed) -> Check:
-    """Return the check of hinges and ball joints that exceed speed limits."""
-    most = np.degrees(limit.limits)
-    rows = [
-        row_of("speed", name, f"{name} turns {{}} faster than its limit of {top:.0f} degrees/s", bound)
-        for name, top, bound in zip(
-            [figure.links[i].name for i in limit.links],
-            most,
-            np.maximum(BOUNDS["speed"].most, SPEED_SHARE * most),
-            strict=True,
-        )
-    ]
-    return Check.each("speed", rows, lambda samples: Hits.of(np.degrees(limit.speeds(samples)) - most[:, None]))
+    """Return the check of hinges and ball joints that exceed a speed limit."""
+    most = float(np.degrees(limit.limit))
+    bound, text = max(BOUNDS["speed"].most, SPEED_SHARE * most), f"faster than its limit of {most:.0f} degrees/s"
+    names = [figure.links[i].name for i in figure.tables.rotary_links]
+    rows = [row_of("speed", name, f"{name} turns {{}} {text}", bound) for name in names]
+    return Check.each("speed", rows, lambda samples: Hits.of(np.degrees(limit.excess(samples))))
 
 
 def coupled(fixed: Fixed) -> Check | None:

@@ -254,42 +254,37 @@ def joint_ranges(figure: Figure) -> tuple[Range, ...]:
     return tuple(result)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class Speed(Penalty):
     """Σ over hinges and ball joints of max(0, |ω − ω_parent| − limit)² [rad²/s²].
 
     Attributes:
-        links: The links that the joints rotate, (J,).
-        limits: The maximum speeds, (J,) [rad/s].
+        limit: The maximum speed [rad/s].
     """
 
-    links: Index
-    limits: Array
+    limit: float
 
     name = "limits.speed"
     role = Role.LIMIT
     is_sharp = True
     normalization = Normalization(1.0, time_power=2)
 
-    @classmethod
-    def of(cls, figure: Figure, limit: float) -> Speed:
-        """Return the penalty of all hinges and ball joints with one limit [rad/s]."""
-        links = figure.tables.rotary_links
-        return cls(links, np.full(links.size, limit))
-
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        relative = self._relative(samples)
+        relative = _relative(samples)
         size = np.linalg.norm(relative, axis=0)
-        at, joint = np.nonzero((size > self.limits[:, None]).T)
-        fast, link = size[joint, at], self.links[joint]
+        at, joint = np.nonzero((size > self.limit).T)
+        fast, link = size[joint, at], samples.figure.tables.rotary_links[joint]
         axis = relative[:, joint, at] / np.maximum(fast, SMALLEST)
         parent = samples.figure.tables.parents[link]
         changes = Wrenches(at, link, torque_d=axis), Wrenches(at, parent, torque_d=-axis)
-        yield Block(at, fast - self.limits[joint], changes)
+        yield Block(at, fast - self.limit, changes)
 
-    def speeds(self, samples: Samples) -> Array:
-        return np.linalg.norm(self._relative(samples), axis=0)
+    def excess(self, samples: Samples) -> Array:
+        """Return the excess of every joint over the limit, negative below it, (J, S) [rad/s]."""
+        return np.linalg.norm(_relative(samples), axis=0) - self.limit
 
-    def _relative(self, samples: Samples) -> Array:
-        omega, parents = samples.links.omega, samples.figure.tables.parents
-        return omega[:, self.links] - omega[:, parents[self.links]]
+
+def _relative(samples: Samples) -> Array:
+    """Return the angular velocities of hinges and ball joints, (3, J, S) [rad/s]."""
+    links, parents = samples.figure.tables.rotary_links, samples.figure.tables.parents
+    return samples.links.omega[:, links] - samples.links.omega[:, parents[links]]

@@ -284,7 +284,7 @@ KINDS: dict[str, Kind] = {
     "root": plain(RootAcceleration()),
     "peak": plain(PeakAcceleration()),
     "posture": plain(Posture()),
-    "speed": lambda figure, rng: (Speed.of(figure, 0.5), random_samples(figure, rng)),
+    "speed": lambda figure, rng: (Speed(0.5), random_samples(figure, rng)),
     "torque": plain(Torque()),
     "torque with armature": armed,
     "contact with a floor": contact(FLOOR),
