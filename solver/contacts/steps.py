@@ -20,13 +20,11 @@ class Steps:
     Attributes:
         times: The limits of the intervals, (n + 1,) [s].
         stepping: Which links belong to a leg that takes a step in each interval, (L, n).
-        legs: Which links belong to a leg, (L,).
-        placing: Which of them place a foot, (L,): all but a foot with several sole points, which its own joint turns.
+        placing: Which links of legs place a foot, (L,): all but a foot with several sole points, which turns by itself.
     """
 
     times: Array
     stepping: Mask
-    legs: Mask
     placing: Mask
 
     @classmethod
@@ -45,7 +43,7 @@ class Steps:
         legs = np.asarray(path[soles.links].any(axis=0) & ~path[soles.links].all(axis=0))
         placing = legs & (np.bincount(soles.links, minlength=legs.size) < 2)
         if not soles.points or not standing:
-            return cls(times, stepping, legs, placing)
+            return cls(times, stepping, placing)
         first, last = np.array([stance.first for stance in standing]), np.array([stance.last for stance in standing])
         feet = np.array([stance.point.link for stance in standing])
         is_same_leg = same_leg(soles.figure)
@@ -55,7 +53,7 @@ class Steps:
             for link in np.unique(soles.links[strides[:, segment]]).tolist():
                 if stands.size and not is_same_leg[link, stands].any():
                     stepping[:, k] |= path[link] & ~path[stands].any(axis=0)
-        return cls(times, stepping, legs, placing)
+        return cls(times, stepping, placing)
 
     def at(self, links: Index, t: Array) -> Mask:
         """Return which of the links (l,) belong to a leg that takes a step at times t (S,) [s], (l, S)."""

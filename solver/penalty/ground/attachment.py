@@ -91,17 +91,17 @@ class Attachment(Penalty):
             return
         offset, spot, away = self._vectors(samples, piece, at)
         value, (when, link, direction) = away.ravel(), along_axes(at, pieces.links[piece])
-        if pieces.has_slack:
+        if pieces.slack.any():
             length = np.maximum(np.linalg.norm(away, axis=0), TINY)
             share = np.tile(np.maximum(1 - pieces.slack_at(samples.t[at], piece) / length, 0), 3)
             along = np.tile(away / length, 3)
             direction = share * direction + (share > 0) * (1 - share) * (away / length).ravel() * along
             value = share * value
         changes = [of_point(when, link, np.tile(offset, 3), direction)]
-        if pieces.is_on_links:
+        if pieces.others.any():
             changes.append(of_point(when, np.tile(pieces.others[piece], 3), np.tile(spot, 3), -direction))
         weight = np.tile(pieces.weights[piece], 3)
-        if not pieces.is_whole:
+        if not pieces.is_constrained.all():
             rows = np.flatnonzero(pieces.is_constrained[:, piece])
             when, value, weight = when[rows], value[rows], weight[rows]
             changes = [part.select(rows) for part in changes]
@@ -118,12 +118,12 @@ class Attachment(Penalty):
         offset = applied(rotation, pieces.points[:, piece])
         spot = pieces.spots[:, piece] + pieces.drifts[:, piece] * (samples.t[at] - pieces.since[piece])
         away = origin + offset - spot
-        if pieces.is_on_links:
+        if pieces.others.any():
             origin, rotation = samples.links.poses(pieces.others[piece] * samples.count + at)
             away += spot
             spot = applied(rotation, spot)
             away -= origin + spot
-        return offset, spot, away if pieces.is_whole else away * pieces.is_constrained[:, piece]
+        return offset, spot, away * pieces.is_constrained[:, piece]
 
     @cached_property
     def _pieces(self) -> _Pieces:
@@ -177,9 +177,6 @@ class _Pieces(NamedTuple):
         is_constrained: The axes that are not free, (3, n).
         slack: The slack at the start and its growth, (2, n) [m, m/s].
         weights: The weights, (n,).
-        has_slack: Whether a piece has slack.
-        is_on_links: Whether a position is not in the world.
-        is_whole: Whether no axis is free.
     """
 
     owners: Index
@@ -194,9 +191,6 @@ class _Pieces(NamedTuple):
     is_constrained: Mask
     slack: Array
     weights: Array
-    has_slack: bool
-    is_on_links: bool
-    is_whole: bool
 
     @classmethod
     def of(cls, contacts: Sequence[Contact]) -> _Pieces:
@@ -226,9 +220,6 @@ class _Pieces(NamedTuple):
             is_constrained=~np.isnan(spots),
             slack=np.array([slack, (then - slack) / length]),
             weights=np.array([piece.weight for piece in pieces], float),
-            has_slack=bool(slack.any() or then.any()),
-            is_on_links=bool(others.any()),
-            is_whole=not np.isnan(spots).any(),
         )
 
     def slack_at(self, t: Array, piece: Index) -> Array:

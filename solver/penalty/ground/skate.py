@@ -5,9 +5,10 @@ The paper leaves skidding to future work (§6). Contact times are not needed, be
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
+from typing import NamedTuple
 
 import numpy as np
 
@@ -28,40 +29,24 @@ LOWEST = -0.25  # [1] height, relative to the reach, below which the weight is c
 WORTH = 1e-3  # [m² rad⁻² s²] reference value: 3 cm/s of a point on the ground cost as much as half a radian per s²
 
 
-@dataclass(frozen=True, eq=False)
-class _Near:
+class _Near(NamedTuple):
     """P points near a surface at samples.
 
     Attributes:
         at: Samples, (P,).
-        link: Links, (P,).
-        offset: Positions relative to the links' origins, in world axes, (3, P) [m].
         share: Roots of the weights, (P,).
         velocity: Velocities, (3, P) [m/s].
-        fading: Derivatives of `share` by position, (3, P) [1/m].
+        speed: Their lengths, (P,) [m/s].
+        by_velocity: Returns the derivatives of direction · v for directions (3, P).
+        by_weight: The derivatives of √weight · |v| by the weight alone.
     """
 
-    samples: Samples
     at: Index
-    link: Index
-    offset: Array
     share: Array
     velocity: Array
-    fading: Array
-
-    @cached_property
-    def speed(self) -> Array:
-        """The speeds, (P,) [m/s]."""
-        return np.sqrt(dot(self.velocity, self.velocity))
-
-    def by_velocity(self, direction: Array) -> Wrenches:
-        """Return the derivatives of direction · v, direction (3, P)."""
-        return of_velocity(self.samples, self.at, self.link, self.offset, direction)
-
-    @property
-    def by_weight(self) -> Wrenches:
-        """The derivatives of √weight · |v| by the weight alone."""
-        return of_point(self.at, self.link, self.offset, self.fading * self.speed)
+    speed: Array
+    by_velocity: Callable[[Array], Wrenches]
+    by_weight: Wrenches
 
 
 @dataclass(frozen=True)
@@ -127,8 +112,9 @@ class Skate(Penalty):
         link, offset, share = links[which], arms[:, which, at], root[which, at]
         velocity = motion.x_d[:, link, at] + cross(motion.omega[:, link, at], offset)
         up = clearance_gradients(self.surfaces, origin[which, at], where[:, which, at], radius[which])
-        fading = share * (LOWEST - relative[which, at]) / (1.5 * self.reach) * up
-        yield _Near(samples, at, link, offset, share, velocity, fading)
+        fading = share * (LOWEST - relative[which, at]) / (1.5 * self.reach) * up  # of `share`, by position
+        speed, by_velocity = np.sqrt(dot(velocity, velocity)), partial(of_velocity, samples, at, link, offset)
+        yield _Near(at, share, velocity, speed, by_velocity, of_point(at, link, offset, fading * speed))
 
     def _weight(self, height: Array, t: Array) -> Array:
         """Return the weights (n, S) of points at heights (n, S) over the ground, relative to the reach."""

@@ -89,7 +89,7 @@ def stepping(figure: Figure, links: list[int]) -> Between:
     steps[links], placing[PLACING] = True, True
     times, roots = np.array([0.0, 1.0]), len(roots_of(figure))
     turning, across = np.zeros((3, roots, 1)), np.zeros((2, roots, 1))
-    return Between(times, turning, across, Steps(times, steps, steps[:, 0], placing), np.array([True]))
+    return Between(times, turning, across, Steps(times, steps, placing), np.array([True]))
 
 
 def residuals(samples: Samples, exempt: list[int]) -> np.ndarray:
@@ -157,7 +157,7 @@ def test_a_root_that_turns_and_travels_evenly_between_its_keyframes_costs_nothin
     samples = Samples(figure, states(t), y_d, 0 * y_d, t=t)
     assert Posture().evaluate(samples).min() > 1
     none = np.zeros(len(figure.links), bool)
-    no_steps = Steps(times, np.zeros((len(figure.links), 2), bool), none, none)
+    no_steps = Steps(times, np.zeros((len(figure.links), 2), bool), none)
     between = Between.of(figure, raw_timeline(figure, frames), no_steps)
     np.testing.assert_allclose(Posture(between=between).evaluate(samples), 0, atol=1e-6)
 
