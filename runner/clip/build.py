@@ -177,10 +177,9 @@ def constraints(
         del options["prior"]
     notes = [*context.missing_features, *context.drifting_objects]
     context = _with_options(context, options, listed.keys())
-    if "cycle" in listed and _weight("cycle", options["cycle"]) > 0 and context.schedule.gait_cycle is None:
+    if context.schedule.has_cycle and context.schedule.gait_cycle is None:
         notes.append(NO_CYCLE)
-    notes += context.unmet_falls
-    notes += context.missing_steps if _weight("cycle", options["cycle"]) > 0 else []
+    notes += [*context.unmet_falls, *context.missing_steps]
     penalties = list[tuple[Penalty, float]]()
     for name in options:
         kind = KINDS[name]
@@ -192,10 +191,6 @@ def constraints(
     return context, tuple((p, weight) for p, weight in penalties if weight > 0), notes
 
 
-def _weight(kind: str, options: Options, part: str = "") -> float:
-    return KINDS[kind].weights(options)[part]
-
-
 def _with_options(context: Context, options: Mapping[str, Options], listed: Container[str]) -> Context:
     """Return the context with the options that affect several kinds: points of soles, limbs, flights, the cycle."""
     collision, limits, flight, cycle = (options[kind] for kind in ("collision", "limits", "flight", "cycle"))
@@ -203,7 +198,7 @@ def _with_options(context: Context, options: Mapping[str, Options], listed: Cont
         context = context.with_schedule(points=context.sites(collision.points))
     if limits.bend_joints is not None:
         context = replace(context, bends=context.limbs(limits.bend_joints))
-    has_cycle = (True if "cycle" in listed else None) if _weight("cycle", cycle) > 0 else False
+    has_cycle = (True if "cycle" in listed else None) if KINDS["cycle"].weights(cycle)[""] > 0 else False
     flights = _flights(context, flight.intervals, is_requested="flight" in listed)
     return context.with_schedule(specified_flights=flights, has_cycle=has_cycle, period=cycle.period)
 

@@ -192,7 +192,7 @@ class Context:
         no flight is between them. There is no note if the keyframes form a gait cycle.
         """
         keys, schedule, limits = self.keys, self.schedule, Thresholds.of(self.figure)
-        if schedule.root is None or schedule.gait_cycle is not None or not self.points:
+        if schedule.root is None or schedule.has_cycle is False or schedule.gait_cycle is not None or not self.points:
             return []
         feet = sorted({point.link for point in self.points if self.figure.tables.path[point.link, schedule.root]})
         places = Samples.still(self.figure, keys.states).links.x[:2, feet]
