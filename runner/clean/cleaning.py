@@ -106,7 +106,7 @@ def clean(
         tracking = _with_soft_start(problem_of(sure, near.times()), near, SOFTEST, improved)
         if specified is None:
             rests = _refined_stances(context, recorded, tracking)
-            tracking = start_on(problem_of(rests, _times(tracking)), _curve(tracking))
+            tracking = start_on(problem_of(rests, _times(tracking)), path_of(tracking.raw))
     else:
         tracking = problem_of(rests, near.times(FAITHFUL), far=CLOSE)
     if is_noisy or _is_deep(context, recorded):
@@ -183,10 +183,6 @@ def _times(problem: Problem) -> Array:
     return np.array([key.time for key in problem.keys])
 
 
-def _curve(problem: Problem) -> Path:
-    return natural_spline(_times(problem), problem.figure.to_state(np.array([key.state for key in problem.keys])))
-
-
 def _without_ends(context: Context, recorded: Track, rest: Contact) -> Contact:
     """Return a stance without the times in which the point may already move, hidden by noise."""
     first, last = recorded.path.span
@@ -202,7 +198,7 @@ def _refined_stances(context: Context, recorded: Track, soft_problem: Problem) -
     """Return the stances of a noisy recording after a search with the sure parts of its first ones.
 
     Brief stances are left out, at both ends of a recording also somewhat longer ones: noise hides that a foot moves."""
-    calm = context.figure.to_qpos(_curve(soft_problem).at(recorded.times))
+    calm = context.figure.to_qpos(path_of(soft_problem.raw).at(recorded.times))
     smoothed = Track.of(context.figure, recorded.times, calm)
     averaged = max(1.0, recorded.rate * Thresholds.of(context.figure).blurred)  # samples
     noise = largest_noise(recorded, context.points) / np.sqrt(averaged)
