@@ -27,7 +27,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.penalty import BendLimits
-from dynsplines.solver.posing import BodyGoal, Goal, PointGoal, posed
+from dynsplines.solver.posing import BodyGoal, Goal, PointGoal, find_pose
 from dynsplines.solver.surface.points import Point, site_points
 
 POSES, DRAGS = 200, 300
@@ -141,7 +141,7 @@ def measure(effort: Effort) -> Section:
         for number in range(count):
             effort.report(f"{name}: pose {number + 1} of {count}")
             home, free, goals = draw.request(rng, number)
-            spent, pose = seconds(partial(posed, figure, home, free, goals, draw.bends))
+            spent, pose = seconds(partial(find_pose, figure, home, free, goals, draw.bends))
             times.append(spent)
             met.append(pose.is_met)
         share = float(np.mean(met))

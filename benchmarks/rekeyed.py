@@ -19,7 +19,7 @@ def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
     placed = [target for target in clip.context.schedule.targets if target.first in times]
     keys = [replace(key, posed=None) for key in keys]
     if clip.text:
-        keys = stander_of(source, clip.figure).stood(keys, placed)
+        keys = stander_of(source, clip.figure).pose_feet(keys, placed)
     rebuilt = build(source, clip.scene, clip.figure, keys, placed, clip.fps)
     with_custom = rebuilt.with_problem(penalties=(*rebuilt.penalties, *clip.custom_penalties))
     return replace(with_custom, custom_penalties=clip.custom_penalties)

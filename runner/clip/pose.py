@@ -68,7 +68,7 @@ def pose(
     for key, (_, left), here in zip(keys, targets, places, strict=True):
         check_search(figure, key, left, here)
     placed = [point for _, left in targets for point in left]
-    return keys if base is not None else stander.stood(keys, placed), placed, missed
+    return keys if base is not None else stander.pose_feet(keys, placed), placed, missed
 
 
 def stander_of(source: Parsed, figure: Figure) -> Stander:

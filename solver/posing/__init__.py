@@ -19,8 +19,8 @@ from .goals import reached as reached
 from .goals import rest_rotation as rest_rotation
 from .goals import same_heading as same_heading
 from .inverse_kinematics import STARTS as STARTS
+from .inverse_kinematics import find_pose as find_pose
 from .inverse_kinematics import in_winding as in_winding
-from .inverse_kinematics import posed as posed
 from .least_squares import LeastSquares as LeastSquares
 from .least_squares import Residuals as Residuals
 from .limits import Balance as Balance

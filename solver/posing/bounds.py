@@ -90,7 +90,7 @@ class Ranges:
         narrow = np.stack([np.minimum(low, at), np.maximum(high, at)], axis=1)
         return replace(self, most=most, limits=np.where(spare[:, None] > 0, narrow, self.limits))
 
-    def begun(self, qpos: Array, least: float) -> Array:
+    def bend(self, qpos: Array, least: float) -> Array:
         """Return qpos (nq,) clipped to the ranges, with one-way hinges bent by at least `least` [rad]."""
         out = np.array(qpos)
         low, high = self.limits.T
@@ -100,7 +100,7 @@ class Ranges:
         out[self.simple] = np.clip(at, low, high)
         return out
 
-    def linearised(self, qpos: Array) -> Part:
+    def linearise(self, qpos: Array) -> Part:
         """Return the signed excess of joints over the ends of their ranges (k,) [rad or m], and its Jacobian (k, n)."""
         balls, simple = len(self.balls), self.simple.size
         over, rows = np.empty(balls + 2 * simple), np.zeros((balls + 2 * simple, self.count))
@@ -140,7 +140,7 @@ class Bends:
         columns = np.array([link.qpos for link in links])[:, None] + np.arange(4)
         return cls(figure, limits, columns, np.array([link.dof for link in links])[:, None] + np.arange(3))
 
-    def begun(self, qpos: Array, least: float) -> Array:
+    def bend(self, qpos: Array, least: float) -> Array:
         """Return qpos (nq,) with a flexion of every joint of at least `least` [rad]."""
         out = np.array(qpos)
         flexion = self._angles(qpos[self.columns])[0]
@@ -166,7 +166,7 @@ class Bends:
         forward, down, lateral = (quat.rotated(back, axis) for axis in (np.cross(lateral, down), down, lateral))
         return np.stack([forward, down, lateral], axis=1), np.array([down, lateral])
 
-    def linearised(self, qpos: Array, nv: int) -> tuple[Part, Part]:
+    def linearise(self, qpos: Array, nv: int) -> tuple[Part, Part]:
         """Return the weighted sideways and twist angles (2 k,) and the excess over bounds (5 k,), with Jacobians."""
         parent, child = self._axes
         turned = np.einsum("nij,nbi->bnj", quat.matrices(qpos[self.columns]), parent)  # in the child's frame

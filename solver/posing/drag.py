@@ -85,11 +85,11 @@ def dragged(
         return search.result(search.home)
     drag = _Drag(search, constraints)
     begin = np.array(begin, float)
-    best, cost = drag.descended(search.clipped(begin))
+    best, cost = drag.minimise(search.clipped(begin))
     result = search.result(best)
     if result.missed[0] > RESTART_MISS:
         for start in _restarts(search, begin, limb):
-            pose, other = drag.descended(start)
+            pose, other = drag.minimise(start)
             if other < RESTART_COST * cost:
                 result, cost = search.result(pose), other
     return result
@@ -97,10 +97,10 @@ def dragged(
 
 def _restarts(search: PoseSearch, begin: Array, limb: Mask | None) -> list[Array]:
     least, *more = RESTART_BENDS
-    bent = search.begun(begin, least)
-    starts = [] if np.array_equal(bent, search.begun(begin, 0.0)) else [bent]
+    bent = search.bend(begin, least)
+    starts = [] if np.array_equal(bent, search.bend(begin, 0.0)) else [bent]
     if limb is not None and limb.any():
-        starts += [np.where(limb, search.begun(search.home, angle), bent) for angle in more]
+        starts += [np.where(limb, search.bend(search.home, angle), bent) for angle in more]
     return starts
 
 
@@ -111,12 +111,12 @@ class _Drag:
         self.search, self.constraints = search, constraints
         self.target_size = search.goals[0].missed(search.model, search.data).size
 
-    def descended(self, qpos: Array) -> tuple[Array, float]:
+    def minimise(self, qpos: Array) -> tuple[Array, float]:
         """Return the pose (nq,) after the descents from another, and its cost."""
         cost = 0.0
         for stiffness in STIFFNESS:
             residuals = partial(self._residuals, stiffness=stiffness)
-            qpos, cost = self.search.descended(
+            qpos, cost = self.search.minimise(
                 residuals, qpos, STEPS, longest=MAX_STEP, settled=MIN_GAIN, smallest=MIN_STEP
             )
             if stiffness == 1 and self.search.result(qpos).missed[1:].max(initial=0.0) < FIXED_MISS:
@@ -125,7 +125,7 @@ class _Drag:
 
     def _residuals(self, qpos: Array, stiffness: float) -> Residuals:
         search = self.search
-        distance, (off, by_off), (over, by_over) = search.linearised(qpos)
+        distance, (off, by_off), (over, by_over) = search.linearise(qpos)
         miss = float(np.linalg.norm(off[: self.target_size]))
         weights = np.full(off.size, stiffness * FIXED_WEIGHT)
         weights[: self.target_size] = TARGET_WEIGHT * np.sqrt(min(1.0, MAX_MISS / max(miss, MAX_MISS)))
@@ -133,7 +133,7 @@ class _Drag:
         two_sided = sum(values.size for values, _ in parts)
         parts.append((stiffness * RANGE_WEIGHT * over, stiffness * RANGE_WEIGHT * by_over))
         for limit in self.constraints.limits:
-            values, rows = limit.linearized(search.model, search.data)
+            values, rows = limit.linearise(search.model, search.data)
             parts.append((stiffness * LIMIT_WEIGHT * values, stiffness * LIMIT_WEIGHT * rows[:, search.dofs]))
         constant = TARGET_WEIGHT**2 * max(miss * MAX_MISS - MAX_MISS**2, 0.0)
         return Residuals(*joined(parts), two_sided, constant)

@@ -19,7 +19,7 @@ ALIKE = 2e-3  # [1] rough poses whose costs differ by no more than this share ar
 MOST_CACHED = 1000  # [1] largest number of cached poses
 
 
-def posed(
+def find_pose(
     figure: Figure,
     qpos: Array,
     free: Mask,
@@ -72,20 +72,20 @@ def _posed(search: PoseSearch, starts: int) -> Posed:
     best = search.result(search.home)
     if best.is_met or not search.dofs.size:
         return best
-    near = [search.roughly(start) for start in search.bent_starts()[:starts]]
+    near = [search.rough_minimum(start) for start in search.bent_starts()[:starts]]
     poses: list[Posed] = []
     last = 0.0
     for rough, cost in sorted(near, key=lambda pair: pair[1]):
         if cost > (1 + ALIKE) * last:  # otherwise the same as the previous rough pose
-            poses.append(search.followed(rough))
+            poses.append(search.refine(rough))
             if poses[-1].is_met:
                 return poses[-1]
         last = cost
     for start in search.starts_around(starts - len(near)):
-        poses.append(search.followed(search.around(start)))
+        poses.append(search.refine(search.rough_minimum_near(start)))
         if poses[-1].is_met:
             return poses[-1]
-    closest = search.exactly(min(poses, key=lambda pose: pose.worst).qpos)
+    closest = search.minimum(min(poses, key=lambda pose: pose.worst).qpos)
     return replace(min([best, *poses, closest], key=lambda pose: pose.worst), starts=starts)
 
 

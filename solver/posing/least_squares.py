@@ -74,7 +74,7 @@ class LeastSquares:
     settled: float = 0.0
     smallest: float = 1e-11
 
-    def descended(self, qpos: Array) -> tuple[Array, float]:
+    def minimise(self, qpos: Array) -> tuple[Array, float]:
         """Return the pose (nq,) of least cost near another (nq,), and its cost."""
         here, damping = self.residuals(qpos), FIRST_DAMPING
         for _ in range(self.steps):

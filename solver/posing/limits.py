@@ -16,7 +16,7 @@ from .goals import PointGoal
 SUPPORT_SHARE = 0.8  # size of the polygon for the centre of mass in a drag, relative to the support polygon
 MIN_SUPPORT = 1e-3  # [m] width below which contact points form no polygon
 COLLINEAR = 1e-9  # [m²] doubled area of a triangle up to which its corners are collinear
-NEAR_FLOOR = 0.05  # [m] height below which a body's clearance is linearized
+NEAR_FLOOR = 0.05  # [m] height below which a body's clearance is linearise
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +45,7 @@ class SupportPolygon:
         centre = corners.mean(axis=0)
         return cls(root, normals, np.sum(normals * (centre + share * (corners - centre)), axis=1))
 
-    def linearized(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
+    def linearise(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
         """Return the excess (k,) [m] over every edge and its Jacobian (k, nv)."""
         rows = np.zeros((3, model.nv))
         mujoco.mj_jacSubtreeCom(model, data, rows, self.root)
@@ -86,7 +86,7 @@ class Balance:
         polygon = SupportPolygon.of(self.root, places, self.share)
         if polygon is None:
             return np.zeros(1), np.zeros((1, model.nv))
-        values, rows = polygon.linearized(model, data)
+        values, rows = polygon.linearise(model, data)
         k = int(values.argmax())
         return (values[[k]], rows[[k]]) if values[k] > 0 else (np.zeros(1), np.zeros((1, model.nv)))
 
@@ -111,7 +111,7 @@ class FloorClearance:
     normal: Array
     level: float
 
-    def linearized(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
+    def linearise(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
         """Return the depths (k,) [m] of bodies, negative above the plane, and their Jacobian (k, nv), 0 far above."""
         centres, first = self._centres(data), self._first
         depth = self._depth(centres)

@@ -117,7 +117,7 @@ class PoseSearch:
 
     def bent_starts(self) -> list[Array]:
         """Return the starting poses: home clipped, with knees and elbows bent by each angle of BENT."""
-        starts = [self.begun(self.home, angle) for angle in BENT]
+        starts = [self.bend(self.home, angle) for angle in BENT]
         return starts[:1] if np.array_equal(starts[0], starts[-1]) else starts
 
     def starts_around(self, count: int) -> Iterator[Array]:
@@ -130,32 +130,32 @@ class PoseSearch:
         for i in self.joints:
             rest[self.figure.links[i].columns] = self.model.qpos0[self.figure.links[i].columns]
         middle[self.ranges.simple] = self.ranges.limits.mean(axis=1)
-        yield from (self.begun(rest, BENT[0]), self.begun(middle, BENT[1]))[:count]
+        yield from (self.bend(rest, BENT[0]), self.bend(middle, BENT[1]))[:count]
         turns = self.weights != PER_METRE
         for number in range(count - 2):
             start = self.moved(self.home if number % 2 else rest, SPREAD * rng.normal(size=self.dofs.size) * turns)
             start[self.ranges.simple] = rng.uniform(*self.ranges.limits.T)
-            yield start if self.bends is None else self.bends.begun(start, rng.uniform(BENT[0], BENT[-1]))
+            yield start if self.bends is None else self.bends.bend(start, rng.uniform(BENT[0], BENT[-1]))
 
     def clipped(self, qpos: Array) -> Array:
         """Return qpos (nq,) with hinges and slides clipped to their ranges."""
-        return self.ranges.begun(qpos, -np.inf)
+        return self.ranges.bend(qpos, -np.inf)
 
-    def begun(self, qpos: Array, least: float) -> Array:
+    def bend(self, qpos: Array, least: float) -> Array:
         """Return qpos (nq,) clipped to the ranges, with every knee and elbow bent by at least `least` [rad]."""
-        start = self.ranges.begun(qpos, least)
-        return start if self.bends is None else self.bends.begun(start, least)
+        start = self.ranges.bend(qpos, least)
+        return start if self.bends is None else self.bends.bend(start, least)
 
     def result(self, qpos: Array) -> Posed:
         self._place(qpos)
         missed = [np.linalg.norm(goal.missed(self.model, self.data)) for goal in self.goals]
         return Posed(qpos, self.fixed, np.array(missed, float))
 
-    def roughly(self, qpos: Array) -> tuple[Array, float]:
+    def rough_minimum(self, qpos: Array) -> tuple[Array, float]:
         """Return a pose that meets the goals approximately, at a small weight of the goals, and its cost."""
         return self._nearest(qpos, COARSE, None, ROUGHLY)
 
-    def around(self, qpos: Array) -> Array:
+    def rough_minimum_near(self, qpos: Array) -> Array:
         """Return a pose near qpos, instead of near home, that meets the goals approximately."""
         home, self.home = self.home, qpos
         try:
@@ -163,17 +163,17 @@ class PoseSearch:
         finally:
             self.home = home
 
-    def followed(self, qpos: Array) -> Posed:
+    def refine(self, qpos: Array) -> Posed:
         """Return the minimum nearest to a pose; the pose itself if its residual exceeds HOPELESS."""
         rough = self.result(qpos)
-        return self.exactly(qpos) if rough.worst <= HOPELESS else rough
+        return self.minimum(qpos) if rough.worst <= HOPELESS else rough
 
-    def exactly(self, qpos: Array) -> Posed:
+    def minimum(self, qpos: Array) -> Posed:
         """Return the minimum nearest to a pose, with multipliers updated until the goals are met."""
         weight, last, shifts = FIRM, np.inf, None
         for _ in range(ROUNDS):
             qpos, _ = self._nearest(qpos, weight, shifts, SETTLED)
-            off, over = (values for values, _ in self.linearised(qpos)[1:])
+            off, over = (values for values, _ in self.linearise(qpos)[1:])
             shifts = (
                 (off, np.maximum(over, 0)) if shifts is None else (off + shifts[0], np.maximum(over + shifts[1], 0))
             )
@@ -195,15 +195,15 @@ class PoseSearch:
         firm = FIRMER * weight
 
         def residuals(qpos: Array) -> Residuals:
-            near, (off, by_off), (over, by_over) = self.linearised(qpos)
+            near, (off, by_off), (over, by_over) = self.linearise(qpos)
             if shifts is not None:
                 off, over = off + shifts[0], over + shifts[1]
             parts = [near, (weight * off, weight * by_off), (firm * over, firm * by_over)]
             return Residuals(*joined(parts), near[0].size + off.size)
 
-        return self.descended(residuals, qpos, STEPS, settled=settled)
+        return self.minimise(residuals, qpos, STEPS, settled=settled)
 
-    def descended(
+    def minimise(
         self,
         residuals: Callable[[Array], Residuals],
         qpos: Array,
@@ -214,7 +214,7 @@ class PoseSearch:
         smallest: float = SMALLEST_STEP,
     ) -> tuple[Array, float]:
         """Return the pose of least cost near a pose (nq,), and its cost; see `LeastSquares`."""
-        return LeastSquares(residuals, self.moved, self.weights, steps, longest, settled, smallest).descended(qpos)
+        return LeastSquares(residuals, self.moved, self.weights, steps, longest, settled, smallest).minimise(qpos)
 
     def _place(self, qpos: Array) -> None:
         set_qpos(self.model, self.data, qpos)
@@ -231,7 +231,7 @@ class PoseSearch:
         """The Jacobian of the weighted distance from home, (n, n)."""
         return np.diag(self.weights)
 
-    def linearised(self, qpos: Array) -> tuple[Part, Part, Part]:
+    def linearise(self, qpos: Array) -> tuple[Part, Part, Part]:
         """Return three residuals of a pose (nq,), each with its Jacobian.
 
         Returns:
@@ -248,9 +248,9 @@ class PoseSearch:
         for weight, goal in self.preferred:
             values, rows = goal.missed(self.model, self.data), goal.rows(self.model, self.data)
             near.append((weight * values, weight * rows[:, self.dofs]))
-        over = [self.ranges.linearised(qpos)]
+        over = [self.ranges.linearise(qpos)]
         if self.bends is not None:
-            crooked, beyond = self.bends.linearised(qpos, self.model.nv)
+            crooked, beyond = self.bends.linearise(qpos, self.model.nv)
             near.append((crooked[0], crooked[1][:, self.dofs]))
             over.append((beyond[0], beyond[1][:, self.dofs]))
         return joined(near), joined(off), joined(over)

@@ -26,7 +26,7 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.inbetween import inbetween, one_thread
 from dynsplines.solver.penalty import RootAcceleration
-from dynsplines.solver.posing import inverse_kinematics, posed, reached
+from dynsplines.solver.posing import find_pose, inverse_kinematics, reached
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import midpoints, split
 from dynsplines.solver.search.quadratic import Layout, QuadraticModel
@@ -204,7 +204,7 @@ def test_a_pose_is_searched_once_for_a_figure_and_depends_on_what_its_goals_do_a
     goals = [SiteGoal("left_hand", data.site("left_hand").xpos + np.array([0.2, 0, 0.3]))]
     home, free = np.array(figure.model.qpos0), np.ones(figure.width, bool)
     free[:7] = False
-    first = posed(figure, home, free, goals)
+    first = find_pose(figure, home, free, goals)
     assert first.is_met
     other = np.array(home)
     for link in figure.links[1:]:
@@ -213,13 +213,13 @@ def test_a_pose_is_searched_once_for_a_figure_and_depends_on_what_its_goals_do_a
             other[columns] = quat.normalised(rng.normal(size=4))
     with monkeypatch.context() as patch:
         patch.setattr(inverse_kinematics, "_poses", Cache(9))
-        fresh = posed(figure, other, free, goals)
+        fresh = find_pose(figure, other, free, goals)
 
     def never(*_: object) -> None:
         pytest.fail("searched again")
 
     monkeypatch.setattr(inverse_kinematics, "_posed", never)
-    again = posed(human(), other, free, goals)
+    again = find_pose(human(), other, free, goals)
     own = reached(figure, goals)
     assert np.array_equal(again.qpos, fresh.qpos)
     assert np.array_equal(again.qpos[own], first.qpos[own])

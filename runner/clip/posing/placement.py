@@ -24,8 +24,8 @@ from dynsplines.solver.posing import (
     Goal,
     PointGoal,
     Posed,
+    find_pose,
     in_winding,
-    posed,
     reached,
     rest_rotation,
     same_heading,
@@ -105,25 +105,25 @@ def with_pose(
     all feet are to move alike, the root moves with them first.
     """
     try:
-        path, also = stander.beside(keys, k, goals)
+        path, also = stander.feet_goals(keys, k, goals)
     except TimelineError as error:
         raise UserError(f"{where}: {error}") from None
     key = keys[k]
     home = np.where(key.fixed, key.state, figure.to_qpos(path.states[k]))
     for columns in figure.tables.quaternion_columns.T:
         home[columns] = quat.normalised(home[columns])
-    also += _planted(figure, keys[k - 1], goals) if k else []
+    also += _kept_headings(figure, keys[k - 1], goals) if k else []
     home = _root_above_feet(figure, home, ~key.fixed, goals, soles)
     ground = stander.surfaces if _is_slow(figure, path, k) else ()
     best = None
     for chosen in ([*goals, *also], goals) if also else (goals,):
-        best = posed(figure, home, ~key.fixed, chosen, stander.bends)
+        best = find_pose(figure, home, ~key.fixed, chosen, stander.bends)
         if best.is_met:
-            if preferred := _preferred(figure, home, best.qpos, chosen, soles, ground):
-                other = posed(figure, home, ~key.fixed, chosen, stander.bends, preferred=preferred)
+            if preferred := _preferences(figure, home, best.qpos, chosen, soles, ground):
+                other = find_pose(figure, home, ~key.fixed, chosen, stander.bends, preferred=preferred)
                 best = other if other.is_met else best
-            best = _leveled(figure, key, best, soles, stander, chosen)
-            best = _raised(figure, key, best, soles, stander, chosen)
+            best = _level_feet(figure, key, best, soles, stander, chosen)
+            best = _raise_root(figure, key, best, soles, stander, chosen)
             break
     assert best is not None, "there are goals"
     pose = in_winding(figure, best.qpos, path.states[k - 1] if k else home, ~key.fixed)
@@ -164,7 +164,7 @@ def _root_above_feet(figure: Figure, home: Array, free: Mask, goals: Sequence[Go
     return moved
 
 
-def _leveled(
+def _level_feet(
     figure: Figure, key: Frame, best: Posed, soles: Sequence[Point], stander: Stander, goals: Sequence[Goal]
 ) -> Posed:
     """Return a pose for the same goals in which feet are level whose soles would be in the ground, if there is one.
@@ -180,12 +180,12 @@ def _leveled(
     level = [BodyGoal(str(figure.model.body(foot).name), index=foot) for foot in sorted(feet)]
     if not level:
         return best
-    other = posed(figure, best.qpos, ~key.fixed, [*goals, *level], stander.bends)
+    other = find_pose(figure, best.qpos, ~key.fixed, [*goals, *level], stander.bends)
     is_better = other.is_met and _depths(figure, other.qpos, soles, stander.surfaces).max() < depth.max()
     return other if is_better else best
 
 
-def _raised(
+def _raise_root(
     figure: Figure, key: Frame, best: Posed, soles: Sequence[Point], stander: Stander, goals: Sequence[Goal]
 ) -> Posed:
     """Return a pose for the same goals with the soles out of the ground, if the keyframe leaves the root's height free
@@ -202,7 +202,7 @@ def _raised(
             break
         home = np.array(best.qpos)
         home[column] += depth
-        other = posed(figure, home, ~key.fixed, goals, stander.bends)
+        other = find_pose(figure, home, ~key.fixed, goals, stander.bends)
         deep = float(_depths(figure, other.qpos, soles, surfaces).max())
         if not other.is_met or deep >= depth:
             break
@@ -216,7 +216,7 @@ def _depths(figure: Figure, qpos: Array, soles: Sequence[Point], surfaces: Seque
     return -height[:, 0]
 
 
-def _planted(figure: Figure, before: Frame, goals: Sequence[Goal]) -> list[Goal]:
+def _kept_headings(figure: Figure, before: Frame, goals: Sequence[Goal]) -> list[Goal]:
     """Return goals of the headings of flat bodies that the keyframe `before` has in the same position."""
     model, data, kept = figure.model, kinematics(figure.model, before.state), list[Goal]()
     for flat in (goal for goal in goals if isinstance(goal, BodyGoal) and goal.rotation is None):
@@ -228,7 +228,7 @@ def _planted(figure: Figure, before: Frame, goals: Sequence[Goal]) -> list[Goal]
     return kept
 
 
-def _preferred(
+def _preferences(
     figure: Figure, home: Array, pose: Array, goals: Sequence[Goal], soles: Sequence[Point], surfaces: Sequence[Surface]
 ) -> list[tuple[float, Goal]]:
     """Return preferences with weights that a pose (nq,) for goals misses by far; none for most poses.

@@ -29,8 +29,8 @@ from dynsplines.solver.posing import (
     Goal,
     PointGoal,
     Posed,
+    find_pose,
     in_winding,
-    posed,
     reached,
 )
 from dynsplines.solver.surface import Surface
@@ -101,8 +101,8 @@ def upright(
     legs = {link for goal in goals for link in figure.limb(goal.bodies(figure.model)[0])}
     for link in legs:
         trunk[figure.links[link].columns] = False
-    pose = posed(figure, home, free & ~trunk, goals, bends, 3, preferred=preferred)
-    return pose if pose.worst <= NEARLY else posed(figure, home, free, goals, bends, STARTS, preferred=preferred)
+    pose = find_pose(figure, home, free & ~trunk, goals, bends, 3, preferred=preferred)
+    return pose if pose.worst <= NEARLY else find_pose(figure, home, free, goals, bends, STARTS, preferred=preferred)
 
 
 def balance_of(
@@ -156,7 +156,7 @@ class Stander:
         turn = None if solve.turn is None else float(np.radians(solve.turn))
         return raw_timeline(self.figure, list(keys), solve.ends, slope, solve.travel, turn)
 
-    def stood(self, keys: Sequence[Frame], left: Sequence[Contact]) -> list[Frame]:
+    def pose_feet(self, keys: Sequence[Frame], left: Sequence[Contact]) -> list[Frame]:
         """Pose the free entries of partial keyframes as far as they are certain; left: points left to the search."""
         if all(key.is_key for key in keys):
             return list(keys)
@@ -178,10 +178,10 @@ class Stander:
             *posed_keys[count:],
         ]
 
-    def beside(self, keys: Sequence[Frame], k: int, goals: Sequence[Goal]) -> tuple[Timeline, list[Goal]]:
+    def feet_goals(self, keys: Sequence[Frame], k: int, goals: Sequence[Goal]) -> tuple[Timeline, list[Goal]]:
         """Return the keyframes' timeline, and goals of feet in a stance at keyframe k, for limbs without goals.
 
-        These are only feet that the goals also move; `stood` handles others.
+        These are only feet that the goals also move; `pose_feet` handles others.
         """
         figure, free, timeline = self.figure, ~keys[k].fixed, self.timeline(keys)
         is_reached = reached(figure, goals)
@@ -241,7 +241,7 @@ class Stander:
         Sites that remain too far from their goals are left out."""
         goals = [goal for goal in missed if isinstance(goal, PointGoal) and goal.reference]
         while goals:
-            pose = posed(self.figure, home, free, goals, self.bends, STARTS)
+            pose = find_pose(self.figure, home, free, goals, self.bends, STARTS)
             if pose.worst <= Thresholds.of(self.figure).out_of_reach:
                 return pose.qpos, pose.fixed & free
             del goals[int(np.argmax(pose.missed))]

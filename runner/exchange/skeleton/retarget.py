@@ -490,20 +490,20 @@ def followed(model: mujoco.MjModel, qpos: Array, poses: RecordedPoses, root: sli
     balls = len(search.ranges.balls)  # their rows are the first ones
 
     def residuals(pose: Array) -> Residuals:
-        _, (off, by_off), (over, by_over) = search.linearised(pose)
+        _, (off, by_off), (over, by_over) = search.linearise(pose)
         over, by_over = over[balls:], by_over[balls:]
         return Residuals(*joined([(off, by_off), (RANGE * over, RANGE * by_over)]), off.size)
 
-    def descended(start: Array) -> tuple[Array, float]:
-        return search.descended(residuals, start, STEPS, longest=LONGEST, smallest=STILL)
+    def minimise(start: Array) -> tuple[Array, float]:
+        return search.minimise(residuals, start, STEPS, longest=LONGEST, smallest=STILL)
 
     last = 0.0
     for i, row in enumerate(out if search.dofs.size else ()):
         poses.sample = i
         starts = [search.clipped(row), *search.starts_around(STARTS)] if i == 0 else [np.where(free, out[i - 1], row)]
-        found = [descended(np.where(free, start, row)) for start in starts]
+        found = [minimise(np.where(free, start, row)) for start in starts]
         if i and found[0][1] > FAR * max(last, 1.0):
-            found.append(descended(search.clipped(row)))
+            found.append(minimise(search.clipped(row)))
         pose, last = min(found, key=lambda each: each[1])
         out[i] = search.clipped(pose)
     return out

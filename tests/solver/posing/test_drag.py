@@ -92,8 +92,8 @@ def test_derivatives_are_differences(human, rng):
     terms = [
         (lambda data: feet.missed(model, data), lambda data: feet.rows(model, data)),
         (lambda data: pins.missed(model, data), lambda data: pins.rows(model, data)),
-        (lambda data: balance.linearized(model, data)[0], lambda data: balance.linearized(model, data)[1]),
-        (lambda data: above.linearized(model, data)[0], lambda data: above.linearized(model, data)[1]),
+        (lambda data: balance.linearise(model, data)[0], lambda data: balance.linearise(model, data)[1]),
+        (lambda data: above.linearise(model, data)[0], lambda data: above.linearise(model, data)[1]),
     ]
     for value, rows in terms:
         differences = []

@@ -24,7 +24,17 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.penalty import Bend, BendLimits
 from dynsplines.solver.penalty.joints.bend import bent
-from dynsplines.solver.posing import MET, BodyGoal, Goal, LeastSquares, PointGoal, PoseSearch, Residuals, bounds, posed
+from dynsplines.solver.posing import (
+    MET,
+    BodyGoal,
+    Goal,
+    LeastSquares,
+    PointGoal,
+    PoseSearch,
+    Residuals,
+    bounds,
+    find_pose,
+)
 from dynsplines.solver.surface.points import Point, site_points
 
 RANGED = read_data("ranged.xml")
@@ -116,9 +126,9 @@ def test_what_a_search_adds_up_changes_as_its_rows_say(rng):
     preferred = ((0.3, SiteGoal("toe", np.zeros(3))),)
     search = PoseSearch(figure, home, np.ones(figure.model.nq, bool), goals, bends, preferred=preferred)
     near = search.moved(home, 1e-3 * rng.normal(size=search.dofs.size))
-    rows = np.concatenate([rows for _, rows in search.linearised(near)])
+    rows = np.concatenate([rows for _, rows in search.linearise(near)])
     expected = differences(
-        figure.model, near, lambda at: np.concatenate([values for values, _ in search.linearised(at)])
+        figure.model, near, lambda at: np.concatenate([values for values, _ in search.linearise(at)])
     )
     np.testing.assert_allclose(rows, expected[:, search.dofs], atol=2e-2)
     np.testing.assert_allclose(rows[search.dofs.size :], expected[search.dofs.size :, search.dofs], atol=1e-5)
@@ -142,7 +152,7 @@ def test_a_linear_problem_is_solved_as_scipy_solves_it(size, rng):
     rows, wanted = rng.normal(size=(9, 5)), rng.normal(size=9)
     rows[:4] *= size
     wanted[:4] *= size
-    pose, cost = linear(rows, wanted, 9).descended(np.zeros(5))
+    pose, cost = linear(rows, wanted, 9).minimise(np.zeros(5))
     expected = lsq_linear(rows, wanted)
     np.testing.assert_allclose(pose, expected.x, rtol=1e-6, atol=1e-9)
     assert cost == pytest.approx(2 * expected.cost)
@@ -154,7 +164,7 @@ def test_stiff_one_sided_residuals_are_bounds(rng):
         rows, wanted = rng.normal(size=(8, 4)), 3 * rng.normal(size=8)
         stiff = 1e4 * np.concatenate([np.eye(4), -np.eye(4)])
         both = np.concatenate([rows, stiff]), np.append(wanted, 0.3e4 * np.ones(8))
-        pose, _ = linear(*both, 8).descended(np.zeros(4))
+        pose, _ = linear(*both, 8).minimise(np.zeros(4))
         np.testing.assert_allclose(pose, lsq_linear(rows, wanted, bounds=(-0.3, 0.3)).x, atol=1e-5)
 
 
@@ -170,7 +180,7 @@ def test_curved_residuals_are_minimised_as_by_scipy(seed, scale):
     def residuals(pose):
         return Residuals(values(pose), np.array([[-2 * scale * pose[0], scale], [-1, 0]]), 2)
 
-    pose, cost = LeastSquares(residuals, moved, np.ones(2), 300, longest=0.5).descended(begin)
+    pose, cost = LeastSquares(residuals, moved, np.ones(2), 300, longest=0.5).minimise(begin)
     expected = least_squares(values, begin)
     assert cost <= 2 * expected.cost + 1e-12
     np.testing.assert_allclose(pose, expected.x, atol=1e-5)
@@ -178,7 +188,7 @@ def test_curved_residuals_are_minimised_as_by_scipy(seed, scale):
 
 def test_nothing_to_move_stays():
     problem = LeastSquares(lambda _: Residuals(np.ones(1), np.zeros((1, 3)), 1), moved, np.ones(3), 10)
-    pose, cost = problem.descended(np.ones(3))
+    pose, cost = problem.minimise(np.ones(3))
     np.testing.assert_array_equal(pose, np.ones(3))
     assert cost == 1
 
@@ -244,7 +254,7 @@ def test_only_what_is_free_moves_and_what_is_missed_is_told(seed, side, limb):
         free[figure.links[link].columns] = True
     name = f"{side}_{limb}"
     target = seen(figure, home).site(name).xpos + rng.uniform(-0.4, 0.4, 3)
-    found = posed(figure, home, free, [SiteGoal(name, target)], BENDS)
+    found = find_pose(figure, home, free, [SiteGoal(name, target)], BENDS)
     np.testing.assert_array_equal(found.qpos[~free], home[~free])
     off = np.linalg.norm(seen(figure, found.qpos).site(name).xpos - target)
     assert found.missed[0] == pytest.approx(off, abs=1e-9)
@@ -258,7 +268,7 @@ def test_a_pose_that_is_there_already_stays_to_the_bit(coordinates):
     figure = HUMAN[coordinates]
     home = human_pose(np.random.default_rng(3))
     goals = [SiteGoal(name, seen(figure, home).site(name).xpos.copy()) for name in SITES]
-    found = posed(figure, home, everything(figure), goals, BENDS)
+    found = find_pose(figure, home, everything(figure), goals, BENDS)
     np.testing.assert_array_equal(found.qpos, home)
     assert found.is_met
 
@@ -266,7 +276,7 @@ def test_a_pose_that_is_there_already_stays_to_the_bit(coordinates):
 def test_the_joints_from_the_root_to_a_goal_are_what_it_fixes():
     figure = HUMAN["world"]
     target = seen(figure, figure.model.qpos0).site("left_heel").xpos + np.array([0, 0, 0.2])
-    found = posed(figure, figure.model.qpos0, everything(figure), [SiteGoal("left_heel", target)], BENDS)
+    found = find_pose(figure, figure.model.qpos0, everything(figure), [SiteGoal("left_heel", target)], BENDS)
     fixed = [link.name for i, link in enumerate(figure.links) if i and found.fixed[figure.links[i].columns].all()]
     assert fixed == ["root", "left_hip", "left_knee", "left_ankle"]
     np.testing.assert_array_equal(found.qpos[~found.fixed], figure.model.qpos0[~found.fixed])
@@ -277,7 +287,7 @@ def test_a_straight_leg_shortens_forward_at_the_knee():
     target = seen(figure, figure.model.qpos0).site("right_heel").xpos + np.array([0.0, 0, 0.15])
     free = everything(figure)
     free[:7] = False
-    found = posed(figure, figure.model.qpos0, free, [SiteGoal("right_heel", target), BodyGoal("right_foot")], BENDS)
+    found = find_pose(figure, figure.model.qpos0, free, [SiteGoal("right_heel", target), BodyGoal("right_foot")], BENDS)
     assert found.is_met
     knee = link_named(figure, "right_knee")
     assert knee is not None
@@ -295,7 +305,7 @@ def test_flat_is_upright_as_at_rest_with_the_heading_free(rest):
         "</worldbody></mujoco>"
     )
     home = quat.from_rotation_vector(np.array([2.0, -1.0, 0.7]))
-    found = posed(figure, home, np.ones(4, bool), [BodyGoal("sole")])
+    found = find_pose(figure, home, np.ones(4, bool), [BodyGoal("sole")])
     up = quat.rotated(quat.product(seen(figure, found.qpos).body("sole").xquat, quat.inverse(rest)), [0.0, 0, 1])
     np.testing.assert_allclose(up, [0, 0, 1], atol=1e-6)
     assert found.is_met
@@ -318,7 +328,7 @@ def test_places_that_need_joints_at_the_very_ends_of_their_ranges_are_met(rng):
     for _ in range(8):
         qpos = np.where(rng.random(3) < 0.6, ends[np.arange(3), rng.integers(2, size=3)], rng.uniform(*ends.T))
         target = seen(figure, qpos).site("tip").xpos.copy()
-        assert posed(figure, np.radians([0, 30, 0]), np.ones(3, bool), [SiteGoal("tip", target)]).is_met
+        assert find_pose(figure, np.radians([0, 30, 0]), np.ones(3, bool), [SiteGoal("tip", target)]).is_met
 
 
 @pytest.mark.parametrize("reach", [2.6, 2.8])
@@ -331,7 +341,7 @@ def test_with_joints_at_their_ranges_it_is_as_near_as_scipys(reach, side):
     def cost(qpos: Array) -> float:
         return float(np.sum((weights * (qpos - home)) ** 2))
 
-    found = posed(figure, home, np.ones(4, bool), [SiteGoal("tip", target)])
+    found = find_pose(figure, home, np.ones(4, bool), [SiteGoal("tip", target)])
     assert found.is_met
     hinge, low, high = np.radians(10) - bounds.INSIDE, -0.02 + bounds.INSIDE, 0.01 - bounds.INSIDE
     np.testing.assert_allclose([abs(found.qpos[1]), found.qpos[3]], [hinge, low], atol=1e-8)
@@ -364,14 +374,14 @@ def test_a_hold_misses_what_mujoco_has_between_its_places_and_changes_as_both_bo
     mujoco.mj_comPos(figure.model, data)
     np.testing.assert_allclose(goal.missed(figure.model, data), missed(qpos), atol=1e-12)
     assert_rows(goal, figure.model, qpos)
-    found = posed(figure, qpos, everything(figure), [goal])
+    found = find_pose(figure, qpos, everything(figure), [goal])
     assert found.is_met
     np.testing.assert_allclose(missed(found.qpos), 0, atol=MET)
 
 
 def test_what_is_out_of_reach_is_missed_by_the_gap():
     figure = figure_of(ARM)
-    found = posed(figure, np.array([0.5, 0.5, 0.5, 0]), np.ones(4, bool), [SiteGoal("tip", np.array([4.0, 0, 1]))])
+    found = find_pose(figure, np.array([0.5, 0.5, 0.5, 0]), np.ones(4, bool), [SiteGoal("tip", np.array([4.0, 0, 1]))])
     assert not found.is_met
     assert found.missed[0] == pytest.approx(4 - 3.2, abs=1e-3)
     np.testing.assert_allclose(found.qpos, [0, 0, 0, 0.2], atol=1e-2)
@@ -414,7 +424,7 @@ def test_hands_and_feet_of_poses_inside_the_ranges_are_found_from_the_rest_pose(
         if number % 2:  # with the limbs alone
             free[:7] = False
             wanted[:7] = figure.model.qpos0[:7]
-        found = posed(figure, figure.model.qpos0, free, asked_again(figure, points, wanted, rng), bends)
+        found = find_pose(figure, figure.model.qpos0, free, asked_again(figure, points, wanted, rng), bends)
         assert found.is_met, number
         np.testing.assert_array_equal(found.qpos[~free], figure.model.qpos0[~free])
         if human:
