@@ -173,10 +173,16 @@ def symmetric(rng: np.random.Generator) -> Array:
     return (outputs + images) / 2
 
 
-def constant(outputs: Array, **more: object) -> people.Weights:
+def constant(outputs: Array, **more: Array) -> people.Weights:
     """A network with the same outputs for all inputs."""
     inputs = models.prior()[0]["mean"].size
-    return {"mean": 0.0, "std": 1.0, "0": np.zeros((outputs.size, inputs)), "0.bias": outputs.ravel(), **more}
+    return {
+        "mean": np.zeros(()),
+        "std": np.ones(()),
+        "0": np.zeros((outputs.size, inputs)),
+        "0.bias": outputs.ravel(),
+        **more,
+    }
 
 
 def random_segments(rng: np.random.Generator) -> people.Segments:
@@ -206,8 +212,8 @@ def test_predicted_poses_are_interpolated_with_sines_and_shares_of_tangents(rng:
     cubics = CubicHermiteSpline([0, 1], np.zeros((2, 2)), np.eye(2))(phases)
     changes = np.zeros((3, 13))
     for b, part in np.ndindex(3, 13):
+        turns = [Rotation.from_quat(q, scalar_first=True) for q in segments.turns[b, :, part % 12]]
         if part < 12:
-            turns = [Rotation.from_quat(q, scalar_first=True) for q in segments.turns[b, :, part]]
             steps = np.array([(one.inv() * other).as_rotvec() for one, other in pairwise(turns)])
         else:
             steps = np.diff(segments.hips[b], axis=0)
