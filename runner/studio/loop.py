@@ -33,7 +33,7 @@ from ..clip.parse import table_of
 from ..errors import UserError, located, one_line
 from ..scene.file_access import allowed
 from . import paths
-from .solver import Message
+from .solver import Message, release_memory
 from .stage import kinds, outline, stage
 
 if TYPE_CHECKING:
@@ -281,6 +281,7 @@ class SolverLoop:
         self._report("settled", revision=self.revision, stop=stop, violations=listed, frames=frames)
         if self.has_curves:
             self._send_curves()
+        release_memory()
 
     def _send_curves(self) -> None:
         if self.clip is not None and self.solution is not None:

@@ -12,7 +12,7 @@ from typing import Any
 
 from ..errors import UserError, one_line
 from .document import Document
-from .solver import Message, Solver
+from .solver import Message, Solver, release_memory
 
 Send = Callable[[str | bytes], None]
 WATCH_INTERVAL = 1.0  # [s] between two looks at the clip's file
@@ -299,6 +299,7 @@ class Session:
             self.settled()
             self._show("settled", message)
             self._show_state("settled", stop=message["stop"])
+            release_memory()
         else:
             self.tell(message)
             if what in ("refused", "gone"):

@@ -5,17 +5,20 @@ from __future__ import annotations
 import itertools
 import json
 import pickle
+import platform
 import struct
 from dataclasses import replace
 
 import mujoco
 import numpy as np
 import problems
+import psutil
 import pytest
 from processes import Recorded
 
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.studio import paths
+from dynsplines.studio.solver import release_memory
 
 
 @pytest.fixture
@@ -202,3 +205,14 @@ def test_a_search_that_was_stopped_stays_so(work, tmp_path):
     assert [each["kind"] for each in told if each["is"] == "path"] == ["initial", "raw"]
     assert told[-1]["stop"] == "paused"
     assert "best" in {each.get("kind") for each in work.asked("go")}
+
+
+@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="other C libraries return memory themselves, or never")
+def test_freed_memory_is_returned_to_the_system():
+    process, blocks = psutil.Process(), [bytearray(2000) for _ in range(50_000)]
+    above = bytearray(2000)  # on the heap, where it keeps what is below
+    blocks.clear()
+    before = process.memory_info().rss
+    release_memory()
+    assert before - process.memory_info().rss > 50e6  # [bytes]
+    assert above == bytes(2000)
