@@ -106,11 +106,28 @@ export class Hands {
   private offer(event: PointerEvent): void {
     const body = this.hit(event)?.body, name = model.stage?.bodies[body ?? -1];
     if (!name) return;
-    const entry = model.locks.has(name) ? "Unlock" : "Lock";
-    menu(name, event, [entry, ...(model.locks.size ? ["Unlock all"] : [])], (chosen) => {
+    const entry = model.locks.has(name) ? "Unlock" : "Lock", feet = model.stage!.soles.map((sole) => sole.body);
+    menu(name, event, [entry, ...(model.locks.size ? ["Unlock all"] : []), ...(feet.includes(body!) ? ["Flat on the ground"] : [])], (chosen) => {
       if (chosen === entry) this.lock(body);
-      else if (chosen) { model.locks.clear(); this.stage.draw(); }
+      else if (chosen === "Unlock all") { model.locks.clear(); this.stage.draw(); }
+      else if (chosen) void this.flatten(body!);
     });
+  }
+
+  /** Puts a foot that is near the ground flat on it, as a drag does that ends there. */
+  private async flatten(body: number): Promise<void> {
+    this.toKey();
+    const { time } = model, position = this.stage.placeOf(body, [0, 0, 0]).toArray();
+    const grip = await act("grip", { time, body, offset: [0, 0, 0], locks: model.locked });
+    if (!grip.ok || !(await ask("drag", { position })).ok) return;
+    if ((await act("drop", { time, partial: model.partial })).words === "") toast("this foot is not near the ground, or flat already", "note");
+  }
+
+  /** Stops, and goes to a keyframe that is less than half a video frame away. */
+  private toKey(): void {
+    model.playing = false;
+    const near = model.document?.keys.find((key) => Math.abs(key.time - model.time) < 0.5 / model.fps);
+    if (near) model.seek(near.time);
   }
 
   /** A padlock on every locked body. */
@@ -177,9 +194,7 @@ export class Hands {
     event.stopImmediatePropagation();
     this.stage.orbit.enabled = false;
     this.stage.canvas.setPointerCapture(event.pointerId);
-    model.playing = false;
-    const near = model.document?.keys.find((key) => Math.abs(key.time - model.time) < 0.5 / model.fps);
-    if (near) model.seek(near.time);
+    this.toKey();
     const group = this.stage.figure!.groups[found.body];
     const offset = found.point.clone().sub(group.position).applyQuaternion(group.quaternion.clone().invert()).toArray();
     const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(this.stage.camera.getWorldDirection(new THREE.Vector3()), found.point);

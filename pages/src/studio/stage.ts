@@ -105,6 +105,7 @@ export class Stage {
   /** Looks from a side by name, from where the figure fits, or the obstacles, too; a distance that the user has chosen stays. */
   aim(name: string, whole = false): void {
     const { orbit, camera, figure, still } = this, box = new THREE.Box3(), away = camera.position.distanceTo(orbit.target);
+    if (model.now?.bodies === figure?.groups.length) figure!.put(model.now!.at(model.time)); // it may not have been drawn there yet
     for (const group of figure?.groups ?? []) box.expandByObject(group);
     for (const group of whole ? still?.groups ?? [] : []) {
       for (const mesh of group.children) if (!still!.planes.some((plane) => plane.mesh === mesh)) box.expandByObject(mesh);
@@ -132,7 +133,7 @@ export class Stage {
     const kept = JSON.parse(sessionStorage[KEPT] ?? "null");
     if (kept?.at !== location.search) return false;
     model.seek(kept.time);
-    for (const name of kept.locks) model.locks.add(name);
+    for (const name of kept.locks ?? []) model.locks.add(name);
     this.centre.copy(this.middle());
     this.orbit.target.fromArray(kept.target);
     this.camera.position.fromArray(kept.camera);
@@ -208,7 +209,6 @@ export class Stage {
       this.previous = now;
       if (!this.aimed && model.stage) {
         this.aimed = true;
-        this.figure?.put(now.at(model.time));
         if (!this.restored()) this.aim("quarter");
       }
       if (model.ghosts) this.haunt();

@@ -597,6 +597,26 @@ def test_a_locked_body_stays_in_place(tab):
     assert not tab.evaluate("studio.model.document.dirty")
 
 
+ON_GROUND = """!studio.stage.melting && studio.model.stage.soles.every((sole) =>
+  Math.abs(studio.stage.placeOf(sole.body, sole.offset).z - sole.radius) < 3e-3)"""
+
+
+def test_a_foot_near_the_ground_is_put_flat_on_it(tab):
+    page = tab.page
+    tab.seek(0.3)
+    tab.press("2")
+    ankle = page.get_by_label("left_ankle [degrees]")
+    ankle.fill(str(float(ankle.input_value()) + 12))
+    tab.changes(lambda: ankle.press("Enter"))
+    tab.shown()
+    assert not tab.evaluate(ON_GROUND)
+    page.mouse.click(*tab.grip("left_foot"), button="right")
+    tab.changes(page.get_by_role("button", name="Flat on the ground").click)
+    tab.until(f"(studio.stage.draw(), {ON_GROUND})", 5)
+    undo(tab)
+    undo(tab)
+
+
 def test_a_grasp_is_drawn_for_the_hand_of_the_arm_that_is_chosen(tab):
     page = tab.page
     assert page.locator("[data-hand]").count() == 0
