@@ -118,6 +118,7 @@ const help = (stage: Stage, timeline: Timeline, hands: Hands): void => {
   box.addEventListener("close", () => box.remove());
   document.body.append(box);
   box.showModal();
+  box.scrollTop = 0; // the focused button is at the end
 };
 
 export const beginKeyboard = (stage: Stage, timeline: Timeline, hands: Hands): void => {

@@ -240,6 +240,7 @@ def test_everything_has_a_name_and_is_reached_by_the_keyboard(tab):
     tab.evaluate("void document.activeElement.blur()")
     tab.press("?")
     assert tab.page.locator("dialog.help").is_visible()
+    assert tab.evaluate("document.querySelector('dialog.help').scrollTop") == 0
     tab.press("Escape")
 
 
