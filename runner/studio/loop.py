@@ -224,6 +224,8 @@ class SolverLoop:
         clip, present = self.clip, self.solution
         assert clip is not None and present is not None
         self._report("searching", revision=self.revision)
+        if self.is_near:  # the first result of an edit does not wait for it
+            release_memory()
         is_warm, is_first, last = not self.is_near, present.timeline is present.raw, np.inf
 
         def improved(improvement: Improvement) -> None:
