@@ -177,8 +177,8 @@ class Guides:
         return timeline
 
 
-def guide_of(objective: Objective) -> Guide | Guides | None:
+def guide_of(objective: Objective) -> Guides | None:
     """Return the soft constraints that provide an initial guess, limits of joints last; None if there are none."""
     guides = [term.penalty for term in objective.terms if isinstance(term.penalty, Guide) and term.weight > 0]
     guides.sort(key=lambda guide: guide.role is Role.LIMIT)
-    return Guides(tuple(guides)) if len(guides) > 1 else next(iter(guides), None)
+    return Guides(tuple(guides)) if guides else None
