@@ -208,8 +208,11 @@ KEYS = '<keyframe><key time="0" qpos="0 0"/><key time="0.5" qpos="0.1 1.2"/></ke
 
 
 def test_keys_of_others_are_read_with_their_figure(tmp_path):
-    (tmp_path / "own.xml").write_text(problems.HINGE.format(keys=KEYS))
-    np.testing.assert_allclose(motions.samples(import_recording(tmp_path / "own.xml")).qpos[-1], [0.1, 1.2])
+    """A key without qpos is the rest pose."""
+    keys = KEYS.replace("</keyframe>", '<key time="0.8"/></keyframe>')
+    (tmp_path / "own.xml").write_text(problems.HINGE.format(keys=keys))
+    qpos = motions.samples(import_recording(tmp_path / "own.xml"), 10).qpos
+    np.testing.assert_allclose(qpos[[0, 5, 8]], [[0, 0], [0.1, 1.2], [0, 0]], atol=1e-9)
 
 
 @pytest.mark.parametrize(
