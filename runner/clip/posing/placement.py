@@ -40,9 +40,7 @@ from .notes import can_move, immovable
 from .places import Places, root_links
 from .standing_feet import Stander, balance_of
 
-HEADING = 2.0  # [1/rad] weight of a foot's preferred heading, relative to 1 rad of a limb joint
 ALIKE = 0.5  # [1] largest deviation of a foot's displacement from the mean, relative to the mean
-MOST_TURNED = np.radians(45)  # [rad] rotation of a foot from which its heading is corrected
 
 
 def released_links(figure: Figure, row: KeyframeTable, goals: Sequence[Goal], placed: Sequence[Contact]) -> list[int]:
@@ -119,7 +117,7 @@ def with_pose(
     for chosen in ([*goals, *also], goals) if also else (goals,):
         best = find_pose(figure, home, ~key.fixed, chosen, stander.bends)
         if best.is_met:
-            if preferred := _preferences(figure, home, best.qpos, chosen, soles, ground):
+            if preferred := _unmet_balance(figure, best.qpos, chosen, soles, ground):
                 other = find_pose(figure, home, ~key.fixed, chosen, stander.bends, preferred=preferred)
                 best = other if other.is_met else best
             best = _level_feet(figure, key, best, soles, stander, chosen)
@@ -228,29 +226,21 @@ def _kept_headings(figure: Figure, before: Frame, goals: Sequence[Goal]) -> list
     return kept
 
 
-def _preferences(
-    figure: Figure, home: Array, pose: Array, goals: Sequence[Goal], soles: Sequence[Point], surfaces: Sequence[Surface]
+def _unmet_balance(
+    figure: Figure, pose: Array, goals: Sequence[Goal], soles: Sequence[Point], surfaces: Sequence[Surface]
 ) -> list[tuple[float, Goal]]:
-    """Return preferences with weights that a pose (nq,) for goals misses by far; none for most poses.
+    """Return balance as a preference with its weight if a pose (nq,) for goals misses it by far, else none.
 
-    Feet with goals have the heading of the pose `home` and are level. A figure of which all feet have goals is
-    balanced, unless another body touches one of the surfaces; without surfaces, it need not be.
+    A figure of which all feet have goals is balanced, unless another body touches one of the surfaces; without
+    surfaces, it need not be.
     """
-    feet = {figure.links[point.link].body for point in soles}
-    placed = {body for goal in goals for body in goal.bodies(figure.model)}
-    rotations = [goal for goal in goals if isinstance(goal, BodyGoal) and goal.rotation is not None]
-    turned = {goal.bodies(figure.model)[0] for goal in rotations}
-    preferred: list[tuple[float, Goal, float]] = [
-        (HEADING, same_heading(figure, home, body), MOST_TURNED) for body in sorted(feet & placed - turned)
-    ]
-    others = [point for point in body_points(figure) if figure.links[point.link].body not in feet]
-    if surfaces and not _touches(figure, pose, others, surfaces):
-        most = Thresholds.of(figure).near_surface
-        preferred += [(weight, goal, most) for weight, goal in balance_of(figure, soles, goals)]
-    data = kinematics(figure.model, pose)
-    if all(np.linalg.norm(goal.missed(figure.model, data)) <= most for _, goal, most in preferred):
+    preferred = balance_of(figure, soles, goals) if surfaces else []
+    data, most = kinematics(figure.model, pose), Thresholds.of(figure).near_surface
+    if all(np.linalg.norm(goal.missed(figure.model, data)) <= most for _, goal in preferred):
         return []
-    return [(weight, goal) for weight, goal, _ in preferred]
+    feet = {point.link for point in soles}
+    others = [point for point in body_points(figure) if point.link not in feet]
+    return [] if _touches(figure, pose, others, surfaces) else preferred
 
 
 def _touches(figure: Figure, pose: Array, points: Sequence[Point], surfaces: Sequence[Surface]) -> bool:

@@ -28,7 +28,6 @@ from dynsplines.solver.posing import (
     BodyGoal,
     Goal,
     PointGoal,
-    Posed,
     find_pose,
     in_winding,
     reached,
@@ -81,28 +80,6 @@ def fitted(own: Array, seen: Array, turn: Array) -> Array:
         handed = np.diag([1.0, 1.0, np.linalg.det(u @ right)])
         rotation = u @ handed @ right
     return quat.from_matrix(rotation)
-
-
-def upright(
-    figure: Figure,
-    home: Array,
-    free: Mask,
-    goals: Sequence[Goal],
-    bends: BendLimits | None,
-    preferred: Sequence[tuple[float, Goal]] = (),
-) -> Posed:
-    """Return the pose with the trunk, from the root to where limbs branch off, oriented as in `home`.
-
-    If there is none, all free joints are near home.
-    """
-    trunk = np.zeros(figure.width, bool)
-    for columns in figure.tables.quaternion_columns.T:
-        trunk[columns] = True
-    legs = {link for goal in goals for link in figure.limb(goal.bodies(figure.model)[0])}
-    for link in legs:
-        trunk[figure.links[link].columns] = False
-    pose = find_pose(figure, home, free & ~trunk, goals, bends, 3, preferred=preferred)
-    return pose if pose.worst <= NEARLY else find_pose(figure, home, free, goals, bends, STARTS, preferred=preferred)
 
 
 def balance_of(
@@ -221,7 +198,7 @@ class Stander:
         while groups:
             goals = [goal for group in groups for goal in group]
             preferred = balance_of(figure, known.soles, goals, STANDING) if may_shift else []
-            pose = upright(figure, home, ~frame.fixed, goals, self.bends, preferred)
+            pose = find_pose(figure, home, ~frame.fixed, goals, self.bends, STARTS, preferred=preferred)
             if pose.worst <= NEARLY:
                 home, is_determined = pose.qpos, pose.fixed & ~frame.fixed
                 break
