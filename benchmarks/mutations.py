@@ -359,9 +359,9 @@ def ended(number: int, seconds: float) -> int | None:
 
 
 @cache
-def sound(name: str, seconds: float) -> bool:
-    """Whether a test passes without a mutation; one that does not can catch nothing."""
-    return ended(start_process(None, [name], seconds), seconds) in (0, NOTHING_TO_RUN)
+def sound(names: tuple[str, ...], seconds: float) -> bool:
+    """Whether tests are there and pass without a mutation; others can catch nothing."""
+    return ended(start_process(None, list(names), seconds), seconds) in (0, NOTHING_TO_RUN)
 
 
 def judged(mutant: Mutant, seconds: float) -> Outcome:
@@ -375,9 +375,9 @@ def judged(mutant: Mutant, seconds: float) -> Outcome:
         if code is None:
             verdict = HUNG
         elif code not in (0, NOTHING_TO_RUN):
-            failed = FAILED.read_text(encoding="utf-8") if FAILED.exists() else ""
-            if failed and not sound(failed, most):
-                raise SystemExit(f"{failed}: fails, or hangs, without a mutation")
+            failed = (FAILED.read_text(encoding="utf-8"),) if FAILED.exists() else tuple(names)
+            if not sound(failed, most):
+                raise SystemExit(f"{' '.join(failed)}: gone, fails or hangs without a mutation")
             verdict = CAUGHT
         if verdict != SURVIVED:
             break
