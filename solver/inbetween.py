@@ -106,7 +106,8 @@ def _search_result(
         try:
             timeline = search(loop)
         except KeyboardInterrupt:
-            timeline, loop.stop = loop.best() if loop.best is not None else begin, Stop.INTERRUPTED
+            latest = begin if loop.best is None else loop.best()
+            timeline, loop.stop = loop.best_of(latest, begin), Stop.INTERRUPTED
     objective = replace(loop.objective, terms=problem.objective.terms)
     return Solution(problem.figure, objective, timeline, raw, tuple(loop.trace), loop.evaluations, loop.stop)
 
@@ -135,6 +136,7 @@ class _Loop:
     Attributes:
         trace: (evaluation, round, E, parts) of every improvement.
         best: Builds the best timeline so far; None before any evaluation.
+        ends: The whole timelines after the rounds of the searched part.
         part: The searched part of the clip; None: the whole clip is searched at once.
         last: The terms of E at the last evaluation, by name.
         least: The least E since the samples changed, if they did.
@@ -145,6 +147,7 @@ class _Loop:
         self.trace: list[tuple[int, int, float, dict[str, float]]] = []
         self.evaluations, self.round, self.least = 0, 0, np.inf
         self.best: Callable[[], Timeline] | None = None
+        self.ends: list[Timeline] = []
         self.stop = Stop.CONVERGED
         self.optimiser = self.new_optimiser()
         self.part: SearchPart | None = None
@@ -159,11 +162,16 @@ class _Loop:
         return optimiser_of(self.settings.optimiser, self.objective.figure.width, self.settings.tolerance)
 
     def better_than(self, raw: Timeline, candidate: Timeline) -> Timeline:
-        """Return the better of two timelines, or `candidate` without a comparison if E has clearly decreased."""
+        """Return the better of two timelines, or `candidate` without a comparison if E has clearly decreased and the
+        search was not interrupted, when it may have missed what happens between its samples."""
         is_clear = self.trace and self.trace[-1][2] < CLEARLY * self.trace[0][2]
-        if is_clear and is_resolved(self.objective.figure, candidate):
+        if is_clear and self.stop is not Stop.INTERRUPTED and is_resolved(self.objective.figure, candidate):
             return candidate
-        return select_best(self.objective.watching(path_of(raw)), [candidate, raw])
+        return self.best_of(candidate, raw)
+
+    def best_of(self, latest: Timeline, begin: Timeline) -> Timeline:
+        """Return the best of two timelines and of those after rounds, on samples that are common to all."""
+        return select_best(self.objective.watching(path_of(begin)), [latest, *reversed(self.ends), begin])
 
     def over(self, raw: Timeline) -> Timeline:
         """Return the best timeline through the keyframes of a raw one. Long clips are solved in windows."""
@@ -232,7 +240,7 @@ class _Loop:
             path = path_of(timeline)
             terms[changed] = segment_integrals(self.objective, path, raw.times[changed.start : changed.stop + 1])
             self.part = SearchPart.of(path, timeline, raw.times, window, ends, terms)
-            self.optimiser = self.new_optimiser()
+            self.optimiser, self.ends = self.new_optimiser(), [timeline]
             timeline, changed = self.part.put_back(search(self.part, window)), slice(window.begin, window.end)
             if self.stop is Stop.INTERRUPTED:
                 break
@@ -302,6 +310,7 @@ class _Loop:
             is_last = timeline.variable_count >= budget
             timeline = self.descend(timeline, tolerance if is_last else rough)
             ends.append((timeline, self.stop))
+            self.ends.append(timeline if self.part is None else self.part.put_back(timeline))
             if self.stop is Stop.INTERRUPTED:
                 return ends
             finer = self.objective

@@ -199,13 +199,12 @@ def _flips_between(path: Path, edges: Array, quaternions: Sequence[Index] | Inde
     """Yield these times between neighbouring edges [s], with each quaternion linear between two samples of the path."""
     share = np.arange(SAMPLES_PER_SPAN) / SAMPLES_PER_SPAN
     times = np.append((edges[:-1, None] + share * np.diff(edges)[:, None]).ravel(), edges[-1])
-    states, step = path.at(times), np.diff(times)
-    for columns in quaternions:
-        q = states[:, columns]
-        change = np.diff(q, axis=0)
-        squared = np.maximum(np.einsum("ij,ij->i", change, change), np.finfo(float).tiny)
-        share = np.clip(-np.einsum("ij,ij->i", q[:-1], change) / squared, 0, 1)
-        length = np.linalg.norm(q[:-1] + share[:, None] * change, axis=1)
-        duration = np.clip(length / np.sqrt(squared), MIN_DURATION, 1) * step
-        for i in np.flatnonzero(length < SHORT):
-            yield times[i] + share[i] * step[i] + OFFSETS * duration[i]
+    q, step = path.at(times)[:, quaternions], np.diff(times)
+    change = np.diff(q, axis=0)
+    squared = np.maximum(np.einsum("ikj,ikj->ik", change, change), np.finfo(float).tiny)
+    share = np.clip(-np.einsum("ikj,ikj->ik", q[:-1], change) / squared, 0, 1)
+    nearest = q[:-1] + share[..., None] * change
+    length = np.sqrt(np.einsum("ikj,ikj->ik", nearest, nearest))
+    for i, k in np.argwhere(length < SHORT):
+        duration = np.clip(length[i, k] / np.sqrt(squared[i, k]), MIN_DURATION, 1) * step[i]
+        yield times[i] + share[i, k] * step[i] + OFFSETS * duration

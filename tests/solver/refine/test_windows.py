@@ -150,7 +150,7 @@ def test_ctrl_c_anywhere_in_the_middle_returns_a_whole_motion_no_worse_than_the_
     Counted.calls = Counted.stop_at = 0
     inbetween(Problem(FIGURE, keys, terms, settings))
     total = Counted.calls
-    for share in (0.05, 0.88):  # some of them in searches without some terms
+    for share in (0.05, 0.5, 0.88):  # in a descent, and in a search without some terms
         Counted.calls, Counted.stop_at = 0, int(share * total)
         motion = inbetween(Problem(FIGURE, keys, terms, settings))
         assert motion.stop is Stop.INTERRUPTED
