@@ -162,12 +162,13 @@ class _Loop:
         return optimiser_of(self.settings.optimiser, self.objective.figure.width, self.settings.tolerance)
 
     def better_than(self, raw: Timeline, candidate: Timeline) -> Timeline:
-        """Return the better of two timelines, or `candidate` without a comparison if E has clearly decreased and the
-        search was not interrupted, when it may have missed what happens between its samples."""
+        """Return the better of two timelines, or `candidate` without a comparison if E has clearly decreased."""
+        if self.stop is Stop.INTERRUPTED:  # it may have missed what happens between its samples
+            return self.best_of(candidate, raw)
         is_clear = self.trace and self.trace[-1][2] < CLEARLY * self.trace[0][2]
-        if is_clear and self.stop is not Stop.INTERRUPTED and is_resolved(self.objective.figure, candidate):
+        if is_clear and is_resolved(self.objective.figure, candidate):
             return candidate
-        return self.best_of(candidate, raw)
+        return select_best(self.objective.watching(path_of(raw)), [candidate, raw])
 
     def best_of(self, latest: Timeline, begin: Timeline) -> Timeline:
         """Return the best of two timelines and of those after rounds, on samples that are common to all."""
