@@ -289,11 +289,13 @@ def knees_and_elbows(figure: Figure) -> list[Bend]:
 def wheels(figure: Figure) -> list[Link]:
     """Return the links that turn like wheels: on a hinge without a range, about the axis of a cylinder or through the
     centre of a sphere. A figure without a free root has none."""
-    model, data = figure.model, kinematics(figure.model)
+    model = figure.model
+    hinges = [link for link in figure.links[1:] if link.kind is JointKind.HINGE and not model.jnt_limited[link.joint]]
+    if not hinges or not figure.tables.free_links.size:
+        return []
+    data = kinematics(model)
 
     def is_wheel(link: Link) -> bool:
-        if link.kind is not JointKind.HINGE or model.jnt_limited[link.joint]:
-            return False
         axis, geoms = data.xaxis[link.joint], np.flatnonzero(model.geom_bodyid == link.body)
         off = np.linalg.norm(np.cross(axis, data.geom_xpos[geoms] - data.xanchor[link.joint]), axis=1)
         is_along = np.abs(data.geom_xmat[geoms, 2::3] @ axis) > 1 - CONCENTRIC
@@ -301,7 +303,7 @@ def wheels(figure: Figure) -> list[Link]:
         is_round = (kinds == mjtGeom.mjGEOM_SPHERE) | ((kinds == mjtGeom.mjGEOM_CYLINDER) & is_along)
         return bool(np.any(is_round & (off < CONCENTRIC * model.geom_size[geoms, 0])))
 
-    return [link for link in figure.links[1:] if is_wheel(link)] if figure.tables.free_links.size else []
+    return [link for link in hinges if is_wheel(link)]
 
 
 def _turned_at_rest(figure: Figure) -> list[Array]:
