@@ -54,9 +54,8 @@ def pose(
     stander, missed = stander_of(source, figure), list[str]()
     if any(goals for goals, _ in targets):
         for k, (row, (goals, _), here) in enumerate(zip(rows, targets, places, strict=True)):
-            partial = key_of(
-                figure, row, keys[k - 1] if k else None, loose[k], here
-            )  # "previous" uses solved keyframes
+            before = keys[k - 1] if k else None  # "previous" uses posed keyframes
+            partial = key_of(figure, row, before, loose[k], here)
             keys[k] = _based(partial, base)
             if goals:
                 among, index = (keys, k) if base is None else ([_later(keys[k], base, by) for by in (-1, 0, 1)], 1)
