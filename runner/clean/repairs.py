@@ -55,7 +55,8 @@ def repair(figure: Figure, time: Array, qpos: Array, where: str) -> Repaired:
         pose = int(whole[pose])
         notes.append(f"{gaps.POSE} {time[pose]:.3f} s: the pose is left out")
         time, qpos, known = time[pose:], qpos[pose:], known[pose:]
-    time, qpos, known = _interpolated(time, qpos, known, notes, where)
+    _check_gaps(figure, time, known, where)
+    time, qpos, known = _interpolated(time, qpos, known, notes)
     known &= ~_jumps(figure, time, qpos, known, notes)
     lost = [_name(figure, columns) for columns in groups(figure) if known[:, columns].all(axis=1).sum() < FEWEST]
     if lost:
@@ -93,17 +94,23 @@ def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Mask
     return known
 
 
-def _interpolated(time: Array, qpos: Array, known: Mask, notes: list[str], where: str) -> tuple[Array, Array, Mask]:
+def _check_gaps(figure: Figure, time: Array, known: Mask, where: str) -> None:
+    """Raise UserError if a joint has no entry for longer than LONGEST_GAP."""
+    for columns in groups(figure):
+        edges = np.concatenate([time[:1], time[known[:, columns[0]]], time[-1:]])
+        i = int(np.argmax(np.diff(edges)))
+        if edges.size > 2 and edges[i + 1] - edges[i] > LONGEST_GAP:
+            raise UserError(
+                f"{where}: {_name(figure, columns)} is not recorded from {edges[i]:.3f} to {edges[i + 1]:.3f} s, over "
+                f"{LONGEST_GAP:g} s; cut the recording there"
+            )
+
+
+def _interpolated(time: Array, qpos: Array, known: Mask, notes: list[str]) -> tuple[Array, Array, Mask]:
     step = float(np.median(np.diff(time)))
     missing = np.maximum(np.round(np.diff(time) / step).astype(int) - 1, 0)
     missing[np.diff(time) < 1.5 * step] = 0
     for i in np.flatnonzero(missing):
-        long = float(time[i + 1] - time[i])
-        if long > LONGEST_GAP:
-            raise UserError(
-                f"{where}: nothing is recorded from {time[i]:.3f} to {time[i + 1]:.3f} s, over {LONGEST_GAP:g} s; "
-                "cut the recording there"
-            )
         notes.append(f"nothing is recorded from {time[i]:.3f} to {time[i + 1]:.3f} s: bridged")
     if not missing.any():
         return time, qpos, known

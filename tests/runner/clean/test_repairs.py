@@ -85,7 +85,11 @@ def test_a_fault_is_reported_and_repaired_and_nothing_else_changes(fault):
     [
         (lambda t, q: (t[:1], q[:1]), "1 sample; a motion to clean has 5 at least"),
         (lambda t, q: (t[::-1], q), "times go back: sample 2 is at 1.93333 s, after 1.96667 s"),
-        (lambda t, q: (np.append(t[:30], t[30:] + 3), q), "nothing is recorded from 0.967 to 4.000 s, over 2 s"),
+        (lambda t, q: (np.append(t[:30], t[30:] + 3), q), "'root' is not recorded from 0.967 to 4.000 s, over 2 s"),
+        (
+            lambda t, q: (2 * t, np.where((t[:, None] > 0.5) & (np.arange(q.shape[1]) == ELBOW), np.nan, q)),
+            "'left_elbow' is not recorded from 1.000 to 3.933 s, over 2 s",
+        ),
         (lambda t, q: (t, np.where(np.arange(q.shape[1]) == ELBOW, np.nan, q)), "too few samples of 'left_elbow'"),
     ],
 )
