@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.polynomial import Polynomial
 
 from .. import quaternion as quat
 from ..array import Array, Index
@@ -26,29 +27,10 @@ EVEN, BENT = 1, 3  # degrees of the heading's polynomial for few and for more po
 
 
 @dataclass(frozen=True, eq=False)
-class Heading:
-    """The heading of a figure about z, as a polynomial of the time from `middle` [s]."""
-
-    coefficients: Array
-    middle: float
-
-    @classmethod
-    def of(cls, times: Array, rotations: Array) -> Heading:
-        """Return the heading of the root's x axis, for orientations (n, 4) at times (n,) [s], at least three."""
-        ahead = quat.rotated(rotations, np.array([1.0, 0, 0]))
-        angle, middle = np.unwrap(np.arctan2(ahead[:, 1], ahead[:, 0])), float(np.mean(times))
-        return cls(np.polyfit(times - middle, angle, BENT if times.size > FEW else EVEN), middle)
-
-    def turn(self, times: Array, sign: int = 1) -> Array:
-        """Return rotations (n, 4) to the heading, or back with sign −1."""
-        angle = sign * np.polyval(self.coefficients, times - self.middle)
-        return quat.from_rotation_vector(angle[:, None] * np.array([0.0, 0, 1]))
-
-
-@dataclass(frozen=True, eq=False)
 class PoseMap:
     """A map from configurations to vectors of D entries, and back.
 
+    heading   the angle [rad] of the root's x axis about z over time [s]
     links     (q,) with quaternions; their columns in qpos (4, q) and mean rotations (q, 4)
     root      (f,) indices of the free ones among them
     hinges    (h,) columns in qpos
@@ -56,7 +38,7 @@ class PoseMap:
     up        [rad/m] rotation of a joint that corresponds to a metre of height
     """
 
-    heading: Heading
+    heading: Polynomial
     links: Index
     root: Index
     columns: Index
@@ -70,7 +52,8 @@ class PoseMap:
         """Return configurations (T, nq) at times (T,) [s] without the heading."""
         out = qpos.copy()
         for i in self.root:
-            out[:, self.columns[:, i]] = quat.product(self.heading.turn(times, -1), qpos[:, self.columns[:, i]])
+            columns = self.columns[:, i]
+            out[:, columns] = quat.product(_about_z(-self.heading, times), qpos[:, columns])
         return out
 
     def vectors(self, qpos: Array) -> Array:
@@ -83,7 +66,7 @@ class PoseMap:
         """Return rotations (T, q, 4) of the links with quaternions, as in qpos, with the heading."""
         count = self.links.size
         out = quat.product(self.means, quat.from_rotation_vector(vectors[:, : 3 * count].reshape(-1, count, 3)))
-        out[:, self.root] = quat.product(self.heading.turn(times)[:, None], out[:, self.root])
+        out[:, self.root] = quat.product(_about_z(self.heading, times)[:, None], out[:, self.root])
         return out
 
     def numbers(self, vectors: Array) -> tuple[Array, Array]:
@@ -116,11 +99,11 @@ class PoseVectors:
             return None
         times = np.array([frame.time for frame in whole])
         qpos = figure.to_qpos(np.array([frame.state for frame in whole]))
-        heading = Heading(np.zeros(1), 0.0)
+        heading = Polynomial([0.0])
         for column in tables.position_columns[0]:
             turn = slice(column + 3, column + 7)
-            heading = Heading.of(times, qpos[:, turn])
-            qpos[:, turn] = quat.product(heading.turn(times, -1), qpos[:, turn])
+            heading = heading_of(times, qpos[:, turn])
+            qpos[:, turn] = quat.product(_about_z(-heading, times), qpos[:, turn])
         try:
             poses = np.concatenate([qpos, Mirror.of(figure, middle=LOPSIDED).configurations(qpos)])
         except MirrorError:
@@ -134,6 +117,18 @@ class PoseVectors:
         drawn = PoseMap(heading, links, root, columns, means, hinges, heights, mean_height, limits.height_turn)
         rows = drawn.vectors(poses)
         return None if np.ptp(rows, axis=0).max() < STILL else cls(drawn, times, rows, len(poses) // len(qpos), limits)
+
+
+def heading_of(times: Array, rotations: Array) -> Polynomial:
+    """Return the angle [rad] of the x axis about z over time, for orientations (n, 4) at times (n,) [s]."""
+    ahead = quat.rotated(rotations, np.array([1.0, 0, 0]))
+    angle = np.unwrap(np.arctan2(ahead[:, 1], ahead[:, 0]))
+    return Polynomial.fit(times, angle, BENT if times.size > FEW else EVEN)
+
+
+def _about_z(angle: Polynomial, times: Array) -> Array:
+    """Return the rotations (T, 4) about z by an angle [rad] at times (T,) [s]."""
+    return quat.from_rotation_vector(angle(times)[:, None] * np.array([0.0, 0, 1]))
 
 
 def _mean(rotations: Array) -> Array:
