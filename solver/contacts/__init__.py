@@ -3,7 +3,7 @@
 schedule          all contacts of one clip: stances, grasps, flights, gait
 contact           a point that stays in one place, and the stances of keyframes
 grasp             which links are held, and where they rest before and after
-footing           points of standing feet that carry
+footing           points of standing feet that carry, and legs that swing while another one stands
 flight            free fall around keyframes in the air
 keyframe_points   positions and heights of points at keyframes, from which all these are inferred
 gait              the walking or running cycle of keyframes, as a Gaussian process of poses
@@ -11,7 +11,6 @@ gait_period       the choice of the cycle: its period suits the size of the body
 pose_vectors      poses as vectors: the joints' deviation from their mean, without position and heading
 recorded_stances  the stances of a recording's soles, by the likelihood of their positions
 ground_alignment  vertical alignment of a recording with the ground
-steps             legs that swing while another one stands
 thresholds        all distances, times and speeds that decide, relative to the size of the figure
 """
 
@@ -19,10 +18,10 @@ from .contact import Contact as Contact
 from .contact import Interval as Interval
 from .contact import stances as stances
 from .contact import within as within
+from .footing import Steps as Steps
 from .footing import footings as footings
 from .grasp import grasped_links as grasped_links
 from .grasp import resting_objects as resting_objects
 from .grasp import surfaces_on as surfaces_on
 from .grasp import tree_of as tree_of
 from .schedule import ContactSchedule as ContactSchedule
-from .steps import Steps as Steps

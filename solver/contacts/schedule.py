@@ -15,12 +15,11 @@ from ..surface import Surface
 from ..surface.points import Point, body_points, free_root, hanging
 from .contact import Contact, Interval, stances
 from .flight import Air, Fall
-from .footing import footings
+from .footing import Steps, footings
 from .gait import GaitCycle
 from .gait_period import Gait
 from .grasp import grasped_links, resting_objects
 from .keyframe_points import KeyframePoints
-from .steps import Steps
 from .thresholds import Thresholds
 
 
