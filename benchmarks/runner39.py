@@ -37,8 +37,8 @@ from dynsplines.solver import (
     Timeline,
     inbetween,
 )
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import Spline
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Collision, CovariantAcceleration, RootAcceleration, UnitMagnitude
 from dynsplines.solver.refine.subdivision import split

@@ -19,8 +19,8 @@ import numpy as np
 from threadpoolctl import ThreadpoolController
 
 from .array import Array
-from .curve.arcs import straightened
 from .curve.frame import Timeline
+from .curve.raw import straightened
 from .curve.spline import path_of
 from .objective import Discretised, Evaluation, Objective, segment_integrals
 from .penalty import Role

@@ -16,8 +16,8 @@ from numpy.typing import ArrayLike
 from .array import Array
 from .curve.frame import Frame, Timeline
 from .curve.quadrature import Quadrature
+from .curve.raw import raw_timeline
 from .curve.spline import path_of
-from .curve.unknowns import raw_timeline
 from .figure.figure import Figure
 from .objective import Objective
 from .penalty import Guide, Penalty, Posture, Role

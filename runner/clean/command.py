@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from dynsplines.solver.curve.frame import Frame, Timeline
-from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.solution import Improvement
 
 from .. import motion

@@ -6,8 +6,7 @@ quadrature  sample times and weights of the integral E (eq. 1)
 banded      banded matrices, by LAPACK
 seam        the seam of a loop: the map from its first frame to its last
 loop_keys   the keyframes of a loop, made consistent at its seam: travel and heading
-winding     the direction in which a joint turns between keyframes: the signs of quaternions
-arcs        the straight path between keyframes: each joint on one arc at constant speed (SLERP)
+raw         the curves through keyframes before any search: the raw spline, and the straight path (SLERP)
 symmetry    pairs of links on opposite sides of a figure at rest
 mirror      motion reflected in the x-z plane, as a linear map of states
 unknowns    the decision vector x of a timeline, and the affine map from x to the spline's rows

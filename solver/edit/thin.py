@@ -22,8 +22,8 @@ from numpy.typing import ArrayLike
 
 from ..array import Array, Index
 from ..curve.frame import Frame, Timeline
+from ..curve.raw import raw_timeline
 from ..curve.spline import path_of
-from ..curve.unknowns import raw_timeline
 from ..figure.figure import Figure, on_links
 from ..figure.kinematics import LinkMotion, States
 from ..surface.points import body_points

@@ -16,9 +16,9 @@ import numpy as np
 from .. import quaternion as quat
 from ..array import Array
 from ..curve.frame import Frame, Timeline, TimelineError
+from ..curve.raw import raw_timeline
 from ..curve.seam import Seam, sameness, turning_root
 from ..curve.spline import path_of
-from ..curve.unknowns import raw_timeline
 from ..figure.figure import Figure, JointKind
 from ..figure.kinematics import Samples
 from ..tolerances import ROUNDING

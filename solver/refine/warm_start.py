@@ -14,8 +14,8 @@ import numpy as np
 
 from ..array import Array, segments_at
 from ..curve.frame import Frame, Timeline
+from ..curve.raw import raw_timeline
 from ..curve.spline import path_of
-from ..curve.unknowns import raw_timeline
 from ..figure.figure import Figure
 from ..tolerances import ROUNDING
 

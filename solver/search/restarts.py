@@ -2,7 +2,7 @@
 
 A minimum is poor if violations cost more than the motion itself. It also is, with smaller violations, if a limb is far
 from its path between the neighbouring keyframes. A limb that starts on the wrong side of a bound, such as behind its
-own knee, cannot cross the bound. The search therefore restarts from another path, see `curve.arcs`. Another criterion
+own knee, cannot cross the bound. The search therefore restarts from another path, see `curve.raw`. Another criterion
 is a high cost of motion, for instance of a detour round the long side of an obstacle.
 
 A search sums E over samples between its own frames. Its path may violate a sharp term between these samples: a knee can
@@ -19,9 +19,9 @@ from dataclasses import replace
 import numpy as np
 
 from ..array import Array, Index
-from ..curve.arcs import straight
 from ..curve.frame import Timeline
 from ..curve.quadrature import Quadrature
+from ..curve.raw import straight
 from ..curve.spline import Path, path_of
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples

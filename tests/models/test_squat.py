@@ -17,8 +17,8 @@ from dynsplines.motion import samples_at
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Attachment, BendLimits, JointRange, joint_ranges

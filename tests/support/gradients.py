@@ -11,8 +11,8 @@ from random_models import at_times, closed, evenly, mask_without, partial_keys, 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.quadrature import gauss_nodes
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.dynamics import generalised_forces
 from dynsplines.solver.figure.figure import Figure

@@ -22,7 +22,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts.gait_period import Gait
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.surface import Plane

@@ -14,8 +14,8 @@ from texts import read_data
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.objective import Discretised, Evaluation, Objective
 from dynsplines.solver.penalty import CovariantAcceleration, Penalty, RootAcceleration, Torque, UnitMagnitude

@@ -19,8 +19,8 @@ from dynsplines.solver.contacts import Contact, ContactSchedule
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.seam import Seam
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import BendLimits
 from dynsplines.solver.posing import (

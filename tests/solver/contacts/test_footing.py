@@ -23,7 +23,7 @@ from dynsplines.solver.contacts import Contact, footings, stances
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
-from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.figure.size import Size
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.problem import Problem

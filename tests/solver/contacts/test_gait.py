@@ -19,8 +19,8 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.contacts.gait_period import SLIP, Gait
 from dynsplines.solver.contacts.pose_vectors import PoseVectors, heading_of
 from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.penalty import Cycle
 from dynsplines.solver.surface import Plane
 

@@ -12,7 +12,7 @@ from dynsplines import inbetween, load
 from dynsplines.solver.contacts import Contact, ContactSchedule, grasped_links, surfaces_on
 from dynsplines.solver.contacts.flight import STRETCHED
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Collision

@@ -14,9 +14,9 @@ from dynsplines import models
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.mirror import Mirror
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.symmetry import MirrorError, other_side
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 
 ROBOT = read_data("mirrored_robot.xml")

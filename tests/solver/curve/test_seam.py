@@ -31,13 +31,12 @@ from scipy.spatial.transform import Rotation
 from dynsplines import models
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.curve.arcs import straight, straightened
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.loop_keys import close_loop
+from dynsplines.solver.curve.raw import NEARLY_HALF, raw_timeline, signs, straight, straightened
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
-from dynsplines.solver.curve.winding import NEARLY_HALF, signs
+from dynsplines.solver.curve.unknowns import Unknowns
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.problem import Problem, Settings

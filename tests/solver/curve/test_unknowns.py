@@ -10,8 +10,9 @@ from scipy.interpolate import CubicSpline
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import Path, Spline, path_of
-from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
+from dynsplines.solver.curve.unknowns import Unknowns
 from dynsplines.solver.figure.figure import Figure, JointKind
 
 KINDS = [

@@ -20,9 +20,10 @@ from dynsplines.scene.compose import figure_spec
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.curve.unknowns import Unknowns, raw_timeline
+from dynsplines.solver.curve.unknowns import Unknowns
 from dynsplines.solver.edit.timelines import (
     Placement,
     bridge,

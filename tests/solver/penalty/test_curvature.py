@@ -22,8 +22,8 @@ from problems import slider
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Objective

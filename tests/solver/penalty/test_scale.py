@@ -14,7 +14,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (

@@ -14,8 +14,8 @@ from random_models import distance_from_key, evenly
 
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.quadrature import gauss_nodes
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.refine.euler_lagrange import NODES, residual
 from dynsplines.solver.refine.subdivision import split
 from dynsplines.solver.refine.warm_start import warm_start

@@ -6,7 +6,7 @@ from figures import TINY, figure_of
 from problems import TERMS, Watched, by_nlopt, problem_of
 
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.objective import Evaluation, Objective
 from dynsplines.solver.search.descent import minimised
 from dynsplines.solver.search.minimum import Stop

@@ -23,7 +23,7 @@ from scipy.optimize import minimize
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.curve.unknowns import raw_timeline
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.size import Size
 from dynsplines.solver.objective import Discretised, Objective

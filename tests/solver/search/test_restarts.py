@@ -15,9 +15,9 @@ from dynsplines.solver import Problem, Solution, inbetween
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import (

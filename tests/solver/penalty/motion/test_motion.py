@@ -20,9 +20,9 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Steps
 from dynsplines.solver.contacts.gait_period import Gait
 from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.curve.unknowns import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
