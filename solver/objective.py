@@ -18,9 +18,9 @@ from .curve.quadrature import Quadrature, gauss_nodes
 from .curve.spline import Path, Piece, Sampling, spline_of
 from .curve.unknowns import Unknowns
 from .figure.adjoint import Cotangent
+from .figure.dynamics import Size
 from .figure.figure import Figure
 from .figure.kinematics import Samples
-from .figure.size import Size
 from .penalty import Block, Dense, Penalty, Role
 from .penalty.block import summed
 

@@ -15,9 +15,8 @@ from dynsplines.solver.array import Array, Mask, runs
 from dynsplines.solver.contacts import Contact, within
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.figure.dynamics import RootWrench
+from dynsplines.solver.figure.dynamics import RootWrench, Size
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.size import Size
 from dynsplines.solver.penalty import Support, closures
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.heights import height_over

@@ -15,7 +15,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.curve.frame import Timeline
-from dynsplines.solver.figure.size import Size
+from dynsplines.solver.figure.dynamics import Size
 from dynsplines.solver.search.minimum import Stop
 
 from ..clip.build import Clip

@@ -13,8 +13,8 @@ from typing import Any
 import numpy as np
 
 from ..array import Array
+from ..figure.dynamics import Size
 from ..figure.figure import Figure
-from ..figure.size import Size
 
 
 def _metres(value: float) -> Any:

@@ -6,7 +6,7 @@ figure       an MjModel as a tree of links, one joint each, and the state that a
 algebra      vectors, rotations and quaternions of many links at many samples, component first
 kinematics   motion of the links at samples of a path
 adjoint      gradients with respect to that motion, pulled back to the path
-dynamics     inverse dynamics and its adjoint (eqs. 18-21 and appendix A of the paper); the wrench at a free root
+dynamics     inverse dynamics and its adjoint (eqs. 18-21 and appendix A); the wrench at a free root; size and weight
 turns        derivatives by small rotations of joints, converted to the coordinates of the state
 wrenches     Jacobian rows of residuals of the links' motion
 effort_rows  Jacobian rows of inverse dynamics: joint efforts, and the root's wrench

@@ -8,11 +8,15 @@ The wrench at a free root is the external force and moment that the figure's mot
 − g) = M (a − g), with the acceleration a of the centre of mass. The moment is N = L', with the angular momentum L about
 the centre of mass. They are the sums of eqs. 18 and 21 over a tree of links. In flight both are zero; in stance the
 ground supplies them.
+
+Bodies of one shape that move under gravity are dynamically similar if lengths grow by λ and times by √(λ/g)
+(R. McN. Alexander 1976). A threshold that holds for an adult then holds for a doll, a robot or a giant, see `Size`.
 """
 
 from __future__ import annotations
 
 import copy
+from dataclasses import dataclass
 
 import mujoco
 import numpy as np
@@ -26,6 +30,8 @@ from .figure import Figure
 from .kinematics import LinkMotion, Samples
 
 STANDARD_GRAVITY = 9.81  # [m/s²] used for weights if a model has no gravity
+ADULT = 1.41223671  # [m] `height` of the shipped human, 1.7 m tall
+DIGITS = 6  # of the ratio of lengths: the shipped human has the size of an adult exactly
 
 
 class InverseDynamics:
@@ -244,3 +250,28 @@ def height(figure: Figure, root: int) -> float:
     away = inverse.centre[:, :, 0] - (inverse.centre[:, :, 0] @ share)[:, None]
     inertia = np.einsum("iil,l->", inverse.inertia[..., 0], figure.tables.path[:, root]) / 2
     return float(np.sqrt(12 * (np.sum(share * np.sum(away**2, axis=0)) + inertia / max(mass, TINY))))
+
+
+@dataclass(frozen=True)
+class Size:
+    """The ratios of a figure's lengths and times to those of an adult on earth."""
+
+    length: float = 1.0
+    time: float = 1.0
+
+    @property
+    def enlargement(self) -> float:
+        """How many times the figure is larger than an adult; 1 for smaller ones."""
+        return max(1.0, self.length)
+
+    @classmethod
+    def of(cls, figure: Figure) -> Size:
+        """Return the size of a figure's tree.
+
+        Rigid objects, machines with a fixed base and trees without mass have the size of an adult, because they have no
+        legs whose length could be measured.
+        """
+        root, gravity = figure.root, float(np.linalg.norm(figure.gravity)) or STANDARD_GRAVITY
+        tall = height(figure, root.link) if root is not None and root.limbs else 0.0
+        length = round(tall / ADULT, DIGITS) or 1.0
+        return cls(length, float(np.sqrt(length * STANDARD_GRAVITY / gravity)))

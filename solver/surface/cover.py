@@ -18,9 +18,9 @@ import numpy as np
 from .. import quaternion as quat
 from ..array import Array, Index
 from ..cache import cached_by_content
+from ..figure.dynamics import Size
 from ..figure.figure import Figure
 from ..figure.model import geom_name
-from ..figure.size import Size
 from ..tolerances import TINY
 from . import Hull, hull_of, moving_surface
 from .points import Point, mesh_vertices

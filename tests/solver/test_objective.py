@@ -19,9 +19,9 @@ from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.figure.adjoint import Cotangent
+from dynsplines.solver.figure.dynamics import Size
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.size import Size
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import (
     LEAST_TYPICAL,

@@ -12,9 +12,9 @@ import numpy as np
 from ...array import Array, Index
 from ...curve.frame import Timeline
 from ...figure.algebra import applied
+from ...figure.dynamics import Size
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ...figure.size import Size
 from ...figure.wrenches import of_point
 from ...surface import Box, Plane, Surface
 from ...surface.points import Point, arrays_of, placed

@@ -15,8 +15,8 @@ import numpy as np
 from ...array import Array, Index
 from ...contacts.contact import Interval, within
 from ...contacts.thresholds import Thresholds
+from ...figure.dynamics import Size
 from ...figure.kinematics import Samples
-from ...figure.size import Size
 from ...figure.wrenches import of_point
 from ...surface import Surface
 from ...surface.heights import clearance_gradients, clearances

@@ -23,10 +23,10 @@ from ...array import Array, Index
 from ...cache import cached_by_content
 from ...curve.frame import Timeline
 from ...figure.algebra import applied, cross, dot, turned
+from ...figure.dynamics import Size
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...figure.model import kinematics
-from ...figure.size import Size
 from ...figure.wrenches import of_point
 from ...surface.cover import filling_spheres
 from ...surface.touch import movers

@@ -26,9 +26,9 @@ from ...contacts.footing import Steps
 from ...curve.frame import Timeline
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, cross, vector_product
+from ...figure.dynamics import Size
 from ...figure.figure import Figure, JointKind, independent_joints
 from ...figure.kinematics import Samples
-from ...figure.size import Size
 from ...figure.wrenches import Wrenches, every_axis
 from ..block import Block, Dense, every
 from ..curvature import Curvature

@@ -13,9 +13,9 @@ from ...contacts.gait import GaitCycle
 from ...curve.frame import Timeline
 from ...curve.seam import Seam
 from ...figure.algebra import cross
+from ...figure.dynamics import Size
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
-from ...figure.size import Size
 from ...figure.wrenches import every_axis, of_turn
 from ..block import Block, every
 from ..penalty import Normalization, Penalty

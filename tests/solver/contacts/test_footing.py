@@ -24,7 +24,7 @@ from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.raw import raw_timeline
-from dynsplines.solver.figure.size import Size
+from dynsplines.solver.figure.dynamics import Size
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.surface import Plane

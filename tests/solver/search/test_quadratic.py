@@ -24,8 +24,8 @@ from scipy.optimize import minimize
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.raw import raw_timeline
+from dynsplines.solver.figure.dynamics import Size
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.size import Size
 from dynsplines.solver.objective import Discretised, Objective
 from dynsplines.solver.penalty import Collision, Penalty
 from dynsplines.solver.penalty.block import Block

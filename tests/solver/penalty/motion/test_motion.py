@@ -24,9 +24,9 @@ from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.adjoint import Cotangent
+from dynsplines.solver.figure.dynamics import Size
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.size import Size
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import (

@@ -18,9 +18,9 @@ from dynsplines.clip.person import person_of
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.figure.dynamics import Size
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.size import Size
 from dynsplines.solver.penalty import Prior
 from dynsplines.solver.penalty.motion import people
 from dynsplines.solver.penalty.motion.prior import Person
