@@ -143,11 +143,6 @@ def test_the_ending_selects_what_is_rendered_and_a_motion_is_not_solved(
     assert (tmp_path / f"tiny.{ending}").read_bytes()[at:].startswith(magic)
 
 
-def test_a_clip_that_ships_is_shown_to_be_changed(run, tmp_path):
-    done = run("clips", "--show", "sit_down")
-    assert (done.code, done.out) == (0, models.clip_text("sit_down"))
-
-
 def test_ghosts_make_a_still_of_the_requested_size(run, motion_file, tmp_path):
     assert run("render", motion_file, "--ghosts", "--size", "48x40", "--camera", "high").code == 0
     assert size_of(tmp_path / "tiny.png") == (48, 40)
@@ -275,17 +270,6 @@ def assert_refused_whatever_mujoco_says(done: Done, *words: str) -> None:
     assert (done.code, done.out) == (2, "")
     (line,) = (line for line in done.err.splitlines() if not line.startswith("note: MuJoCo: "))
     assert all(word in line for word in words)
-
-
-@pytest.mark.slow
-def test_a_new_clip_of_a_model_is_solved_as_it_is(run, tmp_path):
-    assert run("new", "hinge.xml", "-o", "mine.toml").code in (None, 0)
-    assert run("solve", "mine.toml").code in (None, 0)
-    with np.load(tmp_path / "mine.npz") as data:
-        assert data["key_qpos"].shape == (2, 2)
-    with nothing_written(tmp_path):
-        assert_refused(run("new", "hinge.xml", "-o", "mine.npz"), "ends in .toml")
-        assert_refused(run("new", "none.xml"), "no file 'none.xml'")
 
 
 @pytest.mark.parametrize("figure", ["<mujoco", FIGURE.replace("freejoint", "freejiont")])
@@ -496,27 +480,6 @@ def test_json_says_how_it_went_and_what_is_wrong_and_measures_nothing(sinking):
     assert (worst["kind"], worst["name"], worst["keyframe"], worst["unit"]) == ("penetration", "shin", 2, "m")
     assert worst["amount"] == pytest.approx(0.14)
     assert worst["time"] == pytest.approx(0.2)
-
-
-@pytest.mark.slow
-def test_a_saved_motion_has_problems_as_well(sinking, tmp_path):
-    assert sinking("solve", "sinks.toml").code == 0
-    with np.load(tmp_path / "sinks.npz") as data:
-        assert json.loads(str(data["report"])) == {}
-    done = sinking("render", "sinks.npz", *SMALL, "--at", 0.2, "--strict")
-    assert done.code == 3
-    assert any(line.startswith(SUNK) for line in done.err.splitlines())
-    done = sinking("retime", "sinks.npz", "--speed", 2)
-    assert done.code == 0
-    assert any("keyframe 2 itself: shin is 140 mm in the floor at 0.10 s" in line for line in done.err.splitlines())
-
-
-@pytest.mark.slow
-def test_the_report_begins_with_what_is_wrong(run, tmp_path):
-    (tmp_path / "sinks.toml").write_text(SINKING, encoding="utf-8")
-    assert run("solve", "sinks.toml").code == 0
-    done = run("report", "sinks.npz", "--strict")
-    assert (done.code, done.out.startswith(SUNK)) == (3, True)
 
 
 def flat(data: Any, place: str = "") -> dict[str, Any]:

@@ -268,10 +268,7 @@ def test_a_motion_is_seen_from_its_first_keyframe_to_its_last_and_a_rounding_bey
             found.at([0.5, outside])
 
 
-@pytest.mark.parametrize(
-    ("between", "budget", "more"),
-    [(PART, 24, 7), (PART, 36, 12)],
-)
+@pytest.mark.parametrize(("between", "budget", "more"), [(PART, 24, 7), (PART, 36, 12)])
 def test_a_part_has_its_share_of_the_budget_of_frames_but_keeps_what_it_has(between, budget, more):
     """Of twelve segments a part of five moves three: 24 frames leave ten for it, and it begins with three. Without a
     budget there are twelve frames a segment."""

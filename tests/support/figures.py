@@ -54,11 +54,7 @@ CHAIN = (
     '<mujoco><worldbody><body><joint type="ball"/><geom size=".1" pos="0 0 .2"/><body pos="0 0 .4"><joint type="{}"/>'
     '<geom size=".1" pos="0 0 .2"/></body></body></worldbody></mujoco>'
 )
-CHAINS = [
-    (BALL_TREE, "world"),
-    (CHAIN.format("ball"), "world"),
-    (CHAIN.format("hinge"), "joint"),
-]
+CHAINS = [(BALL_TREE, "world"), (CHAIN.format("ball"), "world"), (CHAIN.format("hinge"), "joint")]
 
 
 def figure_of(text: str, coordinates: str = "auto") -> Figure:

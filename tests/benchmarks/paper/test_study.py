@@ -9,7 +9,6 @@ import pytest
 import shipped
 from gradients import penalty_slope
 from paper import study
-from paper.barr import Discrete
 from paper.equations import PaperAcceleration, by_objective, covariant_residual
 from paper.orientations import INTRINSIC, KEYFRAMES, PAPER, Case, Run, energy, spinner
 from random_models import random_samples
@@ -32,27 +31,6 @@ def test_what_holds_for_every_path_is_reproduced(monkeypatch: pytest.MonkeyPatch
     for text in ("Keyframes are met", "E falls", "as the objective sees it", "10 : 1, 3 variable frames"):
         (claim,) = [claim for claim in claims if text in claim.text]
         assert claim.reproduced
-
-
-def test_both_discrete_peers_find_the_same_unit_samples_through_the_keyframes() -> None:
-    problem = Discrete(Case(0).track, 5)
-    dense, exact = problem.by_slsqp(), problem.by_newton()
-    np.testing.assert_allclose(dense, exact, atol=2e-3)
-    for x in (dense, exact):
-        assert abs(problem.length(x)).max() < 1e-5
-        np.testing.assert_array_equal(problem.all_samples(x)[::5], Case(0).track)
-    assert problem(exact)[0] == pytest.approx(problem(dense)[0], rel=1e-4)
-
-
-def test_the_discrete_peers_derivatives_are_exact(rng: np.random.Generator) -> None:
-    problem = Discrete(Case(1).track, 3)
-    x = problem.start[problem.free].ravel() + 0.05 * rng.normal(size=4 * problem.free.size)
-    direction = rng.normal(size=x.size)
-    h = 1e-5
-    (above, slope_above), (below, slope_below) = problem(x + h * direction), problem(x - h * direction)
-    assert (above - below) / (2 * h) == pytest.approx(problem(x)[1] @ direction, rel=1e-7)
-    turned = problem.hessian(x) @ direction
-    np.testing.assert_allclose((slope_above - slope_below) / (2 * h), turned, rtol=1e-5, atol=1e-5 * abs(turned).max())
 
 
 def test_the_gradient_has_taylor_slope_two(figure, rng):

@@ -8,7 +8,7 @@ from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
 import pytest
-from problems import CLIP, FIGURE, changed, written
+from problems import CLIP, changed, written
 from texts import read_cases
 
 from dynsplines.batch import solving
@@ -146,12 +146,6 @@ def test_a_worker_with_another_version_is_rejected(tmp_path: Path):
         )
 
 
-def test_a_link_is_called_after_the_link(tmp_path: Path):
-    written(tmp_path)
-    (tmp_path / "other.toml").symlink_to(tmp_path / "tiny.toml")
-    assert names(sources([str(tmp_path / "other.toml")])) == ["other"]
-
-
 FOLLOWING = 'figure = "tiny.xml"\nfps = 20\n[recording]\nfile = "{}"\n'
 
 
@@ -187,17 +181,3 @@ def test_a_recording_that_lies_elsewhere_or_follows_itself_does_not_go_along(tmp
         (inner / "following.toml").write_text(FOLLOWING.format(recording), encoding="utf-8")
         files = task_of(InputSource(inner / "following.toml", PurePosixPath("following")), {})
         assert sorted(files.files) == ["following.toml", "tiny.xml"]
-
-
-def test_what_a_format_writes_next_to_its_file_comes_back(tmp_path: Path):
-    there = tmp_path / "there"
-    there.mkdir()
-    clip, mesh = written(tmp_path), "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n"
-    asset = '<asset><mesh name="part" file="part.obj"/></asset>'
-    (tmp_path / "tiny.xml").write_text(changed("<worldbody>", f"{asset}<worldbody>", FIGURE), encoding="utf-8")
-    (tmp_path / "part.obj").write_text(mesh, encoding="utf-8")
-    task = task_of(InputSource(clip, PurePosixPath("tiny")), {}, BatchOptions(to="mjcf"))
-    made = solving.solved(replace(task, output="tiny.keys.xml"), there)
-    assert list(made.files) == ["tiny.keys.xml", "part.obj"]
-    assert made.files["part.obj"].decode() == mesh
-    assert not any(note.startswith("wrote") for note in made.notes)

@@ -76,26 +76,6 @@ def test_a_motion_of_feet_that_slide_and_sink_comes_out_clean(command, squats, t
 
 
 @pytest.mark.slow
-def test_violations_that_remain_are_printed_last(command, squats, tmp_path, monkeypatch):
-    """The figure of the recording rises without cause, with an arm inside its trunk."""
-    monkeypatch.chdir(tmp_path)
-    saved = motion.load(squats / "bobs.npz")
-    qpos = np.array([key.state for key in saved.keys])
-    at = saved.figure.model.joint("left_shoulder").qposadr[0]
-    qpos[:, at : at + 4] = np.cos(0.35), -np.sin(0.35), 0, 0
-    qpos[:, 2] += 3.0 * TIMES / TIMES[-1]
-    arm = unsolved(clips.from_qpos("arm", saved.scene, TIMES, qpos, 30.0, "arm")).motion
-    motion.save(arm, tmp_path / "arm.npz")
-    done = command("clean", "arm.npz", "-o", "out.npz")
-    assert done.code == 0, done.err
-    lines = done.err.splitlines()
-    reported = load_motion("out.npz").violations
-    assert {"float", "self"} == {each.kind for each in reported}
-    texts = [each.text.removeprefix(f"keyframe {each.keyframe} itself: ") for each in reported]
-    assert lines[lines.index("wrote out.npz") + 1 :] == [f"violation: {text}" for text in texts]
-
-
-@pytest.mark.slow
 def test_what_came_in_a_format_goes_out_in_it_unasked(command, squats, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(clean_command, "_clean", lambda recording, *_: (None, uncleaned(recording)))

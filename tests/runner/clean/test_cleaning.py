@@ -19,7 +19,6 @@ from dynsplines.clip.tracking.problem import tracking_context
 from dynsplines.motion import even_times, samples_at
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Contact
-from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.curve.spline import Path, natural_spline
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
@@ -179,11 +178,3 @@ def test_who_kneels_keeps_the_heel_in_the_air():
     assert off.max() < 0.03
     assert np.sqrt(np.mean(off**2)) < 0.5 * np.sqrt(np.mean(was**2))
     assert {rest.point.name for rest in found.raised} == {"right_heel"}
-
-
-def test_a_gap_is_bridged(take):
-    keep = np.r_[0:50, 60 : take.time.size]
-    found = cleaned_of(Take(take.figure, take.time[keep], take.qpos[keep]), take.qpos[keep])
-    true, t = Track.of(take.figure, take.time, take.qpos).path, take.time[50:60]
-    x, wanted = (samples_at(take.figure, path, t).links.x for path in (found.after, true))
-    assert np.linalg.norm(x - wanted, axis=0).max() < 0.12

@@ -138,21 +138,6 @@ def test_the_map_of_the_human_that_ships_says_what_is_found_without_it(captured)
     assert again[0].figure == found[0].figure
 
 
-def test_a_robot_without_known_names_is_refused_with_what_to_name(command, files, tmp_path, monkeypatch):
-    """Its limbs are not guessed from its symmetry; the map that is written has lines to fill in."""
-    monkeypatch.chdir(tmp_path)
-    numbers = {name: f"part_{i}" for i, name in enumerate(re.findall(r'body name="(\w+)"', ANDROID))}
-    text = re.sub(r'body name="(\w+)"', lambda found: f'body name="{numbers[found[1]]}"', ANDROID)
-    Path("robot.xml").write_text(re.sub(r'joint name="\w+"', "joint", text), encoding="utf-8")
-    words = ("retarget", files / "walk.bvh", "--to", "robot.xml")
-    done = command(*words)
-    assert done.code == 2
-    assert "none is a left thigh or right thigh or left shin or right shin by its name: part_0, part_1" in done.last
-    assert "--map FILE" in done.last and "--write-map" in done.last
-    assert command(*words, "--map", "m.toml", "--write-map").code == 2
-    assert '# left_thigh = ""  # needed' in Path("m.toml").read_text(encoding="utf-8").split("[recording]")[0]
-
-
 def test_only_what_nothing_turns_is_said_to_be_kept_at_rest(captured):
     """Not the bodies of a hip that turn one after the other above the thigh."""
     text = ANDROID.replace("<geom", '<body name="antenna"><joint/><geom size=".01"/></body><geom', 1)

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from oracles import kinematics
 from shipped import in_carried
+from texts import read_data
 
 import dynsplines
 from dynsplines import Keyframe, Motion, recordings, solving
@@ -27,20 +28,7 @@ from dynsplines.solver.penalty import Attachment, Collision, Sum
 from dynsplines.solver.surface.points import places_of
 from dynsplines.solving import motion_of
 
-STEP = """
-figure = "human"
-[[keyframe]]
-time = 0.0
-others = "rest"
-[[keyframe]]
-time = 0.5
-root.position = [{x}, 0, 0.93]
-others = "rest"
-[[keyframe]]
-time = 1.0
-root.position = [{y}, 0, 0.93]
-others = "rest"
-"""
+STEP = read_data("planted.toml")
 
 
 def text(*contacts: str, x: float = 0.0, y: float = 0.0) -> str:
@@ -118,39 +106,6 @@ def test_a_foot_rests_where_a_contact_says_without_it_does_not_and_the_report_te
 
 
 @pytest.mark.parametrize(
-    ("contacts", "words"),
-    [
-        (('point = "left_hee"\nfrom = 0\nto = 1',), ["contact 1 ('left_hee')", "left_heel"]),
-        (('point = "left_heel"\nfrom = 0.8\nto = 0.3',), ["contact 1 ('left_heel')", "0.8", "not before", "0.3"]),
-        (('point = "left_heel"\nfrom = 0.5\nto = 1.5',), ["outside the clip", "from 0 to 1 s"]),
-        (
-            ('point = "left_heel"\nfrom = 0\nto = 0.6', 'point = "left_heel"\nfrom = 0.4\nto = 1'),
-            ["contact 2 ('left_heel')", "overlaps contact 1", "0.4 to 0.6"],
-        ),
-        (
-            ('point = "left_heel"\nfrom = 0.2\nto = 0.8\nposition = [0.4, 0.1, 0]',),
-            ["contact 1 ('left_heel')", "keyframe 2 (t = 0.5 s)", "the contact's position"],
-        ),
-        (
-            (
-                'point = "left_heel"\nfrom = 0.6\nto = 0.8\nposition = [0, 0.1, 0]',
-                'point = "left_toe"\nfrom = 0.7\nto = 0.9\nposition = [0.5, 0.1, 0]',
-            ),
-            ["'left_heel' and 'left_toe' contradict each other", "0.7 to 0.8", "0.500 m apart"],
-        ),
-        (('point = "left_heel"\nfrom = "soon"\nto = 1',), ["contact 1", "from must be a number"]),
-        (('point = "left_heel"\nto = 1',), ["contact 1", "'from' is missing"]),
-    ],
-)
-def test_mistakes_are_told_in_one_line(contacts, words):
-    with pytest.raises(UserError) as told:
-        recordings.from_text(text(*contacts), name="wrong")
-    assert "\n" not in str(told.value)
-    for word in words:
-        assert word in str(told.value)
-
-
-@pytest.mark.parametrize(
     ("more", "x", "words"),
     [
         ("", 0.02, r"keyframe 3 .* 0\.400 m from where keyframe 1 does"),
@@ -184,20 +139,7 @@ def test_the_distance_from_a_specified_position_is_reported_if_keyframes_put_the
     assert all(violation.amount == pytest.approx(off, abs=1e-6) for violation in rows)
 
 
-SCENE = """
-figure = "human"
-[[scene.box]]
-name = "crate's walls"
-body = "crate"
-size = [0.3, 0.3, 0.3]
-mass = 4
-[[scene.sphere]]
-name = "crate's knob"
-body = "crate"
-position = [0, 0, 0.18]
-radius = 0.03
-mass = 1
-"""
+SCENE = read_data("crate.toml")
 
 
 HOLD = """
@@ -352,14 +294,7 @@ def test_a_crate_that_keyframes_leave_free_goes_with_the_hands():
         np.testing.assert_allclose(place(clip, clip.keys[2].state, hand), [0, y, 0], atol=1e-5)
 
 
-ARM = """<mujoco><worldbody>
-<body name="upper" pos="0 0 1"><joint name="shoulder" axis="0 0 1"/>
- <geom type="capsule" size=".02" fromto="0 0 0 .3 0 0"/>
- <body name="fore" pos=".3 0 0"><joint name="elbow" axis="0 0 1"/>
-  <geom type="capsule" size=".02" fromto=".02 0 0 .3 0 0"/>
-  <site name="hand" pos=".3 0 0"/></body></body>
-<body name="block" pos=".6 0 1"><freejoint name="block"/><geom type="box" size=".03 .03 .03" pos=".06 0 0"/></body>
-</worldbody></mujoco>"""
+ARM = read_data("arm_and_block.xml")
 
 
 def with_block(**rotation: str) -> Motion:
@@ -431,36 +366,6 @@ def test_a_grasp_with_a_position_and_one_that_was_not_placed():
     assert not unknown.is_placed
     (known,) = recordings.from_text(free + grasp + "position = [0, 0.15, 0.05]\n", name="free").context.schedule.grasps
     np.testing.assert_allclose(spot_of(known, 0.7, 0.8, 0.9), [[0, 0.15, 0.05]] * 3)
-
-
-MISTAKES = {
-    "no such site": (HOLD.format(hand="lift", start=0, end=1), ["grasp 1 ('lift_hand' on 'crate')", "'left_hand'?"]),
-    "no such body": (HOLD.format(hand="left", start=0, end=1).replace("crate", "crat"), ["no body 'crat'", "'crate'"]),
-    "a body that does not move": (
-        HOLD.format(hand="left", start=0, end=1).replace('"crate"', '"floor"'), ["'floor' does not move", "[[contact]]"]
-    ),
-    "its own body": (HOLD.format(hand="left", start=0, end=1).replace('"crate"', '"left_forearm"'), ["on that body"]),
-    "backwards": (HOLD.format(hand="left", start=1, end=0.5), ["from = 1 s is not before to = 0.5 s"]),
-    "outside": (HOLD.format(hand="left", start=1, end=3), ["outside the clip"]),
-    "two at once": (HOLD.format(hand="left", start=0, end=1) * 2, ["grasp 2", "overlaps grasp 1", "one thing"]),
-    "keyframes that contradict it": (
-        HOLD.format(hand="left", start=0, end=0.6), ["keyframe 2", "m from where keyframe 1 has it on the body"]
-    ),
-    "mass of what stands still": ("[[scene.box]]\nsize = [1, 1, 1]\nposition = [5, 0, 0]\nmass = 1\n", ["'mass'"]),
-    "a body's name twice": (
-        '[[scene.box]]\nbody = "pelvis"\nsize = [1, 1, 1]\n', ["the model already has a body or joint of that name"]
-    ),
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("case", MISTAKES)
-def test_every_error_is_reported_in_one_line_that_names_it(case):
-    more, words = MISTAKES[case]
-    with pytest.raises(UserError) as caught:
-        recordings.from_text(lift(hands=()) + more, name="wrong")
-    assert "\n" not in str(caught.value)
-    for word in ["wrong.toml", *words]:
-        assert word in str(caught.value)
 
 
 def test_a_mirrored_clip_holds_with_the_other_hand_and_both_may_hold_one_thing():

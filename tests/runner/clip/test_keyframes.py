@@ -11,6 +11,7 @@ from figures import BOX, CART, biped, joints, scene
 from figures import OBJECT_BALL as BALL
 from oracles import kinematics, tracks
 from scipy.spatial.transform import Rotation
+from texts import read_data
 
 from dynsplines import inbetween, recordings
 from dynsplines.clip.build import Clip
@@ -167,29 +168,7 @@ def test_hinges_are_posed_in_the_winding_of_the_keyframe_before(tmp_path: Path, 
     assert data.site("tip").xpos == pytest.approx([*place, 1], abs=1e-6)
 
 
-LURCH = """
-figure = "human"
-[solve]
-ends = "clamped start"
-[[keyframe]]
-time = 0.0
-others = "rest"
-joints = {left_shoulder = {rotvec = [20, 0, 0]}, right_shoulder = {rotvec = [-20, 0, 0]}}
-[[keyframe]]
-time = 0.7
-root.position = "free"
-sites = {left_heel = [0.42, 0.09, 0], right_toe = [0.17, -0.09, 0], right_heel = ["free", "free", 0.05]}
-bodies.left_foot = {flat = true}
-others = "previous"
-[[contact]]
-point = "right_toe"
-from = 0
-to = 0.7
-[[contact]]
-point = "right_heel"
-from = 0
-to = 0.5
-"""
+LURCH = read_data("lurch.toml")
 
 
 @pytest.mark.slow
@@ -200,20 +179,7 @@ def test_a_person_does_not_lurch_back_before_a_step() -> None:
     assert motion.violations == []
 
 
-AHEAD = """
-figure = "human"
-[[keyframe]]
-time = 0.0
-others = "rest"
-[[keyframe]]
-time = 0.7
-root.position = "free"
-sites.left_heel = [0.25, 0.09, 0]
-sites.right_heel = [-0.055, -0.09, 0]
-bodies.left_foot.flat = true
-bodies.right_foot.flat = true
-others = "previous"
-"""
+AHEAD = read_data("step_ahead.toml")
 
 
 @pytest.mark.slow

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import io
 import json
-import tomllib
 import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -19,6 +18,7 @@ from problems import CLIP as TINY_CLIP
 from problems import HINGE, written
 from processes import quiet
 from rich.console import Console
+from texts import read_data
 
 from dynsplines import Clip, Keyframe, Motion, UserError, build, inbetween, load, load_motion, recordings, solving
 from dynsplines.cli import list_penalties
@@ -164,36 +164,6 @@ def test_a_number_scales_all_parts_a_table_sets_some_and_options_alone_leave_the
     assert some == default | {"collision.body": 7, "upright.bodies": 30}
 
 
-@pytest.mark.parametrize(
-    ("table", "told"),
-    [
-        ('kind = "limits"\nsideway = 3', "penalty 1: no key 'sideway'; did you mean 'sideways'?"),
-        ('kind = "limits"\nsideways = "x"', "penalty 1: sideways must be a number, not 'x'"),
-        ('kind = "limits"\nsideways = 0', "penalty 1: sideways must be above 0, not 0"),
-        ('kind = "limits"\nweight = -1', "penalty 1: weight must be at least 0, not -1"),
-        ('kind = "limits"\nweight = {bnd = 1}', "penalty 1: weight: no part 'bnd'; did you mean 'bend'?"),
-        ('kind = "limits"\nweight = {speed = 1}', "penalty 1: weight.speed needs speed = ... (degrees/s)"),
-        ('kind = "collision"\nself = false\nweight = {self = 1}', "penalty 1: weight.self needs self = ..."),
-        ('kind = "flight"\nweight = {a = 1}', "penalty 1: weight must be a number, not a table: 'flight' is one term"),
-        ('kind = "limits"\nmargin = 0', "'margin' is not for kind 'limits', which takes: weight, bend_joints, least_"),
-        ('kind = "limit"', "no penalty 'limit'; did you mean 'limits'?"),
-        ('kind = "flight"\nintervals = [[0]]', "penalty 1: intervals must be a list of [from, to] in seconds"),
-        ('kind = "upright"\nbodies = ["chets"]', "no body 'chets'"),
-        ('kind = "upright"\nbodies = []', "penalty 'upright' needs bodies = [...]"),
-        ('kind = "upright"\nbodies = ["chest"]\naxis = [0, 0, 0]', "axis is [0, 0, 0], which points nowhere"),
-        (
-            'kind = "upright"\nbodies = ["chest"]\naxis = [0, 1]',
-            "axis must be [x, y, z] in the body's own axes, not [0, 1]",
-        ),
-    ],
-)
-def test_errors_name_table_key_and_value(table, told):
-    with pytest.raises(UserError) as caught:
-        load(f"{CLIP}[[penalty]]\n{table}")
-    assert told in str(caught.value)
-    assert tomllib.loads(f"{CLIP}[[penalty]]\n{table}")
-
-
 def test_a_custom_penalty_becomes_a_kind_by_one_record(monkeypatch, capsys):
     record = Kind("calm", (Part(0.2, "speed of all links", lambda context, options: Calm()),))
     monkeypatch.setitem(KINDS, "calm", record)
@@ -229,20 +199,7 @@ def test_a_listed_kind_without_effect_is_noted():
     assert not any("no effect" in note for note in (*off.notes, *recordings.from_text(text, name="c").notes))
 
 
-SWING = """figure = "hinge.xml"
-[[keyframe]]
-time = 0
-joints = {swing = 0, slide = 0}
-[[keyframe]]
-time = 1
-joints = {swing = 40, slide = 0}
-[[keyframe]]
-time = 1.3
-joints = {swing = 40, slide = 0}
-[[keyframe]]
-time = 2.3
-joints = {swing = 0, slide = 0}
-"""
+SWING = read_data("swing.toml")
 
 
 def solved(problem: clip.Clip) -> dict:
@@ -288,32 +245,7 @@ def test_a_slide_beyond_its_range_is_reported_in_metres(tmp_path):
     assert 0.1 <= data["most"] < 0.3
 
 
-SCENE = """
-[[scene.box]]
-name = "table"
-position = [1, 0, 0.75]
-size = [1.2, 0.8, 0.04]
-rotation = {rotvec = [0, 0, 90]}
-color = [0.2, 0.4, 0.6, 0.5]
-[[scene.box]]
-position = [3, 0, 0.5]
-size = [1, 1, 1]
-[[scene.sphere]]
-name = "ball"
-position = [2, 1, 0.2]
-radius = 0.2
-[[scene.capsule]]
-name = "rail"
-from = [0, 1, 1]
-to = [2, 1, 1.5]
-radius = 0.03
-[[scene.cylinder]]
-name = "post"
-position = [0, 2, 0.5]
-length = 1.0
-radius = 0.05
-rotation = {euler = [90, 0, 0]}
-"""
+SCENE = read_data("obstacles.toml")
 
 
 def loaded(folder, scene: str) -> clip.Clip:
@@ -348,34 +280,3 @@ def test_obstacles_are_where_the_clip_specifies_and_as_large(tmp_path):
         "floor": Plane, "table": Box, "box 2": Box, "ball": Capsule, "rail": Capsule, "post": Cylinder,
     }  # fmt: skip
     assert not any(model.geom(name).contype[0] for name in kinds)
-
-
-@pytest.mark.parametrize(
-    ("scene", "words"),
-    [
-        ("[[scene.box]]\nname='t'\nsize=[1,1,1]", r"scene.box 1 \('t'\): 'position' is missing"),
-        ("[[scene.box]]\nposition=[0,0,0]\n", r"scene.box 1: 'size' is missing"),
-        ("[[scene.box]]\nposition=[0,0,0]\nsize=[1,0,1]", r"scene.box 1: size must be above 0, not 0"),
-        ("[[scene.box]]\nposition=[0,0,'free']\nsize=[1,1,1]", r"scene.box 1: position must be \[x, y, z\] in metres"),
-        ("[[scene.sphere]]\nposition=[0,0,0]\nradius=-1", r"scene.sphere 1: radius must be above 0, not -1"),
-        ("[[scene.sphere]]\nname='floor'\nposition=[0,0,0]\nradius=1", "model already has a geom of that name"),
-        ("[[scene.ball]]\nposition=[0,0,0]\nradius=1", r"no key 'ball'.*Keys: step, box, sphere, capsule, cylinder"),
-        (
-            "[scene.sphere]\nposition=[0,0,0]\nradius=1",
-            r"scene.sphere must be \[\[scene.sphere\]\] tables, not a table",
-        ),
-        ("[[scene.capsule]]\nradius=1\nfrom=[0,0,0]", "'from' and 'to' go together"),
-        ("[[scene.capsule]]\nradius=1\nposition=[0,0,0]", "give position and length, or from and to"),
-        ("[[scene.cylinder]]\nradius=1\nlength=1\nfrom=[0,0,0]\nto=[1,0,0]", r"not both \('length' and 'from'\)"),
-        ("[[scene.capsule]]\nradius=1\nfrom=[0,0,0]\nto=[0,0,0]", "from and to are the same point"),
-        (
-            "[[scene.sphere]]\nname='it'\nposition=[0,0,0]\nradius=1\n" * 2,
-            "has a sphere 'it', but the model already has a geom of that name",
-        ),
-    ],
-)
-def test_what_is_wrong_with_an_obstacle_is_reported_in_one_line(tmp_path, scene, words):
-    with pytest.raises(UserError, match=words) as caught:
-        loaded(tmp_path, scene)
-    assert str(caught.value).startswith("tiny.toml: ")
-    assert "\n" not in str(caught.value)

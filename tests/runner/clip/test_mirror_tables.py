@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 import pytest
 from oracles import kinematics
+from texts import read_data
 
 from dynsplines import recordings
 from dynsplines.clip import load as clips
@@ -17,42 +18,14 @@ from dynsplines.clip.text import written
 from dynsplines.errors import UserError
 from dynsplines.solver.curve.mirror import Mirror
 
-TURNED = """
-<mujoco><compiler angle="radian"/><worldbody>
-  <body name="pelvis" pos="0 0 .8" quat=".5 .5 .5 .5"><freejoint name="root"/>
-    <geom type="box" size=".12 .08 .08" mass="8"/><site name="badge" pos="0 0 .08"/>
-    <body name="waist" pos="0 .1 0" quat=".5 .5 -.5 -.5"><joint name="waist" type="ball"/>
-      <geom size=".1" mass="5"/></body>
-    <body name="hip_1" pos=".1 -.05 0" quat=".6 .8 0 0"><joint name="swing_1" type="ball"/><geom size=".05"/>
-      <body name="foot_1" pos="0 -.3 .3"><joint name="ankle_1" axis="1 0 0"/><geom size=".04"/>
-        <site name="toe_1" pos="0 0 .1"/></body></body>
-    <body name="hip_2" pos="-.1 -.05 0" quat=".8 0 .6 0"><joint name="swing_2" type="ball"/><geom size=".05"/>
-      <body name="foot_2" pos=".35712 -.204 -.10416" quat=".6 .8 0 0">
-        <joint name="ankle_2" axis="-.28 -.9216 .2688"/><geom size=".04"/>
-        <site name="toe_2" pos=".02688 .0193536 .0943552"/></body></body>
-  </body></worldbody></mujoco>"""
+TURNED = read_data("turned_frames.xml")
 
 
 def figure(text: str = TURNED) -> mujoco.MjSpec:
     return mujoco.MjSpec.from_string(text)
 
 
-CLIP = """figure = "turned.xml"
-[mirror]
-pairs = [["swing_1", "swing_2"], ["ankle_1", "ankle_2"], ["toe_1", "toe_2"]]
-[[keyframe]]
-time = 0
-root = {position = [0.1, 0.2, 0.8], rotation = {rotvec = [30, 80, 70]}}
-joints.waist = {euler = [10, 20, 5]}
-joints.swing_1 = {rotvec = [10, -20, 30]}
-joints.swing_2 = {quat = [0.9, 0.1, 0.2, 0.3]}
-joints.ankle_1 = 15
-joints.ankle_2 = -25
-[[keyframe]]
-time = 1
-root = {position = [0.1, 0.3, 0.8], rotation = {heading = 20, quat = [0.5, 0.5, 0.5, 0.5]}}
-others = "previous"
-"""
+CLIP = read_data("turned_frames.toml")
 
 
 def test_rotations_of_turned_frames_are_those_of_the_mirrored_motion():

@@ -190,31 +190,6 @@ def test_beyond_pairs_of_times_the_speed_is_that_of_the_neighbouring_interval(fo
     assert [clip.keys[0].time, clip.keys[-1].time] == pytest.approx(ends, abs=1e-9)
 
 
-@pytest.mark.parametrize(
-    ("text", "told"),
-    [
-        (BARE.replace("run.npz", "none.npz"), "none.npz"),
-        (BARE.replace("run.npz", "itself.toml~"), "itself.toml~'"),
-        (BARE.replace("run.npz", "../run.npz"), "lies outside the clip's folder"),
-        (BARE + "from = 1.0\nto = 9.0", "are no part of it; it lasts from 0 to 2.2 s"),
-        (BARE + "times = [[0, 0], [1, 0]]", "both rise"),
-        (BARE + "times = [[0, 0], [1, 1]]\nspeed = 2", "give times, or at and speed"),
-        (BARE.replace("human", "spinner"), "is of another figure"),
-        (BARE.replace("run.npz", "itself.toml"), "follows itself"),
-        (BARE + "repeat = 2", "repeat: only a loop"),
-        (BARE + "[[keyframe]]\ntime = 7\n", "is outside the recording, which lasts from 0 to 2.2 s"),
-        (BARE + '[solve]\nends = "periodic"\n', "solve.ends is for clips of keyframes"),
-        (BARE + '[[penalty]]\nkind = "cycle"\n', "beside a recording only weights count"),
-        (BARE + '[[penalty]]\nkind = "collision"\nweight = {self = 2}', "beside a recording only weights count"),
-        (BARE + '[[contact]]\npoint = "left_hel"\nfrom = 0\nto = 1\n', "contact 1 ('left_hel')"),
-    ],
-)
-def test_what_does_not_fit_is_reported(folder, text, told):
-    with pytest.raises(UserError) as refused:
-        recordings.from_text(text, name="clip", folder=folder)
-    assert told in str(refused.value), str(refused.value)
-
-
 KERB = """
 figure = "human"
 [recording]

@@ -95,16 +95,6 @@ def test_a_second_free_body_is_placed_by_its_name_and_there_and_back_in_text(tmp
         recordings.from_text(moved.replace('roots."c d"', "roots.c"), name="it", folder=tmp_path)
 
 
-def test_a_free_figure_with_feet_is_put_on_the_floor(tmp_path):
-    legs = "".join(
-        f'<body pos="0 {y} 0"><joint axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 0 0 -.3"/></body>'
-        for y in (-0.1, 0.1)
-    )
-    text = f'<body pos="0 0 3"><freejoint/><geom type="box" size=".1 .2 .05"/>{legs}</body>'
-    problem = written(f"<mujoco><worldbody>{text}</worldbody></mujoco>", tmp_path)
-    assert problem.keys[0].state[2] == pytest.approx(0.32)
-
-
 @pytest.mark.slow
 def test_what_stands_is_named_and_so_is_that_nothing_does(tmp_path):
     feet = '<site name="left_heel" pos=".1 0 -.1"/><body><joint axis="0 1 0"/><geom size=".1" pos=".3 0 0"/></body>'
@@ -161,23 +151,9 @@ def test_positions_of_feet_and_hands_are_written_as_in_a_keyframe(tmp_path):
     np.testing.assert_allclose(again.keys[0].state, problem.keys[0].state, atol=1e-6)
 
 
-@pytest.mark.slow
-def test_a_model_of_which_nothing_collides_is_reported_as_solid_all_over(tmp_path):
-    for folder, seen in (("all", ' contype="0" conaffinity="0"'), ("none", "")):
-        (tmp_path / folder).mkdir()
-        problem = written(
-            f"<mujoco><worldbody>{ARM.format('').replace('<geom', '<geom' + seen)}</worldbody></mujoco>",
-            tmp_path / folder,
-        )
-        assert ("# Nothing of this model collides" in problem.text) == bool(seen)
-
-
 @pytest.mark.parametrize(
     ("bend", "keys", "expected"),
-    [
-        (0, "", [0, 0.05]),
-        (0.1, '<keyframe><key qpos=".2 0"/><key time="1" qpos=".4 .09"/></keyframe>', [0.2, 0.07]),
-    ],
+    [(0, "", [0, 0.05]), (0.1, '<keyframe><key qpos=".2 0"/><key time="1" qpos=".4 .09"/></keyframe>', [0.2, 0.07])],
 )
 def test_followers_begin_where_they_belong_and_are_not_named(tmp_path, bend, keys, expected):
     joints = '<joint name="knee" axis="0 1 0"/>', '<joint name="cap" type="slide" axis="0 0 1"/>'

@@ -23,13 +23,11 @@ from dynsplines.clip import load as clip
 from dynsplines.clip import text as clip_text
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
-from dynsplines.clip.table import RotationTable
 from dynsplines.clip.text import tables, written
 from dynsplines.edit import edits
 from dynsplines.edit import files as edit_files
 from dynsplines.errors import UserError
 from dynsplines.motion import Saved
-from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam
@@ -243,21 +241,6 @@ def test_odd_names_and_texts_survive_being_written():
     assert tomllib.loads(written(table)) == table
 
 
-def test_rotations_are_written_as_one_would_write_them(rng):
-    for size in 10.0 ** rng.uniform(-12, 0, 200):
-        q = quat.normalised([1, *(size * rng.normal(size=3))]) * rng.choice([-1, 1])
-        rotvec = RotationTable.of(q).rotvec or ()
-        again = quat.from_rotation_vector(np.radians(rotvec))
-        assert quat.angle_between(q, again) < 1e-10
-        assert all(x == 0 or abs(x) >= 1e-9 for x in rotvec)
-    for q, rotvec in (
-        (quat.from_rotation_vector([np.radians(30), 1e-18, -1e-18]), (30.0, 0.0, 0.0)),
-        (quat.from_rotation_vector(np.radians([30.000013, 0, 0])), (30.000013, 0.0, 0.0)),
-    ):
-        assert RotationTable.of(q) == RotationTable(rotvec=rotvec)
-    assert str(RotationTable.of([1, 0, -1e-17, 0]).rotvec) == "(0.0, 0.0, 0.0)"
-
-
 ROUND = read_data("sides.toml")
 
 
@@ -328,16 +311,6 @@ def test_only_tables_of_clips_are_edited_to_a_clip(motions, tmp_path, name):
         with pytest.raises(UserError, match=r"out\.toml: only `mirror` and `retime` of a clip|-o NAME\.npz"):
             edit(*arguments, target, overwrite=False, progress=quiet())
         assert not target.exists()
-
-
-def test_keyframes_of_a_recording_are_not_named_in_messages(motions, tmp_path):
-    problems.written(tmp_path)
-    motion.save(motions["plain"], tmp_path / "own.npz")
-    (tmp_path / "following.toml").write_text(FOLLOWING, encoding="utf-8")
-    source, out = str(tmp_path / "following.toml"), tmp_path / "out.npz"
-    target, told = edit_files.retime(source, 2.0, None, out, overwrite=False, progress=quiet())
-    assert [violation.text for violation in told if violation.keyframe is not None] == []
-    assert motion.load(target).text == ""
 
 
 def test_a_motion_as_a_clip_has_its_tables_or_else_its_keyframes(motions, tmp_path):

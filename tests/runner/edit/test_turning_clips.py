@@ -17,7 +17,6 @@ from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.table import ClipTable, KeyframeTable, RootTable, RotationTable, SolveTable
 from dynsplines.edit import edits
 from dynsplines.edit.thinning import recorded_of
-from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.motion import Saved
 from dynsplines.scene.compose import figure_spec
@@ -84,30 +83,6 @@ def test_a_body_and_an_obstacle_take_a_heading(tmp_path):
         assert (crate.inv() * Rotation.from_euler("z", 20, degrees=True)).magnitude() < 1e-6
     assert abs(shins[0] @ shins[1]) == pytest.approx(1, abs=1e-9)
     assert 0.9 < abs(shins[0][0]) < 0.999
-
-
-KNEE, ROTATION = "joints.left_knee = {rotvec = [0, 0, 0]}", "root.rotation = {rotvec = [0, 0, 0]}"
-REFUSED = {  # words: the changes of a clip
-    r"keyframe 1 \(t = 0 s\): joints.left_knee: a heading is of the root, of bodies and of obstacles": [
-        (KNEE, KNEE.replace("}", ", heading = 3}"))],
-    "give flat or a rotation, not both": [
-        (KNEE, f"{KNEE}\nbodies.left_shin = {{flat = true, euler = [0], order = 'x', heading = 3}}")],
-    "root.rotation.heading must be a number, not 'north'": [(ROTATION, 'root.rotation = {heading = "north"}')],
-    "turn is for ends = 'periodic', not 'free'": [("frames = 2", "frames = 2\nturn = 45")],
-    "solve.turn must be at most 360, not 400": [("frames = 2\n", ENDS + "turn = 400\n")],
-    r"'root' \(a loop may travel, and turn about the vertical, here by 40 degrees\)": [
-        ("frames = 2\n", ENDS + "turn = 40\n"), (LAST, LAST_TURNED)],
-    "by 0.99": [("frames = 2\n", ENDS), (LAST, LAST.replace("0.3, 0, 1", "0, 0, 1"))],
-}  # fmt: skip
-
-
-@pytest.mark.parametrize("words", REFUSED)
-def test_headings_and_turns_that_make_no_sense_are_refused_where_they_stand(tmp_path, words):
-    text = problems.CLIP
-    for change in REFUSED[words]:
-        text = problems.changed(*change, text)
-    with pytest.raises(UserError, match=words):
-        clips.load(str(problems.written(tmp_path, text)))
 
 
 @pytest.mark.slow

@@ -163,14 +163,7 @@ def test_groups_are_named_with_commas():
         quantities.named("velocities,forces")
 
 
-LINKAGE = """<mujoco><compiler autolimits="true"/><worldbody>
-<body name="crank"><joint name="crank" axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 0 0 -.2"/>
-  <body name="rod" pos="0 0 -.2"><joint name="rod" axis="0 1 0"/><geom type="capsule" size=".02" fromto="0 0 0 .5 0 0"/>
-  </body></body>
-<body name="rocker" pos=".5 0 0"><joint name="rocker" axis="0 1 0"/>
-  <geom type="capsule" size=".02" fromto="0 0 0 0 0 -.2"/></body></worldbody>
-<equality><connect body1="rod" body2="rocker" anchor=".5 0 0"/></equality>
-<actuator><motor joint="crank"/></actuator></mujoco>"""
+LINKAGE = read_data("linkage.xml")
 
 
 def test_a_motor_supplies_the_torques_of_a_linkage_that_it_moves():

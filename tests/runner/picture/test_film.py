@@ -133,27 +133,6 @@ def test_a_broken_off_clip_leaves_what_was_there(tmp_path: Path, ending: str, er
     assert [entry.name for entry in tmp_path.iterdir()] == [target.name]
 
 
-def test_images_stream_through(tmp_path: Path):
-    alive: list[int] = []
-    counts: list[int] = []
-
-    class Tracked(np.ndarray):
-        def __array_finalize__(self, parent: object) -> None:
-            alive.append(1)
-
-        def __del__(self) -> None:
-            alive.pop()
-
-    def watched() -> Iterator[np.ndarray]:
-        for image in images(40):
-            yield image.view(Tracked)
-            del image
-            counts.append(len(alive))
-
-    write(tmp_path / "a.mp4", watched(), 30)
-    assert max(counts) < 20
-
-
 @pytest.mark.parametrize(("name", "size", "told"), read_cases("film_targets.toml"))
 def test_a_target_that_cannot_be_written_is_refused(tmp_path: Path, name: str, size: tuple[int, int], told: str):
     (tmp_path / "folder.mp4").mkdir()

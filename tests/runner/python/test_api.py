@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import subprocess
 import sys
 from pathlib import Path
@@ -17,19 +16,7 @@ from scipy.spatial.transform import Rotation
 from texts import read_data
 
 import dynsplines
-from dynsplines import (
-    Clip,
-    Keyframe,
-    Motion,
-    UserError,
-    build,
-    clips,
-    figures,
-    import_motion,
-    inbetween,
-    load,
-    load_motion,
-)
+from dynsplines import Clip, Keyframe, Motion, UserError, build, clips, figures, import_motion, inbetween, load
 from dynsplines.clip.table import ClipTable, KeyframeTable
 
 ARM = read_data("waving_arm.xml")
@@ -47,11 +34,6 @@ def wave(**more: Any) -> Clip:
 @pytest.fixture(scope="module")
 def motion() -> Motion:
     return inbetween(wave())
-
-
-@pytest.fixture(scope="module")
-def loop() -> Motion:
-    return inbetween(wave(solve={"ends": "periodic"}))
 
 
 def run(code: str, folder: Path) -> str:
@@ -95,17 +77,6 @@ def test_a_clip_is_loaded_from_a_path_and_from_text(tmp_path):
         load(text.replace("time = 0", 'time = "now"'))
     with pytest.raises(UserError, match=r"'x\.npz' is a motion.*load_motion"):
         load("x.npz")
-
-
-def test_the_verb_takes_what_load_takes(tmp_path):
-    path = written(tmp_path)
-    expected = inbetween(load(path)).at(0.3)
-    for source in (path, str(path)):
-        np.testing.assert_array_equal(inbetween(source).at(0.3), expected)
-    with pytest.raises(UserError, match=r"no clip 'run_and_stp'; did you mean 'run_and_step'"):
-        inbetween("run_and_stp")
-    with pytest.raises(UserError, match=r"tiny\.toml': a motion is an \.npz file; load opens a clip"):
-        load_motion(path)
 
 
 @pytest.mark.slow
@@ -197,17 +168,6 @@ def test_what_does_not_fit_is_reported_in_one_line(keyframes, complaint):
     assert "\n" not in str(raised.value)
 
 
-def test_a_motion_says_what_it_is(motion, loop):
-    assert repr(motion) == "<Motion wave: 1.00 s, 3 keyframes, 8 variable frames, 4 DOF>"
-    assert ", loop," in repr(loop)
-    assert (motion.name, motion.start, motion.end, motion.duration, motion.fps) == ("wave", 0, 1, 1, 30)
-    assert (motion.is_loop, loop.is_loop) == (False, True)
-    assert motion.key_times.tolist() == [0, 0.5, 1]
-    assert motion.model.nq == 5
-    assert "shoulder" in motion.mjcf
-    assert motion.clip.name == "wave"
-
-
 def test_times_are_one_or_several(motion):
     for times, shape in ((0.3, (5,)), ([0.3], (1, 5)), (np.linspace(0, 1, 7), (7, 5)), ([], (0, 5))):
         assert motion.at(times).shape == shape
@@ -217,17 +177,6 @@ def test_times_are_one_or_several(motion):
             motion.at(outside)
     with pytest.raises(UserError, match="one number or a list"):
         motion.at(np.zeros((2, 2)))
-
-
-def test_samples_are_at_equal_times(motion):
-    run = motion.sampled(50)
-    np.testing.assert_allclose(run.time, np.arange(51) / 50)
-    np.testing.assert_allclose(run.qpos, motion.at(run.time))
-    assert run.qvel.shape == run.qacc.shape == (51, 4)
-    assert motion.sampled().time.size == 31
-    for rate in (0, -1, np.inf, np.nan):
-        with pytest.raises(UserError, match="above 0"):
-            motion.sampled(rate)
 
 
 def test_samples_at_given_times_are_those_at_equal_ones(motion):
@@ -293,30 +242,6 @@ def test_other_figures_and_shorter_motions_are_not_compared(motion):
         motion.difference(inbetween(build("spinner", [Keyframe(0, others="rest"), Keyframe(1, others="previous")])))
     with pytest.raises(UserError, match="not all of"):
         motion.difference(motion.trimmed(0.2, 0.8))
-
-
-@pytest.mark.slow
-def test_a_report_is_a_table_to_read_and_numbers_to_keep(motion):
-    report = motion.report()
-    assert {"before", "after", "left to gain"} <= set(report)
-    assert json.loads(json.dumps(report))["keyframes"] == 3
-    assert "angular acceleration" in str(report)
-    assert report._repr_html_().startswith("<pre>")
-    assert motion.report() is report
-    edited = motion.retimed(2).report()
-    assert edited["duration, s"] == pytest.approx(0.5)
-
-
-def test_edits_give_new_motions(motion, loop):
-    assert motion.retimed(2).duration == pytest.approx(0.5)
-    assert motion.retimed(duration=4).duration == pytest.approx(4)
-    np.testing.assert_allclose(motion.retimed(2).at(0.25), motion.at(0.5), atol=1e-9)
-    cut = motion.trimmed(0.25)
-    assert (cut.start, cut.end) == (0.25, 1)
-    np.testing.assert_allclose(cut.at(0.7), motion.at(0.7), atol=1e-9)
-    assert loop.repeated(3).duration == pytest.approx(3)
-    assert motion.joined(motion, 0.3).duration == pytest.approx(2.3)
-    assert motion.duration == 1
 
 
 @pytest.mark.parametrize(

@@ -410,29 +410,6 @@ def test_no_press_and_no_typed_number_is_lost_and_a_run_of_presses_is_one_undo(t
     assert tab.evaluate(hip) == before
 
 
-@pytest.mark.parametrize(
-    ("selected", "presses"), [([], (("ArrowRight", 6), ("ArrowLeft", -10))), ([2, 3], (("ArrowUp", 5),))]
-)
-def test_every_repeat_of_a_key_moves_or_spreads_the_keyframes(tab, selected, presses):
-    """The keyboard repeats a key faster than the studio answers."""
-    keyboard, place = tab.page.keyboard, "studio.model.document.keys[3].time"
-    before, time = tab.evaluate(TIMES)[2:]
-    tab.seek(time)
-    tab.evaluate(f"studio.model.select({selected})")
-    keyboard.down("Alt")
-    for key, count in presses:
-        for _ in range(abs(count)):
-            keyboard.down(key)
-        keyboard.up(key)
-        time = before + 1.1**count * (time - before) if key == "ArrowUp" else time + count / 30
-        tab.until(f"Math.abs({place} - {time}) < 2e-3")
-    keyboard.up("Alt")
-    tab.until(f"studio.model.time === {place} && {CONFIRMED}")
-    while tab.evaluate("studio.model.document.dirty"):
-        undo(tab)
-    tab.evaluate("studio.model.select([])")
-
-
 SECOND_TAB = """new Promise((done) => {
   window.second = new WebSocket(sockets.at(-1).url.replace(/tab=[^&]*/, 'tab=second') + '&take');
   second.onopen = () => { second.send(JSON.stringify({ do: 'key', id: 1, time: 0.8 })); done(null); };
@@ -464,33 +441,6 @@ def test_the_page_reconnects_after_a_loss_in_the_middle_of_an_edit_which_is_appl
     assert tab.evaluate("sockets.length") == count + 1
     undo(tab)
     assert tab.evaluate(TIMES) == before
-
-
-def test_things_are_made_larger_by_hand_and_their_arrows_go_with_them(tab):
-    before, page = tab.evaluate("JSON.stringify(studio.model.document.obstacles)"), tab.page
-    tab.press("s")
-    tab.seek(0.8)
-    tab.press("2")
-    tab.changes(page.get_by_role("button", name="+ box").click)
-    page.get_by_role("button", name="box", exact=True).click()
-    tab.shown()
-    box = tab.evaluate("studio.model.document.obstacles.at(-1)")
-    tab.press("r")
-    tab.shown()
-    tab.evaluate("void (studio.gizmo.start(), studio.gizmo.handle.scale.z = 1.5)")
-    tab.changes(lambda: tab.evaluate("void studio.gizmo.end()"))
-    now = tab.evaluate("studio.model.document.obstacles.at(-1)")
-    assert now["size"] == pytest.approx([*box["size"][:2], 1.5 * box["size"][2]])
-    assert now["position"] == pytest.approx([*box["position"][:2], box["position"][2] + box["size"][2] / 4])
-    assert page.locator("#panel-scene").get_by_label("box size z [m]").input_value() == str(now["size"][2])
-    undo(tab)
-    assert tab.evaluate("studio.model.document.obstacles.at(-1)") == box
-    assert tab.evaluate("studio.model.obstacle?.kind === 'box' && studio.gizmo.controls.object !== undefined")
-    undo(tab)
-    tab.until("studio.model.obstacle === null && studio.gizmo.controls.object === undefined")
-    assert tab.evaluate("JSON.stringify(studio.model.document.obstacles)") == before
-    for key in ("r", "p"):
-        tab.press(key)
 
 
 def ring(tab):
@@ -647,9 +597,3 @@ def test_it_fits_windows_of_any_size(tab):
         tab.page.set_viewport_size({"width": width, "height": height})
         assert tab.evaluate("document.documentElement.scrollWidth") <= width
         assert tab.page.locator("#play").is_visible()
-
-
-def test_it_is_dark_or_light(tab):
-    for theme in ("light", "dark"):
-        tab.page.locator("#theme").click()
-        assert tab.evaluate("document.documentElement.dataset.theme") == theme

@@ -7,6 +7,7 @@ import pytest
 from figures import figure_of
 from oracles import kinematics
 from random_models import random_samples
+from texts import read_data
 
 from dynsplines import inbetween, load
 from dynsplines.solver.contacts import Contact, ContactSchedule, grasped_links, surfaces_on
@@ -20,15 +21,7 @@ from dynsplines.solver.surface import Plane, moving_surface
 from dynsplines.solver.surface.cover import covering_points
 from dynsplines.solver.surface.points import Point
 
-CARRIER = """<mujoco><compiler angle="degree"/><worldbody>
-<body name="trunk"><freejoint/><geom name="trunk" size=".3"/>
-  <body name="arm" pos="0 0 .2"><joint type="ball"/><geom name="arm" type="capsule" size=".1" fromto="0 0 0 0 0 .9"/>
-  </body></body>
-<body name="crate"><freejoint/>
-  <geom name="crate" type="box" size=".5 .4 .3" pos=".1 0 0" euler="20 10 0"/>
-  <geom name="knob" type="cylinder" size=".2 .3" pos=".1 .6 0" euler="90 0 0"/>
-  <body name="lid" pos="0 0 .4"><joint type="hinge" axis="0 1 0"/><geom name="lid" type="box" size=".5 .4 .05"/></body>
-</body></worldbody></mujoco>"""
+CARRIER = read_data("carrier.xml")
 
 
 def few(link: int) -> Collision:

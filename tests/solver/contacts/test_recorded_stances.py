@@ -16,12 +16,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.ground_alignment import LOWEST, align_to_ground, move_to_ground
-from dynsplines.solver.contacts.recorded_stances import (
-    DEAR,
-    _cut,
-    infer_stances,
-    surprisal,
-)
+from dynsplines.solver.contacts.recorded_stances import DEAR, _cut, infer_stances, surprisal
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.figure.kinematics import Samples
@@ -166,8 +161,7 @@ def heights(take: Take, ground: Context) -> np.ndarray:
 
 
 @pytest.mark.parametrize(
-    ("pitch", "metres", "degrees"),
-    [(50, 0.004, 1.0), (36, 0.0, 0.0), (36, 0.004, 1.0), (25, 0.002, 0.4)],
+    ("pitch", "metres", "degrees"), [(50, 0.004, 1.0), (36, 0.0, 0.0), (36, 0.004, 1.0), (25, 0.002, 0.4)]
 )
 def test_who_kneels_stands_on_the_toe_alone(pitch, metres, degrees):
     """A heel at rest 9 to 18 cm over the ground, or slower than its noise on its way there, is none of a stance."""

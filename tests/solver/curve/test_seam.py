@@ -25,7 +25,7 @@ from problems import (
     pose,
     turned,
 )
-from random_models import TIMES, closed, distance_from_key, evenly, mask_without, partial_keys, random_keys
+from random_models import TIMES, closed, distance_from_key, evenly, mask_without, partial_keys
 from scipy.spatial.transform import Rotation
 
 from dynsplines import models
@@ -318,16 +318,6 @@ def test_variable_frames_are_moved_and_what_keyframes_fix_stays_even_partly(figu
     assert apart(figure, figure.to_qpos(first.states[inner]), expected) > 0.01
     for key, state in zip(keys, path_of(found).at(TIMES), strict=True):
         assert distance_from_key(figure, state, key) < 1e-11
-
-
-def test_free_ends_start_along_the_path_and_clamped_ones_as_specified(figure, rng):
-    keys, slope = random_keys(figure, rng), rng.normal(size=(2, figure.width))
-    free = straightened(figure, evenly(raw_timeline(figure, keys), 1))
-    t, states = free.times, free.states
-    np.testing.assert_allclose(free.rows[-2], (states[1] - states[0]) / (t[1] - t[0]))
-    np.testing.assert_allclose(free.rows[-1], (states[-1] - states[-2]) / (t[-1] - t[-2]))
-    clamped = evenly(raw_timeline(figure, keys, "clamped", slope), 1)
-    np.testing.assert_array_equal(straightened(figure, clamped).rows[-2:], clamped.rows[-2:])
 
 
 def test_a_body_in_a_spin_goes_the_longer_way_round_where_its_signs_say_so():

@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from copy import copy
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
-import mujoco
 import numpy as np
 import pytest
 from figures import FLOOR, SLOPE, contact_on, figure_named, random_points, stance_of, with_armature
@@ -418,81 +416,3 @@ def test_a_motion_moved_and_turned_about_the_vertical_costs_the_same(name, rng) 
                 part[:, columns] = quat.product(turn, part[:, columns])
     values = penalty.evaluate(Samples(samples.figure, *moved, t=samples.t))
     np.testing.assert_allclose(values, penalty.evaluate(samples), rtol=1e-7, atol=1e-10)
-
-
-PLACES = {"position", "places", "specified", "point", "centre"}
-AXIAL, POLAR = {"lateral"}, {*PLACES, "normal", "long_axis", "axis"}
-GROWTH = dict.fromkeys((*PLACES, "half", "radius", "length"), 1.0)
-GROWTH |= dict.fromkeys(("reach", "blend", "margin", "slack", "excess"), 1.0) | {"unit": 3.0}
-GROWTH |= dict.fromkeys(("first", "last", "time", "times", "intervals", "flights", "settling"), 0.5)
-
-
-def image(part: Any, factor: float, name: str = "") -> Any:
-    """A part of a soft constraint in the mirror image, if the factor is 1, or else in a world so many times as large,
-    whose times are longer by its root."""
-    if isinstance(part, tuple):
-        return tuple(image(each, factor, name) for each in part)
-    if is_dataclass(part):
-        changes = {
-            field.name: image(getattr(part, field.name), factor, field.name) for field in fields(part) if field.init
-        }
-        return replace(part, **changes)
-    if factor != 1:
-        return part * factor ** GROWTH[name] if name in GROWTH and not isinstance(part, int | type(None)) else part
-    if name == "axes":
-        return MIRROR[:, None] * part * MIRROR
-    return part if part is None or name not in AXIAL | POLAR else (MIRROR if name in POLAR else -MIRROR) * part
-
-
-MIRROR = np.array([1.0, -1, 1])
-
-
-def imaged(figure: Figure, factor: float) -> tuple[Figure, Array]:
-    """The figure's image likewise, and the diagonal of the map of its states."""
-    model, along = copy(figure.model), np.ones(figure.width)
-    for name in ("body_pos", "body_ipos", "jnt_pos", "geom_pos"):
-        getattr(model, name)[:] *= MIRROR if factor == 1 else factor
-    if factor == 1:
-        model.jnt_axis[:] *= -MIRROR
-        for name in ("body_quat", "body_iquat", "geom_quat"):
-            getattr(model, name)[:, [1, 3]] *= -1
-        along[figure.tables.position_columns[1]] = -1
-        along[figure.tables.quaternion_columns[[1, 3]]] = -1
-    else:
-        model.geom_size[:] *= factor
-        model.body_mass[:] *= factor**3
-        model.body_inertia[:] *= factor**5
-        along[figure.tables.position_columns] = factor
-    model.qpos0[:] *= along
-    mujoco.mj_setConst(model, mujoco.MjData(model))
-    return Figure(model, figure.coordinates), along
-
-
-WITHOUT_IMAGE = {
-    "range",
-    "overshoot",
-    "tracking",
-    "prior",
-    "coupling",
-    "bend with an allowance",
-}  # kinds of single columns
-OF_FORCES = {"torque", "torque with armature", "speed", "sum"}  # kinds with units of their own
-SIMILAR = [
-    (name, factor)
-    for name in KINDS
-    if name not in WITHOUT_IMAGE
-    for factor in (1.0, 2.5)
-    if factor == 1 or name not in OF_FORCES
-]
-
-
-@pytest.mark.parametrize(("name", "factor"), SIMILAR)
-def test_a_mirrored_motion_costs_the_same_and_one_of_a_larger_figure_as_much_more_as_specified(
-    name: str, factor: float, rng: np.random.Generator
-) -> None:
-    penalty, samples = KINDS[name](figure_named("ball tree, world"), rng)
-    figure, along = imaged(samples.figure, factor)
-    parts = (part * along / factor ** (order / 2) for order, part in enumerate((samples.y, samples.y_d, samples.y_dd)))
-    values = image(penalty, factor).evaluate(Samples(figure, *parts, t=np.sqrt(factor) * samples.t))
-    power = penalty.normalization.length_power - penalty.normalization.time_power / 2
-    np.testing.assert_allclose(values, factor**power * penalty.evaluate(samples), rtol=1e-6, atol=1e-9)

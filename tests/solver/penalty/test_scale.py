@@ -162,11 +162,7 @@ def test_a_gradient_that_is_off_by_a_share_is_refused_with_its_slope_of_about_on
 
 
 @pytest.mark.parametrize(
-    ("wrong", "words"),
-    [
-        (0, r"a value is nan; finite ones from 0 on are penalties"),
-        (1, r"a value is -1e-09; finite"),
-    ],
+    ("wrong", "words"), [(0, r"a value is nan; finite ones from 0 on are penalties"), (1, r"a value is -1e-09; finite")]
 )
 def test_values_that_are_none_are_refused(wrong, words):
     with pytest.raises(ValueError, match=words):

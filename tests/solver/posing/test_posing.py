@@ -186,13 +186,6 @@ def test_curved_residuals_are_minimised_as_by_scipy(seed, scale):
     np.testing.assert_allclose(pose, expected.x, atol=1e-5)
 
 
-def test_nothing_to_move_stays():
-    problem = LeastSquares(lambda _: Residuals(np.ones(1), np.zeros((1, 3)), 1), moved, np.ones(3), 10)
-    pose, cost = problem.minimise(np.ones(3))
-    np.testing.assert_array_equal(pose, np.ones(3))
-    assert cost == 1
-
-
 HUMAN = {c: Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")), c) for c in ("world", "joint")}
 BENDS, _ = posing_limits(HUMAN["world"], {"limits": Options(least_bend=2.0)})
 SITES = [f"{side}_{part}" for side in ("left", "right") for part in ("heel", "toe", "hand", "wrist")]

@@ -30,7 +30,7 @@ from dynsplines.solver.penalty import (
     UnitMagnitude,
 )
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.parts import AHEAD, BEHIND, KEPT, SearchPart, Window, edited, is_long, windows
+from dynsplines.solver.refine.parts import AHEAD, BEHIND, KEPT, SearchPart, Window, edited, windows
 from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface.points import Point
@@ -96,18 +96,6 @@ def test_windows_keep_every_segment_once_and_overlap_their_neighbours(segments):
         assert window.last == window.end == min(kept_to + AHEAD, segments)
     for one, other in pairwise(found):
         assert other.begin < other.first < one.last
-
-
-def test_long_clips_of_large_figures_are_long_and_loops_never(monkeypatch):
-    raw, slope = raw_timeline(FIGURE, long_keys()), np.zeros((2, FIGURE.width))
-    clamped = raw_timeline(FIGURE, long_keys(), "clamped", slope)
-    loop = raw_of("periodic", np.arange(30.0))
-    assert not is_long(raw)  # few entries
-    monkeypatch.setattr("dynsplines.solver.refine.parts.LARGEST", 0)
-    assert not is_long(raw)  # fewer segments than a window
-    monkeypatch.setattr("dynsplines.solver.refine.parts.KEPT", 6)
-    assert is_long(raw) and is_long(clamped) and not is_long(loop)
-    assert [is_long(raw_of(keys=np.arange(float(count)))) for count in (11, 12)] == [False, True]
 
 
 @pytest.mark.slow
@@ -229,22 +217,6 @@ def test_a_few_steps_in_windows_lower_e_in_every_part_of_the_clip_and_are_report
     assert found.sum() < 0.95 * raw.sum()
     edges = [window.first for window in windows(14)]
     assert np.all(np.add.reduceat(found, edges) < np.add.reduceat(raw, edges))
-
-
-def test_what_a_window_holds_is_held_whole_up_to_the_keyframe_that_it_begins_to_keep():
-    """Keyframe 4 leaves its knee free or some of its root: the window behind it must not move what is there already."""
-    raw = raw_timeline(FIGURE, long_keys(partial=True))
-    timeline, whole = evenly(raw, 1), {frame.time for frame in raw.frames if frame.fixed.all()}
-    for window in (Window(1, 4, 13, 13), Window(4, 7, 13, 13)):
-        assert not raw.frames[window.first].fixed.all()
-        part = part_of(timeline, raw, window)
-        for frame in part.timeline.frames:
-            held = frame.time <= raw.times[window.first]
-            assert frame.fixed.all() == (held or (not frame.is_variable and frame.time in whole))
-        for frame, own in zip(raw.frames, part.put_back(part.timeline).frames[::2], strict=True):
-            np.testing.assert_array_equal(own.fixed, frame.fixed)  # in the whole clip it stays what it was
-    opened = part_of(timeline, raw, Window(0, 0, 7, 7)).timeline
-    np.testing.assert_array_equal([f.fixed for f in opened.frames[::2]], [f.fixed for f in raw.frames[:8]])
 
 
 KEYS = np.array([0.0, 0.5, 1.0, 1.75, 2.5, 3.0, 3.5, 4.25, 5.0])

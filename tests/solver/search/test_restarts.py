@@ -20,33 +20,20 @@ from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.objective import Objective
-from dynsplines.solver.penalty import (
-    Collision,
-    CovariantAcceleration,
-    Penalty,
-    RootAcceleration,
-    TrackingPenalty,
-    UnitMagnitude,
-)
+from dynsplines.solver.penalty import CovariantAcceleration, Penalty, RootAcceleration, TrackingPenalty, UnitMagnitude
 from dynsplines.solver.search.restarts import (
-    COST_RATIO,
-    EQUAL_WITHIN,
     MAX_DEVIATION,
     MAX_QUATERNION_LENGTH,
     OFFSETS,
     SAMPLES_PER_SEGMENT,
     SUBDIVISIONS,
     common_grid,
-    cost_increased,
     is_poor_minimum,
     is_pose_outlier,
     largest_deviation,
     longest_quaternion,
-    select_best,
     violation_dominates,
 )
-from dynsplines.solver.surface import Capsule, Plane
-from dynsplines.solver.surface.points import Point
 from dynsplines.solver.tolerances import ROUNDING
 
 VERB = sys.modules["dynsplines.solver.inbetween"]  # the package has the verb under the module's name
@@ -135,35 +122,6 @@ def test_what_follows_a_recording_is_far_when_it_is_far_from_that():
         assert not is_pose_outlier(objective, expected)
 
 
-@pytest.mark.parametrize(
-    ("angular", "bend", "dominates"),
-    [(0.5, 1.9, False), (0.5, 3.1, True), (5.0, 3.1, False), (50.0, 0.0, False), (5.0, 5.0, False)],
-)
-def test_violations_dominate_that_cost_more_than_all_motion_does(angular, bend, dominates):
-    objective = Objective.of(LIMB, TERMS).renormalised(path_of(raw_timeline(LIMB, swinging(6))))
-    parts = {"acceleration.angular": angular, "unit": 0.0, "limits.bend": bend}
-    assert violation_dominates(objective, parts) is dominates
-
-
-@pytest.mark.parametrize(
-    ("with_ball", "parts", "increased"),
-    [
-        (True, {"acceleration.angular": 0.1}, True),
-        (False, {"acceleration.angular": 0.1}, False),
-        (True, {"acceleration.angular": -0.1, "limits.bend": 50.0}, False),
-        (True, {"acceleration.angular": -0.1, "collision.soles": 0.2}, True),
-    ],
-)
-def test_motion_and_an_obstacle_that_cost_twice_the_raw_cost_are_a_reason_to_restart(with_ball, parts, increased):
-    up = np.eye(3)[2]
-    floor, ball = Plane("floor", np.array([0.0, 0, -9]), up), Capsule("ball", np.array([0.0, 0, 5]), up, 0.0, 0.1)
-    contact = Collision((Point("tip", 1, np.zeros(3)),), (floor, ball) if with_ball else (floor,))
-    raw = path_of(raw_timeline(LIMB, swinging(6)))
-    objective = Objective.of(LIMB, [*TERMS, (contact, 1.0)]).renormalised(raw)
-    angular = COST_RATIO * objective.raw_cost + parts["acceleration.angular"]
-    assert cost_increased(objective, {**parts, "acceleration.angular": angular}) is increased
-
-
 @pytest.mark.slow
 def test_a_limb_that_began_behind_its_knee_is_out_of_there_by_the_straight_way():
     keys, before = swinging(HEAP), first_search(HEAP)
@@ -224,24 +182,3 @@ def test_about_the_moment_at_which_a_quaternion_passes_zero_are_samples_as_close
     alone = common_grid([timeline])
     assert alone.size < edges.size
     np.testing.assert_allclose(alone[::SUBDIVISIONS], [1, 1.5, 3])
-
-
-def bent(by: float) -> Timeline:
-    """Two frames of two hinges at rest, and one between them that is off."""
-    times, states = np.array([0.0, 1, 2]), np.array([[0.0, 0], [by, 0], [0, 0]])
-    return Timeline(tuple(Frame.many(times, states, np.ones((3, 2), bool))), np.zeros((2, 2)), "clamped")
-
-
-def test_the_best_is_the_first_of_those_whose_e_is_as_good_as_the_least():
-    """E of a hinge is the square of how far it is off."""
-    objective = Objective.of(hinged(), [(CovariantAcceleration(), 1.0)])
-    hair = 1 + 0.5 * EQUAL_WITHIN
-    least, within, beyond, far = (bent(by) for by in (1.0, np.sqrt(hair), np.sqrt(1 + 2 * EQUAL_WITHIN), 2.0))
-    for timelines, wanted in (
-        ((far, least, within), least),
-        ((far, within, least), within),
-        ((beyond, least, far), least),
-        ((least, beyond), least),
-        ((far,), far),
-    ):
-        assert select_best(objective, timelines) is wanted

@@ -10,55 +10,18 @@ import pytest
 from figures import figure_of
 from processes import quiet
 from random_models import random_samples
+from texts import read_data
 
 from dynsplines import recordings, solving
 from dynsplines.clip.build import Clip
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import Attachment, CouplingPenalty, closures, couplings
 
-GRIPPER = """
-<mujoco><compiler angle="degree"/><worldbody>
-<body name="arm" pos="0 0 .5"><joint name="swing" type="hinge" axis="0 1 0" range="-90 90" limited="true"/>
-  <geom type="capsule" size=".03" fromto="0 0 0 .4 0 0"/>
-  <body name="left" pos=".4 .05 0"><joint name="left" type="hinge" axis="0 0 1" range="0 45" limited="true" ref="5"/>
-    <geom type="box" size=".05 .01 .01" pos=".05 0 0"/>
-    <body name="tip" pos=".1 0 0"><joint name="tip" type="hinge" axis="0 0 1"/>
-      <geom type="box" size=".02 .01 .01" pos=".02 0 0"/></body></body>
-  <body name="right" pos=".4 -.05 0"><joint name="right" type="slide" axis="0 1 0"/>
-    <geom type="box" size=".05 .01 .01" pos=".05 0 0"/></body>
-  <body name="lock" pos=".2 0 .05"><joint name="lock" type="hinge" axis="0 0 1"/><geom size=".01"/></body>
-</body></worldbody>
-<equality>
-  <joint joint1="tip" joint2="left" polycoef="0 -1.5 0.4 0 0"/>
-  <joint joint1="right" joint2="left" polycoef="0.01 0.05 0 0 0"/>
-  <joint joint1="lock" polycoef="0.2 0 0 0 0"/>
-  <joint joint1="swing" joint2="left" active="false"/>
-</equality></mujoco>"""
+GRIPPER = read_data("gripper.xml")
 
-GEARS = """
-<mujoco><worldbody>
-<body name="a"><joint name="a" type="hinge" ref="0.3"/><geom size=".1"/>
-  <body name="b" pos="1 0 0"><joint name="b" type="slide" ref="0.2"/><geom size=".1"/>
-    <body name="c" pos="1 0 0"><joint name="c" type="hinge" ref="-0.4"/><geom size=".1"/>
-      <body name="d" pos="1 0 0"><joint name="d" type="slide" ref="0.1"/><geom size=".1"/></body></body></body></body>
-</worldbody><equality>
-  <joint joint1="b" joint2="a" polycoef="0.1 0.5 -0.2 0.3 0.7"/>
-  <joint joint1="a" polycoef="0.2 9 9 9 9"/>
-  <joint joint1="d" joint2="c" polycoef="0 -2 0 0 0.5"/>
-</equality></mujoco>"""
+GEARS = read_data("gears.xml")
 
-FOUR_BAR = """
-<mujoco><compiler angle="degree"/><worldbody>
-<body name="crank" pos="0 0 1"><joint name="crank" axis="0 1 0"/><geom type="capsule" size=".01" fromto="0 0 0 0 0 .1"/>
-  <body name="rod" pos="0 0 .1"><joint name="rod" axis="0 1 0"/><geom type="capsule" size=".01" fromto="0 0 0 .3 0 0"/>
-  </body></body>
-<body name="rocker" pos=".3 0 1"><joint name="rocker" axis="0 1 0"/>
-  <geom type="capsule" size=".01" fromto="0 0 0 0 0 .1"/></body>
-<body name="handle" mocap="true" pos="0 1 2"/>
-<body name="lid" pos="0 1 1"><freejoint name="lid"/><geom type="box" size=".1 .1 .01"/></body>
-</worldbody>
-<equality><weld body1="lid" body2="handle"/>
-  <connect body1="rod" body2="rocker" anchor=".3 0 0"/><weld body1="lid"/></equality></mujoco>"""
+FOUR_BAR = read_data("four_bar.xml")
 
 
 def read(text: str, keys: str, folder: Path) -> Clip:

@@ -140,13 +140,7 @@ def test_what_keyframes_violate_passes_along_the_line_to_the_next(limited_figure
     """Beyond by a keyframe: nothing to pay there, half of it to spare midway to one within."""
     ranges = joint_ranges(limited_figure)
     states = limited_figure.to_state(
-        np.vstack(
-            [
-                limited_figure.model.qpos0,
-                rng.normal(size=(1, limited_figure.width)),
-                limited_figure.model.qpos0,
-            ]
-        )
+        np.vstack([limited_figure.model.qpos0, rng.normal(size=(1, limited_figure.width)), limited_figure.model.qpos0])
     )
     keys = Timeline(tuple(Frame.key(float(t), y) for t, y in enumerate(states)), np.zeros((2, limited_figure.width)))
     plain, lenient = JointRange(ranges), JointRange(ranges).allowing(limited_figure, keys)
@@ -203,11 +197,7 @@ LIMBS = limb(), limb("joint", ".8 .1 -.2 .4")
 
 
 @given(
-    st.sampled_from(LIMBS),
-    st.floats(-3, 3),
-    st.floats(-1.4, 1.4),
-    st.floats(-1.5, 1.5),
-    st.sampled_from([1.0, -1.0]),
+    st.sampled_from(LIMBS), st.floats(-3, 3), st.floats(-1.4, 1.4), st.floats(-1.5, 1.5), st.sampled_from([1.0, -1.0])
 )
 @example(LIMBS[1], 1.5, 0.0, 0.0, 1.0)
 @example(LIMBS[1], 0.0, 1.4, 0.0, -1.0)

@@ -14,6 +14,7 @@ from paper.penetration import self_penetration
 from processes import quiet
 from random_models import random_samples
 from rich.console import Console
+from texts import read_data
 
 from dynsplines import solving
 from dynsplines.clip import load as clip
@@ -28,18 +29,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import SelfContact
 
-SPIDER = """
-<mujoco><worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/>
-  <geom name="trunk" type="capsule" size=".1" fromto="0 0 0 .05 0 .4"/>
-  <body name="arm" pos="0 .2 .4"><joint name="shoulder" type="ball"/>
-    <geom name="arm" type="capsule" size=".05" fromto="0 0 0 0 .3 0"/>
-    <body name="hand" pos="0 .3 0" quat=".9 .1 .2 .3"><joint name="wrist" type="ball"/>
-      <geom name="hand" size=".06" pos="0 .1 0"/></body></body>
-  <body name="other" pos="0 -.2 .4"><joint name="other" type="ball" pos=".01 .02 .03"/>
-    <geom name="other" type="capsule" size=".05" fromto="0 0 0 0 -.3 0"/>
-    <body name="pad" pos="0 -.3 0" quat=".9 .1 -.2 .3">
-      <geom name="pad" type="capsule" size=".06" fromto="0 0 -.1 0 0 .1"/></body></body>
-</body></worldbody></mujoco>"""
+SPIDER = read_data("spider.xml")
 COORDINATES = ["world", "joint"]
 
 
@@ -138,26 +128,8 @@ def test_a_depth_that_keyframes_specify_is_tolerated_and_fades_towards_the_next_
     assert penalty.allowing(figure, partial).allowed is None
 
 
-ARMS = """
-<mujoco><compiler angle="degree"/><worldbody><body name="trunk" pos="0 0 1"><freejoint name="root"/>
-  <geom name="trunk" type="capsule" size=".1" fromto="0 0 -.2 0 0 .2" mass="9"/>
-  <body name="arm" pos="0 .3 .2"><joint name="shoulder" type="ball"/>
-    <geom name="arm" type="capsule" size=".03" fromto="0 0 -.02 0 0 -.1" mass="1"/>
-    <body name="hand" pos="0 0 -.2"><joint name="elbow" type="ball"/>
-      <geom name="hand" type="capsule" size=".04" fromto="0 0 0 0 0 -.15" mass="1"/></body></body>
-</body></worldbody></mujoco>"""
-SWING = """figure = "arms.xml"
-[[keyframe]]
-time = 0
-root.position = [0, 0, 1]
-root.rotation = {rotvec = [0, 0, 0]}
-joints = {shoulder = {rotvec = [-40, 40, 0]}, elbow = {rotvec = [0, 0, 0]}}
-[[keyframe]]
-time = 1
-root.position = [0, 0, 1]
-root.rotation = {rotvec = [0, 0, 0]}
-joints = {shoulder = {rotvec = [-40, -40, 0]}, elbow = {rotvec = [0, 0, 0]}}
-"""
+ARMS = read_data("arm_at_trunk.xml")
+SWING = read_data("arm_at_trunk.toml")
 
 
 @pytest.mark.slow

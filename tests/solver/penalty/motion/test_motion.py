@@ -216,8 +216,7 @@ LAIN = [(LYING, "world"), (LYING, "joint")]  # whose model has its root turned
 
 
 @pytest.fixture(
-    params=[*CHAINS, *LAIN],
-    ids=["free", "fixed balls", "fixed ball and hinge", "turned root", "turned root, joints"],
+    params=[*CHAINS, *LAIN], ids=["free", "fixed balls", "fixed ball and hinge", "turned root", "turned root, joints"]
 )
 def cycled(request, rng) -> Cycle:
     text, coordinates = request.param

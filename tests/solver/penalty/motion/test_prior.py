@@ -292,36 +292,3 @@ def test_a_motion_that_is_off_by_the_expected_error_costs_one_times_the_trust(
     trust *= np.interp(gaps[:, 0], [0.2, 0.3, 1.5, 2.5], [0, 1, 1, 0])
     assert trust.max() > 0.3 > trust.min() > 0
     np.testing.assert_allclose(prior.evaluate(Samples.still(figure, states, middles)), trust, rtol=1e-6)
-
-
-def test_networks_read_postures_relative_to_the_heading_and_place_of_the_first_keyframe(
-    rng: np.random.Generator,
-) -> None:
-    """By SciPy's rotations: axes of the parts, wrists, toes and ankles about the hips, hips, steps, heights, times."""
-    heading, segments = 0.8, random_segments(rng)
-    lean = Rotation.from_rotvec([0.3, -0.4, 0])
-    segments.turns[:, 1, 0] = (Rotation.from_rotvec([0, 0, heading]) * lean).as_quat(scalar_first=True)
-    placed = np.array([[True, True, True, True], [False, True, True, True], [True, False, True, True]])
-    segments = replace(segments, is_placed=placed, on_floor=np.array([True, True, False]))
-    back = Rotation.from_rotvec([0, 0, -heading])
-    for b in range(3):
-        turns = [[Rotation.from_quat(q, scalar_first=True) for q in pose] for pose in segments.turns[b]]
-        axes, ends, hips, heights = [], [], [], []
-        for pose, place, here in zip(turns, segments.hips[b], placed[b], strict=True):
-            joints = [np.zeros(3)]
-            for part, parent in enumerate(people.PARENTS[1:], start=1):
-                joints.append(joints[parent] + pose[parent].apply(segments.offsets[b, part]))
-            tips = [
-                joints[part] + pose[part].apply(tip) for part, tip in zip(people.TIPS, segments.tips[b], strict=True)
-            ]
-            axes.append([(back * turn).as_matrix()[:, :2] for turn in pose])
-            ends.append(back.apply([*tips, joints[8], joints[11]]))
-            hips.append(back.apply(place - segments.hips[b, 1]) * (here and placed[b, 1]))
-            low = [0.0, tips[2][2], tips[3][2], joints[8][2], joints[11][2]]
-            heights.append((place[2] + np.array(low)) * here * segments.on_floor[b])
-        steps = [
-            [(one.inv() * other).as_rotvec() for one, other in zip(*pair, strict=True)] for pair in pairwise(turns)
-        ]
-        others = segments.on_floor[b], segments.is_known[b], placed[b], segments.gaps[b], 1 / (segments.gaps[b] + 0.2)
-        expected = np.concatenate([np.ravel(part) for part in (axes, ends, hips, steps, heights, *others)])
-        np.testing.assert_allclose(segments.features[b], expected, atol=1e-12)
