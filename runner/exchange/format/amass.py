@@ -8,15 +8,8 @@ root_orient, pose_body  the first three columns of poses and the others, in its 
 mocap_framerate         [1/s]; mocap_frame_rate in later files
 
 At rest SMPL's body has its arms to the sides, x to its left, y up and z forward. Source: N. Mahmood et al., AMASS, ICCV
-2019. The files contain no skeleton, only coefficients of a body model that may not be redistributed. So a file is read
-in one of two ways:
-
-- A figure like the shipped human, with SMPL's joints as ball joints, gets their angles. It has x forward, y to the
-  left and z up, and its arms hang, so its orientation is that of SMPL's body times a constant rotation. The three
-  joints of the spine become one, and collar bones become part of the shoulders; toes, neck, head and wrists are
-  omitted. The figure keeps its limb lengths. The motion is shifted vertically until the lowest sole point of all
-  samples touches z = 0.
-- Any other figure gets the motion of SMPL's mean shape by retargeting. Without a figure, the mean shape is the figure.
+2019. The files contain no skeleton, only coefficients of a body model that may not be redistributed. A figure gets the
+motion of SMPL's mean shape by retargeting. Without a figure, the mean shape is the figure.
 
 Joints are named as in SMPL, except for its left_foot and right_foot, which are the toes. Offsets are those of the mean
 shape (betas of zero), rounded to a millimetre and made symmetric.
@@ -35,13 +28,9 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.figure.figure import JointKind
-from dynsplines.solver.figure.model import kinematics
 
 from ...errors import GIVE_RATE, UserError
-from ...scene.configuration import posed
-from ...scene.roles import SIDES, lineage
-from ..array_reader import SAMPLES, ArrayReader, names_in, read_npz, times
+from ..array_reader import SAMPLES, ArrayReader, names_in, read_npz
 from ..recording import Recording
 from ..skeleton import hierarchy
 from ..skeleton.bvh_file import placed
@@ -65,18 +54,6 @@ END_OF = {"left_toe": (0, -0.018, 0.072), "head": (0, 0.18, 0), "left_wrist": (0
 RATES = ("mocap_framerate", "mocap_frame_rate")
 COUNTS = (22, 24, 52, 55)  # joints of SMPL's body, SMPL, SMPL-H and SMPL-X
 HIGHEST, FASTEST = 10.0, 15.0  # [m], [m/s] median height and mean speed above which positions are not in metres
-JOINT = {  # of SMPL, by ball joint of the figure
-    "spine": NAMES.index("spine3"),
-    **{
-        f"{side}_{part}": NAMES.index(f"{side}_{part}")
-        for side in SIDES
-        for part in ("shoulder", "elbow", "hip", "knee", "ankle")
-    },
-}
-SPREAD = {  # rotation of hanging arms to the sides, as at rest in SMPL
-    "left": np.array([np.sqrt(0.5), np.sqrt(0.5), 0, 0]),
-    "right": np.array([np.sqrt(0.5), -np.sqrt(0.5), 0, 0]),
-}
 
 
 def _mirrored(table: dict[str, tuple[float, float, float]]) -> dict[str, Array]:
@@ -99,7 +76,7 @@ def recognises(path: Path) -> bool:
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:
-    """Read the motion of SMPL's body on a figure, or as a new figure."""
+    """Read the motion of SMPL's mean shape on a figure, or as a new figure."""
     arrays = read_npz(path)
     name = next((name for name in RATES if name in arrays), RATES[0])
     if name not in arrays and fps is None:
@@ -110,10 +87,6 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         raise UserError(f"{path}: it has no samples")
     local = _rotations(arrays)
     _check_unit(position, rate, path)
-    columns = None if model is None else _columns(model)
-    if model is not None and columns is not None:
-        qpos = _on_person(model, columns, position, local)
-        return Recording(times(len(qpos), rate), qpos, fps=rate, assumed_layout="z up")
     out = bvh.of_captured(captured(position, local), rate, path, model, _on_shape(arrays))
     return replace(out, assumed_layout="z up")
 
@@ -149,57 +122,10 @@ def _on_shape(reader: ArrayReader) -> tuple[str, ...]:
     return ("bones are those of SMPL's mean shape: the file's 'betas' are not used",) if has_shape else ()
 
 
-def _columns(model: mujoco.MjModel) -> dict[str, int] | None:
-    """Return the first columns in qpos of the root and of the ball joints of a figure like the shipped human.
-
-    None for a figure that lacks some of them, or has bodies that are not parallel to the world at rest.
-    """
-    roots = np.flatnonzero(model.jnt_type == JointKind.FREE)
-    joints = {model.joint(joint).name: joint for joint in np.flatnonzero(model.jnt_type == JointKind.BALL)}
-    if len(roots) != 1 or not joints.keys() >= JOINT.keys():
-        return None
-    chosen = [roots[0], *(joints[name] for name in JOINT)]
-    if np.abs(kinematics(model).xquat[model.jnt_bodyid[chosen[1:]], 0]).min() < 1 - 1e-6:
-        return None
-    return dict(zip(("root", *JOINT), model.jnt_qposadr[chosen].tolist(), strict=True))
-
-
-def _on_person(model: mujoco.MjModel, columns: dict[str, int], position: Array, local: Array) -> Array:
-    """Return qpos (T, nq) with the joints' angles, on the floor."""
-    _, rotation = in_world(local)
-    bodies = {"root": quat.product(rotation[:, 0], hierarchy.Y_UP)}
-    for name, joint in JOINT.items():
-        world = quat.product(rotation[:, joint], hierarchy.Y_UP)
-        arm = name.endswith(("shoulder", "elbow"))
-        bodies[name] = quat.product(world, SPREAD[name.split("_")[0]]) if arm else world
-    qpos, root = np.tile(model.qpos0, (len(position), 1)), columns["root"]
-    qpos[:, root : root + 3] = position
-    qpos[:, root + 3 : root + 7] = quat.aligned(bodies["root"])
-    names = {joint: name for name, joint in JOINT.items()}
-    for name, joint in JOINT.items():
-        above = next((names[i] for i in lineage(joint, PARENT)[1:] if i in names), "root")
-        turn = quat.product(quat.inverse(bodies[above]), bodies[name])
-        qpos[:, columns[name] : columns[name] + 4] = quat.aligned(turn)
-    qpos[:, root + 2] -= _lowest(model, qpos)
-    return qpos
-
-
-def _lowest(model: mujoco.MjModel, qpos: Array) -> float:
-    """Return the least height [m] of the figure's sites, which include those at the soles."""
-    if model.nsite == 0:
-        return 0.0
-    return min(float(data.site_xpos[:, 2].min()) for data in posed(model, qpos))
-
-
-def in_world(local: Array) -> tuple[Array, Array]:
-    """Return positions (T, 22, 3) [m] of the joints relative to the pelvis, and rotations (T, 22, 4) in the world, from
-    rotations relative to the parent."""
-    return placed(PARENT, np.tile(OFFSET, (len(local), 1, 1)), local)
-
-
 def captured(position: Array, local: Array) -> CapturedSkeleton:
-    """Return the mean shape in motion: positions (T, 3) [m] of the pelvis, rotations (T, 22, 4), in a z-up world."""
-    ours, (away, turn) = quat.inverse(hierarchy.Y_UP), in_world(local)
+    """Return the mean shape in motion: positions (T, 3) [m] of the pelvis, in a z-up world, and rotations (T, 22, 4)
+    relative to the parent."""
+    ours, (away, turn) = quat.inverse(hierarchy.Y_UP), placed(PARENT, np.tile(OFFSET, (len(local), 1, 1)), local)
     place = position[:, None] + away
     ends = {joint: quat.rotated(ours, end) for joint, end in ENDS.items()}
     rotation = quat.aligned(quat.product(turn, hierarchy.Y_UP))
