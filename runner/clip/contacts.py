@@ -7,17 +7,15 @@ keyframe puts the body out of the limb's reach, the grasp is relaxed.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import pairwise
-from operator import itemgetter
 
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.contacts import Contact, ContactSchedule
-from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure
@@ -52,58 +50,64 @@ def schedule_of(
     """
     complete = [frame.state for frame in keys.frames if frame.is_key]
     soles = sole_points(figure, figure.to_qpos(np.reshape(complete, (-1, figure.width))))
-    specified = contacts(figure, keys, tables, where, soles, surfaces)
     samples = Samples.still(figure, keys.states)
-    grasps = grasps_of(samples, keys, grasp_tables, where, soles)
+    specified = contacts(samples, keys, tables, where, soles, surfaces)
+    _check_bodies(
+        [piece for contact in specified for piece in contact.pieces()], where, Thresholds.of(figure).near_surface
+    )
+    grasps = contacts(samples, keys, grasp_tables, where, soles)
     firm = [grasp for grasp, table in zip(grasps, grasp_tables, strict=True) if table.rotation != "free"]
     turns = tuple(turn for grasp in firm if _is_alone(grasp, grasps) for turn in rotation_points(samples, keys, grasp))
     return ContactSchedule(figure, keys, soles, surfaces, specified, grasps, turns)
 
 
 def contacts(
-    figure: Figure,
+    samples: Samples,
     keys: Timeline,
-    tables: Sequence[ContactTable],
+    tables: Sequence[ContactTable | GraspTable],
     where: str,
     soles: Sequence[Point] = (),
     surfaces: Sequence[Surface] = (),
 ) -> tuple[Contact, ...]:
-    """Return the contacts of a clip's tables; raises UserError that names the invalid table.
+    """Return the contacts of a clip's tables of one kind; raises UserError that names the invalid table.
 
+    samples   the poses of the keyframes
     surfaces  if a keyframe has a point inside one of these, the point rises as `collision` requires
     """
-    places = Places(figure, soles)
-    specified: list[Contact] = []
+    places, specified = Places(samples.figure, soles), list[Contact]()
     for i, table in enumerate(tables):
-        name = f"{where}: contact {i + 1} ('{table.point}')"
-        point = places.named_point(table.point, name)
-        same = [(f"contact {k} of the same point", t) for k, t in enumerate(tables[:i], 1) if t.point == table.point]
-        _check_times(table, same, keys, name, "a point rests in one place at a time")
-        target = None if table.position is None else np.array(table.position, float)
-        contact = Contact(point, table.start, table.end, specified=target)
-        specified.append(_placed(contact, _spots(figure, keys, contact, name, surfaces)))
-    _check_bodies(
-        [piece for contact in specified for piece in contact.pieces()], where, Thresholds.of(figure).near_surface
-    )
+        kind, label = ("grasp", f" on '{table.body}'") if isinstance(table, GraspTable) else ("contact", "")
+        name = f"{where}: {kind} {i + 1} ('{table.point}'{label})"
+        contact = _unplaced(places, table, name)
+        _check_times(table, [(f"{kind} {k}", other) for k, other in enumerate(tables[:i], 1)], keys, name)
+        specified.append(_with_places(samples, keys, contact, surfaces, f"{name}: keyframe {{}} (t = {{:g}} s)"))
     return tuple(specified)
 
 
-def _placed(contact: Contact, spots: Sequence[tuple[float, Array]]) -> Contact:
-    """Return a contact with positions (3,) [m] at times [s], if there are any."""
-    if not spots:
-        return contact
-    times, places = zip(*spots, strict=True)
-    return replace(contact, times=np.array(times), places=np.array(places))
+def _unplaced(places: Places, table: ContactTable | GraspTable, name: str) -> Contact:
+    """Return the contact of a table, without the positions that keyframes specify."""
+    point = places.named_point(table.point, name)
+    target = None if table.position is None else np.array(table.position, float)
+    if not isinstance(table, GraspTable):
+        return Contact(point, table.start, table.end, specified=target)
+    figure, bodies = places.figure, moving_bodies(places.figure)
+    if table.body not in bodies:
+        raise UserError(f"{name}: {_no_body(figure, table.body, bodies)}")
+    link = int(figure.body_link[bodies[table.body]])
+    if point.link == link:
+        raise UserError(f"{name}: the site is on that body itself, where it always stays")
+    if target is not None:
+        target = figure.point_on_link(bodies[table.body], target)[1]
+    return Contact(point, table.start, table.end, link, specified=target)
 
 
 def _check_times(
     table: ContactTable | GraspTable,
-    same: Sequence[tuple[str, ContactTable | GraspTable]],
+    earlier: Sequence[tuple[str, ContactTable | GraspTable]],
     keys: Timeline,
     name: str,
-    why: str,
 ) -> None:
-    """Raise UserError unless a table's times rise, are within the clip, and overlap no earlier table of the `same`."""
+    """Raise UserError unless a table's times rise, are within the clip, and overlap no earlier table of the point."""
     first, last = float(keys.times[0]), float(keys.times[-1])
     if not table.start < table.end:
         raise UserError(f"{name}: from = {table.start:g} s is not before to = {table.end:g} s")
@@ -111,78 +115,98 @@ def _check_times(
         raise UserError(
             f"{name}: {table.start:g} to {table.end:g} s is outside the clip, which runs from {first:g} to {last:g} s"
         )
-    for label, other in same:
+    for label, other in earlier:
         first, last = max(table.start, other.start), min(table.end, other.end)
-        if last - first > ROUNDING:
-            raise UserError(f"{name}: overlaps {label} from {first:g} to {last:g} s; {why}")
+        if other.point == table.point and last - first > ROUNDING:
+            raise UserError(
+                f"{name}: overlaps {label} of the same point from {first:g} to {last:g} s; a point touches one thing "
+                "at a time"
+            )
 
 
-def _spots(
-    figure: Figure, keys: Timeline, rest: Contact, name: str, surfaces: Sequence[Surface]
-) -> list[tuple[float, Array]]:
-    """Return the point's specified positions at times of the interval, from the table and from keyframes.
+def _with_places(
+    samples: Samples, keys: Timeline, contact: Contact, surfaces: Sequence[Surface], label: str
+) -> Contact:
+    """Return a contact with the point's positions, as far as the table and keyframes specify them.
 
-    Posed keyframes count only if the table specifies no position.
+    Posed keyframes count only if nothing else specifies a position; label: of a keyframe in errors.
     """
-    at_keys, target = KeyframePoints.of(figure, keys, [rest.point], surfaces), rest.specified
-    centres, drift = at_keys.centres, at_keys.limits.same_spot
-    inside = (keys.times >= rest.first - ROUNDING) & (keys.times <= rest.last + ROUNDING)
-    setting = np.flatnonzero(inside & (at_keys.is_known if target is None else at_keys.is_fixed)[0])
-
-    def contradicts(k: int, distance: float, first: int | None) -> str:
-        where = "the contact's position" if first is None else f"where keyframe {first + 1} does"
-        return (
-            f"{name}: keyframe {k + 1} (t = {keys.times[k]:g} s) puts the point {distance:.3f} m from {where}; "
-            f"a contact may drift by {drift:.3g} m"
-        )
-
-    agreed = agreeing(centres[:, 0], setting, at_keys.is_fixed[0], target, drift, contradicts)
-    if not agreed:
-        return [] if target is None else [(rest.first, target)]
-    height, up = height_over(surfaces, centres, np.array([rest.point.radius]))
-    sunk = Allowance(keys.times, np.maximum(-height[0], 0.0) * at_keys.is_fixed[0])
-    spots = [(float(keys.times[k]), centres[:, 0, k].copy()) for k in agreed]
-    first, last = (_risen(spots[i], end, sunk, up[:, 0, agreed[i]]) for i, end in ((0, rest.first), (-1, rest.last)))
-    return [*first, *spots, *last]
-
-
-def _risen(spot: tuple[float, Array], end: float, penetration: Allowance, up: Array) -> list[tuple[float, Array]]:
-    """Return the position of a point at an end [s] of its contact, if the nearest keyframe has it inside a surface.
-
-    It is higher by the decrease of the allowed depth.
-
-    spot  time [s] and position (3,) [m] in the keyframe;  sunk  depths of keyframes;  up  (3,) direction
-    """
-    deep = penetration.at(np.array([spot[0], end]))
-    return [(end, spot[1] + (deep[0] - deep[1]) * up)] if abs(end - spot[0]) > ROUNDING and deep[0] > deep[1] else []
+    limits, target = Thresholds.of(samples.figure), contact.specified
+    setting, places, exact = _positions(samples, keys, contact)
+    is_posed = target is None and not exact[setting].any()
+    firm = setting if is_posed else setting[exact[setting]]
+    spots: dict[float, Array] = {}
+    for k in firm.tolist():
+        distance = float(np.linalg.norm(places[:, k] - (places[:, firm[0]] if target is None else target)))
+        if distance <= limits.same_spot:
+            spots[float(keys.times[k])] = places[:, k].copy()
+        elif not is_posed:
+            kind, body = ("grasp", " on the body") if contact.on else ("contact", "")
+            there = f"the {kind}'s position" if target is not None else f"where keyframe {firm[0] + 1} has it"
+            raise UserError(
+                f"{label.format(k + 1, keys.times[k])} puts the point {distance:.3f} m from {there}{body}; "
+                f"a {kind} may drift by {limits.same_spot:.3g} m"
+            )
+    if spots and surfaces:
+        spots |= _risen(keys, contact, spots, places, exact, surfaces)
+    if target is not None and not spots:
+        spots = {contact.first: target}
+    if not spots:
+        return contact
+    placed_contact = _at_spots(contact, spots)
+    others = np.setdiff1d(setting, firm)
+    return _loosened(placed_contact, spots, keys, places, others, limits) if contact.on else placed_contact
 
 
-def agreeing(
+def _at_spots(contact: Contact, spots: Mapping[float, Array]) -> Contact:
+    """Return a contact with positions (3,) [m] by time [s], if there are any."""
+    times = sorted(spots)
+    return replace(contact, times=np.array(times), places=np.array([spots[t] for t in times])) if spots else contact
+
+
+def _risen(
+    keys: Timeline,
+    contact: Contact,
+    spots: Mapping[float, Array],
     places: Array,
-    specified: Index,
     exact: Mask,
-    target: Array | None,
-    drift: float,
-    contradicts: Callable[[int, float, int | None], str],
-) -> list[int]:
-    """Return the keyframes of `specified` whose positions, of (3, K) [m], agree with the wanted one (3,) within a
-    drift.
+    surfaces: Sequence[Surface],
+) -> dict[float, Array]:
+    """Return the positions (3,) [m] of a point at the ends [s] of its contact, if the nearest keyframe has it inside a
+    surface. It is higher by the decrease of the allowed depth.
 
-    Without a wanted position, that of the first keyframe counts.
-
-    exact        (K,) which keyframes fix the position; posed ones are omitted if they disagree
-    contradicts  returns the error for a keyframe that fixes another position: index, distance [m], and the first one
+    places  (3, K) [m] in the keyframes;  exact  (K,) which of them fix it
     """
-    kept: list[int] = []
-    specified = specified[np.argsort(~exact[specified], kind="stable")]
-    for k in specified.tolist():
-        reference = places[:, specified[0]] if target is None else target
-        distance = float(np.linalg.norm(places[:, k] - reference))
-        if distance <= drift:
-            kept.append(k)
-        elif exact[k]:
-            raise UserError(contradicts(k, distance, int(specified[0]) if target is None else None))
-    return sorted(kept)
+    height, up = height_over(surfaces, places[:, None], np.array([contact.point.radius]))
+    sunk, out = Allowance(keys.times, np.maximum(-height[0], 0.0) * exact), dict[float, Array]()
+    for time, end in ((min(spots), contact.first), (max(spots), contact.last)):
+        deep = sunk.at(np.array([time, end]))
+        if abs(end - time) > ROUNDING and deep[0] > deep[1]:
+            out[end] = spots[time] + (deep[0] - deep[1]) * up[:, 0, np.searchsorted(keys.times, time)]
+    return out
+
+
+def _loosened(
+    grasp: Contact, spots: Mapping[float, Array], keys: Timeline, places: Array, posed: Index, limits: Thresholds
+) -> Contact:
+    """Return a grasp with slack at posed keyframes that have the site elsewhere, because it is out of reach.
+
+    Without slack a stretched limb whips there and back.
+    """
+    slack: dict[float, float] = {}
+    more = dict(spots)
+    for k in posed.tolist():
+        t = float(keys.times[k])
+        short = float(np.linalg.norm(places[:, k] - grasp.place(np.array([t]))[:, 0]))
+        if short <= limits.out_of_reach:
+            more[t], slack[t] = places[:, k].copy(), short * (short > limits.tiny)
+    loosely = _at_spots(grasp, more)
+    if not any(slack.values()):
+        return loosely
+    times = np.unique([grasp.first, *more, grasp.last])
+    return replace(
+        loosely, times=times, places=loosely.place(times).T, slack=np.array([slack.get(t, 0.0) for t in times])
+    )
 
 
 def _check_bodies(contacts: Sequence[Contact], where: str, stretch: float) -> None:
@@ -202,33 +226,6 @@ def _check_bodies(contacts: Sequence[Contact], where: str, stretch: float) -> No
                 )
 
 
-def grasps_of(
-    samples: Samples, keys: Timeline, tables: Sequence[GraspTable], where: str, soles: Sequence[Point] = ()
-) -> tuple[Contact, ...]:
-    """Return the grasps of a clip's tables; raises UserError that names the invalid table.
-
-    samples  the poses of the keyframes
-    """
-    figure = samples.figure
-    places, bodies = Places(figure, soles), moving_bodies(figure)
-    grasps: list[Contact] = []
-    for i, table in enumerate(tables):
-        name = f"{where}: grasp {i + 1} ('{table.hand}' on '{table.body}')"
-        point = places.named_point(table.hand, name)
-        if table.body not in bodies:
-            raise UserError(f"{name}: {_no_body(figure, table.body, bodies)}")
-        link = int(figure.body_link[bodies[table.body]])
-        if point.link == link:
-            raise UserError(f"{name}: the site is on that body itself, where it always stays")
-        same = [(f"grasp {k} of the same site", t) for k, t in enumerate(tables[:i], 1) if t.hand == table.hand]
-        _check_times(table, same, keys, name, "a site holds one thing at a time")
-        target = None
-        if table.position is not None:
-            target = figure.point_on_link(bodies[table.body], np.array(table.position, float))[1]
-        grasps.append(_grasped(samples, keys, Contact(point, table.start, table.end, link, specified=target), name))
-    return tuple(grasps)
-
-
 def moving_bodies(figure: Figure) -> dict[str, int]:
     """Return the bodies that joints move, by name."""
     model = figure.model
@@ -244,49 +241,12 @@ def _no_body(figure: Figure, name: str, bodies: dict[str, int]) -> str:
     return unknown("body", name, bodies)
 
 
-def _grasped(samples: Samples, keys: Timeline, grasp: Contact, name: str) -> Contact:
-    """Return a grasp with the site's positions on the body, as far as the table and keyframes specify them."""
-    limits = Thresholds.of(samples.figure)
-    setting, places, exact = _grasp_places(samples, keys, grasp)
-    target = grasp.specified
-
-    def contradicts(k: int, distance: float, first: int | None) -> str:
-        where = "the grasp's position" if first is None else f"where keyframe {first + 1} has it"
-        return (
-            f"{name}: keyframe {k + 1} (t = {keys.times[k]:g} s) has the site {distance:.3f} m from {where} on "
-            f"the body; a grasp may drift by {limits.same_spot:.3g} m"
-        )
-
-    firm = setting[exact[setting]] if exact[setting].any() else setting
-    agreed = agreeing(places, firm, exact, target, limits.same_spot, contradicts)
-    spots = {float(keys.times[k]): places[:, k].copy() for k in agreed}
-    if target is not None and not spots:
-        spots = {grasp.first: target}
-    if not spots:
-        return grasp
-    firmly = _placed(grasp, sorted(spots.items(), key=itemgetter(0)))
-    slack: dict[float, float] = {}
-    for k in np.setdiff1d(setting, firm):
-        t = float(keys.times[k])
-        short = float(np.linalg.norm(places[:, k] - firmly.place(np.array([t]))[:, 0]))
-        if short <= limits.out_of_reach:
-            # without slack a stretched limb whips there and back
-            spots[t], slack[t] = places[:, k].copy(), short * (short > limits.tiny)
-    loosely = _placed(grasp, sorted(spots.items(), key=itemgetter(0)))
-    if not any(slack.values()):
-        return loosely
-    times = np.unique([grasp.first, *spots, grasp.last])
-    return replace(
-        loosely, times=times, places=loosely.place(times).T, slack=np.array([slack.get(t, 0.0) for t in times])
-    )
-
-
 def rotation_points(samples: Samples, keys: Timeline, grasp: Contact) -> Iterator[Contact]:
     """Yield the contacts of two points beside the site of a grasp, which hold the rotation of the body.
 
     Between keyframes that specify the rotation of the site's link and of the body, it changes at a constant rate.
     """
-    setting, spots, _ = _grasp_places(samples, keys, grasp)
+    setting, spots, _ = _positions(samples, keys, grasp)
     hands, bodies = (samples.links.Q[:, link, setting].T for link in (grasp.point.link, grasp.on))
     turns = quat.product(quat.inverse(bodies), hands)  # of the hand in the axes of the body
     knots = [(float(keys.times[k]), spots[:, k], turn) for k, turn in zip(setting.tolist(), turns, strict=True)]
@@ -300,7 +260,7 @@ def rotation_points(samples: Samples, keys: Timeline, grasp: Contact) -> Iterato
     for axis in Thresholds.of(samples.figure).object_arm * np.eye(3)[:2]:
         beside = replace(grasp.point, position=grasp.point.position + axis)
         places = [(time, spot + quat.rotated(turn, axis)) for time, spot, turn in dense]
-        yield _placed(Contact(beside, grasp.first, grasp.last, grasp.on, weight=TURN), places)
+        yield _at_spots(Contact(beside, grasp.first, grasp.last, grasp.on, weight=TURN), dict(places))
 
 
 def _is_alone(grasp: Contact, grasps: Sequence[Contact]) -> bool:
@@ -309,10 +269,10 @@ def _is_alone(grasp: Contact, grasps: Sequence[Contact]) -> bool:
     return not any(other.meets(grasp.first, grasp.last) for other in others)
 
 
-def _grasp_places(samples: Samples, keys: Timeline, grasp: Contact) -> tuple[Index, Array, Mask]:
-    """Return the keyframes within a grasp that specify it. These are indices (k,) of keyframes that set both site and
-    body, positions (3, K) on the body, and which (K,) are fixed."""
-    both = [grasp.point, Point(grasp.point.name, grasp.on, np.zeros(3))]
+def _positions(samples: Samples, keys: Timeline, contact: Contact) -> tuple[Index, Array, Mask]:
+    """Return the indices (k,) of keyframes within a contact that set both the point and the link that it touches, the
+    positions (3, K) on that link in all keyframes, and which (K,) fix them."""
+    both = [contact.point, Point(contact.point.name, contact.on, np.zeros(3))]
     is_set, exact = (np.logical_and.reduce(placed(samples.figure, mask, both)) for mask in (keys.known, keys.fixed))
-    inside = (keys.times >= grasp.first - ROUNDING) & (keys.times <= grasp.last + ROUNDING)
-    return np.flatnonzero(inside & is_set), slipped(samples, grasp), exact
+    inside = (keys.times >= contact.first - ROUNDING) & (keys.times <= contact.last + ROUNDING)
+    return np.flatnonzero(inside & is_set), slipped(samples, contact), exact

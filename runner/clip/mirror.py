@@ -139,7 +139,7 @@ def mirrored_tables(clip: ClipTable, figure: Figure, mirror: Mirror) -> ClipTabl
         penalty=[_penalty(entry, sides) for entry in clip.penalty],
         contact=[_placed(row.changed(point=sides.other(row.point)), "position") for row in clip.contact],
         grasp=[
-            _placed(row.changed(hand=sides.other(row.hand), body=sides.other(row.body)), "position")
+            _placed(row.changed(point=sides.other(row.point), body=sides.other(row.body)), "position")
             for row in clip.grasp
         ],
         keyframe=[_keyframe(row, sides) for row in clip.keyframe],

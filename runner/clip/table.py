@@ -314,7 +314,7 @@ class GraspTable(Table):
         rotation: "free" if the body may rotate in the grasp.
     """
 
-    hand: Word
+    point: Word = Field(alias="hand")
     body: Annotated[str, "a name in quotes"]
     start: Number = Field(alias="from")
     end: Number = Field(alias="to")

@@ -20,7 +20,7 @@ from dynsplines.solver.problem import renormalised
 from dynsplines.solver.search.descent import optimised
 
 from ..clip.build import Clip
-from ..clip.contacts import grasps_of
+from ..clip.contacts import contacts
 from ..clip.load import of_motion
 from ..clip.mirror import figure_mirror
 from ..clip.parse import LONGEST, SHORTEST, check_times, is_too_near, table_of
@@ -143,7 +143,9 @@ def joined(before: Saved, after: Saved, transition: float, progress: Progress) -
     end of the first and at the start of the second, according to their clips, it also holds in the transition."""
     check_transition(transition)
     check_alike(before, after)
-    held = [row for row in _grasps(before, -1) if (row.hand, row.body) in {(r.hand, r.body) for r in _grasps(after, 0)}]
+    held = [
+        row for row in _grasps(before, -1) if (row.point, row.body) in {(r.point, r.body) for r in _grasps(after, 0)}
+    ]
     before, after = without_clip(before), without_clip(after)
     figure = before.figure
     one, two = (timelines.trimmed(part.timeline, *part.timeline.times[[0, -1]].tolist()) for part in (before, after))
@@ -176,7 +178,7 @@ def _transition(saved: Saved, one: Timeline, two: Timeline, held: Sequence[Grasp
     samples = Samples.still(figure, between.states)
     for row in held:
         with suppress(UserError):  # a hand that holds another place
-            grasps_of(samples, between, [row := row.changed(start=ends[0].time, end=ends[1].time)], "join")
+            contacts(samples, between, [row := row.changed(start=ends[0].time, end=ends[1].time)], "join")
             grasps.append(row)
     count = max(LEAST_FRAMES, round((ends[1].time - ends[0].time) / FRAME_SECONDS))
     begin = timelines.bridge(figure, one, two, variable=count)

@@ -108,7 +108,7 @@ def test_a_foot_rests_where_a_contact_says_without_it_does_not_and_the_report_te
 @pytest.mark.parametrize(
     ("more", "x", "words"),
     [
-        ("", 0.02, r"keyframe 3 .* 0\.400 m from where keyframe 1 does"),
+        ("", 0.02, r"keyframe 3 .* 0\.400 m from where keyframe 1 has it"),
         ("\nposition = [5, 0, 0]", 0.0, r"puts the point [0-9.]+ m from the contact's position; a contact may drift"),
     ],
 )
