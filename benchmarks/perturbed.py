@@ -132,10 +132,11 @@ def _without_contradictions(clip: clips.Clip, keys: Sequence[Frame]) -> clips.Cl
     """The clip without the contacts that other keyframes contradict, which would be refused."""
     table = table_of(clip.text, clip.name)
     timeline = replace(clip.problem, keys=tuple(keys)).raw
+    samples = Samples.still(clip.figure, timeline.states)
     valid: list[int] = []
     for i in range(len(table.contact)):
         try:
-            contacts(clip.figure, timeline, [table.contact[k] for k in (*valid, i)], clip.name, clip.context.points)
+            contacts(samples, timeline, [table.contact[k] for k in (*valid, i)], clip.name, clip.context.points)
         except UserError:
             continue
         valid.append(i)

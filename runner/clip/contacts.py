@@ -52,9 +52,6 @@ def schedule_of(
     soles = sole_points(figure, figure.to_qpos(np.reshape(complete, (-1, figure.width))))
     samples = Samples.still(figure, keys.states)
     specified = contacts(samples, keys, tables, where, soles, surfaces)
-    _check_bodies(
-        [piece for contact in specified for piece in contact.pieces()], where, Thresholds.of(figure).near_surface
-    )
     grasps = contacts(samples, keys, grasp_tables, where, soles)
     firm = [grasp for grasp, table in zip(grasps, grasp_tables, strict=True) if table.rotation != "free"]
     turns = tuple(turn for grasp in firm if _is_alone(grasp, grasps) for turn in rotation_points(samples, keys, grasp))
@@ -81,6 +78,9 @@ def contacts(
         contact = _unplaced(places, table, name)
         _check_times(table, [(f"{kind} {k}", other) for k, other in enumerate(tables[:i], 1)], keys, name)
         specified.append(_with_places(samples, keys, contact, surfaces, f"{name}: keyframe {{}} (t = {{:g}} s)"))
+    _check_bodies(
+        [piece for contact in specified if not contact.on for piece in contact.pieces()], places.figure, where
+    )
     return tuple(specified)
 
 
@@ -209,8 +209,8 @@ def _loosened(
     )
 
 
-def _check_bodies(contacts: Sequence[Contact], where: str, stretch: float) -> None:
-    """Raise UserError if the distance of resting points of one body differs from that on it by more than a stretch."""
+def _check_bodies(contacts: Sequence[Contact], figure: Figure, where: str) -> None:
+    """Raise UserError if the distance of resting points of one body differs from that on it."""
     placed = [(contact, contact.places[0]) for contact in contacts if contact.places is not None]
     for i, (one, spot) in enumerate(placed):
         for other, other_spot in placed[:i]:
@@ -219,7 +219,7 @@ def _check_bodies(contacts: Sequence[Contact], where: str, stretch: float) -> No
                 continue
             apart = float(np.linalg.norm(spot - other_spot))
             distance = float(np.linalg.norm(one.point.position - other.point.position))
-            if abs(apart - distance) > stretch:
+            if abs(apart - distance) > Thresholds.of(figure).near_surface:
                 raise UserError(
                     f"{where}: contacts of '{other.point.name}' and '{one.point.name}' contradict each other from "
                     f"{start:g} to {end:g} s: they are {apart:.3f} m apart there, but {distance:.3f} m on their body"

@@ -12,6 +12,7 @@ import io
 import pickle
 import pickletools
 import re
+import sys
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, Literal
@@ -37,7 +38,6 @@ INSTRUCTIONS = """
 COMPRESSED = (b"\x78", b"\x1f\x8b", b"BZh", b"\xfd7z")  # first bytes of zlib, gzip, bz2 and xz
 FIXED = re.compile(r"b1|[iu][1248]|f[248]|[SU][1-9][0-9]{0,5}|O8?")
 ORDERS: dict[str, Literal["<", ">", "|"]] = {"<": "<", ">": ">", "|": "|"}
-LAST_CHARACTER = 0x10FFFF  # of Unicode
 
 
 class Refused(Exception):
@@ -96,7 +96,7 @@ def _items(kind: Any, data: Any, shape: Any, order: Any = "C") -> Any:
     array = np.ndarray(shape, "u1" if kind.kind == "b" else kind, data, order=order)
     if array.nbytes != len(data):
         raise Refused(f"an array of {array.size} {kind} that are not there")
-    if kind.kind == "U" and np.any(np.frombuffer(data, kind.byteorder.replace("|", "=") + "u4") > LAST_CHARACTER):
+    if kind.kind == "U" and np.any(np.frombuffer(data, kind.byteorder.replace("|", "=") + "u4") > sys.maxunicode):
         raise Refused("a text of invalid characters")
     return array != 0 if kind.kind == "b" else array
 

@@ -38,17 +38,15 @@ from ..clip import load as clip
 from ..errors import listed
 from ..measure.forces import Forces
 from ..motion import Sampled
-from ..scene.framing import size_of
+from ..scene.framing import size_of, spread
 from ..scene.mujoco_versions import geoms_by_number, portable_text, remove
 from ..scene.roles import unique
 from ..system.mujoco_warnings import quietly
 from .skeleton import hierarchy
 
 FREQUENCY = 8.0  # [Hz] natural frequency of a limb on its actuators, several times that of human motion
-DAMPING = 2 / (2 * np.pi * FREQUENCY)  # [s] kv / kp of critical damping
 STANDING = 0.7  # [1/rad] least kp of a supporting limb over weight times height; figures fall at 0.55, bounce above 0.7
-OFFSET = 1.0  # [rad] most offset of `ctrl` from a joint that its torque causes
-GIVE = 0.1  # [m] deflection of a slide that corresponds to a radian of a hinge
+GIVE = 0.1  # [m] most offset of `ctrl` from a slide that its force causes, and 1 rad from a joint that rotates
 TIMESTEP_RANGE = (1e-4, 0.002)  # [s] least and largest time step
 ITERATIONS = (100, 50)  # least limits of iterations of the constraint solver and its line search
 SOFTNESS = (0.01, 1.5)  # time constant [s] and damping of contacts: feet land without bouncing
@@ -56,8 +54,6 @@ IMPEDANCE = 10.0  # least `impratio`, friction to normal impedance, so that stan
 GRIP = 1.0  # least coefficient of friction of static geoms
 SLIDING = 3  # `condim` of a contact with sliding friction
 OVERLAP = 2e-4  # fraction of the figure's size from which penetrating bodies count as overlapping by design
-LOOKED_AT = 200  # most poses of a motion that are checked
-ALL = 1  # bit of `contype` by which formerly visual geoms collide with the scenery
 CONSTRAINED = ("EQUALITY", "FRICTIONLOSS", "LIMIT")  # forces other than contacts that the flag CONSTRAINT disables
 FIGURE_FLAGS = ("GRAVITY", "PASSIVE", "SPRING", "DAMPER", *CONSTRAINED, "SENSOR")
 ACTUATORS = (
@@ -120,9 +116,9 @@ def drives(sampled: Sampled, forces: Forces) -> list[Drive]:
             continue
         dofs = slice(dof, dof + kind.freedom)
         inertia = float(model.dof_M0[dofs].max())
-        offset = OFFSET * (GIVE if kind is JointKind.SLIDE else 1)
+        offset = GIVE if kind is JointKind.SLIDE else 1.0
         kp = _rounded(max(inertia * (2 * np.pi * FREQUENCY) ** 2, least[joint], largest[dofs].max() / offset))
-        kv = _rounded(kp * DAMPING)
+        kv = _rounded(kp / (np.pi * FREQUENCY))  # critical damping
         for axis in range(3) if kind is JointKind.BALL else (None,):
             name = joints[joint] if axis is None else f"{joints[joint]}_{'xyz'[axis]}"
             out.append(Drive(unique([name], [drive.name for drive in out])[0], joint, axis, kp, kv))
@@ -267,9 +263,9 @@ def _collide(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
     figure = [i for i in moving if not is_scenery(model)[i]]
     if not any(geoms[i].contype or geoms[i].conaffinity for i in figure):
         for i in figure:
-            geoms[i].contype, geoms[i].conaffinity = ALL, 0
+            geoms[i].contype, geoms[i].conaffinity = 1, 0
             geoms[i].solref[:2] = SOFTNESS
-    types, affinities = ALL, ALL
+    types, affinities = 1, 1
     for i in moving:
         types, affinities = types | geoms[i].contype, affinities | geoms[i].conaffinity
     for i in still:
@@ -306,7 +302,7 @@ def _exclude_overlaps(spec: mujoco.MjSpec, model: mujoco.MjModel, qpos: Array) -
     model  the compiled scene
     """
     at_rest = _overlaps(model, model.qpos0[None])
-    on_the_way = _overlaps(model, qpos[:: max(1, len(qpos) // LOOKED_AT)])
+    on_the_way = _overlaps(model, qpos[spread(len(qpos))])
     pairs = sorted(at_rest | {pair for pair in on_the_way if _are_near(model, *pair)})
     for pair in pairs:
         _exclude(spec, *pair)

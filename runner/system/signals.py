@@ -11,7 +11,7 @@ import signal
 from types import FrameType
 
 FIRST = 128  # offset of the exit code to the signal's number
-STOPPED = 130  # exit code of Ctrl-C
+STOPPED = FIRST + signal.SIGINT  # exit code of Ctrl-C
 HANDLED = ("SIGINT", "SIGTERM", "SIGHUP", "SIGXCPU")  # Windows lacks the last two
 TERMINALS = 1, 2  # stdout and stderr, which cannot be written to after a hangup of their terminal
 

@@ -25,7 +25,6 @@ from ..table import KeyframeTable, RotationTable
 from .places import roots_by_name
 
 BESIDE = 0.1  # least reported error of a goal relative to the largest, as smaller ones result from the largest
-CLOSE = 2e-3  # [m or rad] errors up to which goals are not reported beside one with a larger error
 # [rad, m] distance from the end of a joint's range up to which it is reported
 AT_LIMIT = {JointKind.HINGE: np.radians(1), JointKind.BALL: np.radians(1), JointKind.SLIDE: 1e-3}
 SAME = 1.0  # [degrees] tolerance of equal turns
@@ -39,7 +38,7 @@ def on_unmet(figure: Figure, key: Frame, row: KeyframeTable, goals: Sequence[Goa
         key: The keyframe before it is posed.
         nearest: The nearest pose found.
     """
-    least = max(MET, BESIDE * nearest.worst, min(CLOSE, 0.5 * nearest.worst))
+    least = max(MET, BESIDE * nearest.worst)
     errors = sorted(zip(nearest.missed.tolist(), goals, strict=True), key=lambda pair: -pair[0])
     worst = [(goal, error) for error, goal in errors if error > least][:3]
     stopped = _at_limits(figure, nearest.qpos)

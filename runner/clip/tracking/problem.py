@@ -18,6 +18,7 @@ from dynsplines.solver.surface import Plane, static_surfaces
 from dynsplines.solver.tolerances import ROUNDING
 
 from ...errors import UserError
+from ...scene.framing import spread
 from ..context import Context, knees_and_elbows
 from ..kinds import KINDS, Options
 from ..posing.places import Places, rounded, sole_points
@@ -28,7 +29,6 @@ STANCES = TypeAdapter(list[StanceTable])
 LONGEST_PANEL, POINTS = 0.05, 3
 TOLERANCE = 3e-3  # [1] progress relative to E at which a search ends
 NEXT_TO = 0.008  # [s] minimum distance of frames from a keyframe, half of their minimum spacing
-LOOKED_AT = 50  # number of samples from which soles and the usual bends of knees and elbows are inferred
 
 
 def tracking_context(figure: Figure, times: Array, states: Array, where: str) -> Context:
@@ -37,7 +37,7 @@ def tracking_context(figure: Figure, times: Array, states: Array, where: str) ->
     Its soles are those of the samples, and its surfaces those of the model.
     """
     frames = Frame.many(times, states, np.zeros(states.shape, bool))
-    samples = Timeline(tuple(frames[:: max(1, len(frames) // LOOKED_AT)]), np.zeros((2, figure.width)))
+    samples = Timeline(tuple(frames[i] for i in spread(len(frames))), np.zeros((2, figure.width)))
     soles = tuple(rounded(figure, point) for point in sole_points(figure, figure.to_qpos(samples.states)))
     schedule = ContactSchedule(
         figure,

@@ -31,6 +31,7 @@ from ...errors import UserError
 from ...motion import Saved, continuous, sample_count
 from ..context import Context
 from ..kinds import Options
+from ..parse import TOLERANCE
 from ..table import RecordingTable
 from .problem import tracking_problem
 
@@ -48,7 +49,6 @@ ENDS = {
     (False, False): "free",
 }
 SHORTEST = 0.01  # [s] minimum of `blend`, so that most fixed frames near its end are not next to the keyframe
-TOLERANCE = 1e-3  # [1] progress relative to E at which a search ends; small, because an edit starts far from its goal
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,7 +97,7 @@ class TrackedRecording:
         unweighted = tracking_problem(near, context, options, self._times(near, edits), edits)
         weights = [(p, self.table.weight * w if p is near else w) for p, w in unweighted.penalties]
         keys = [self._fixed_outside_blends(frame, edits) for frame in unweighted.keys]
-        settings = replace(unweighted.settings, tolerance=TOLERANCE)
+        settings = replace(unweighted.settings, tolerance=TOLERANCE)  # an edit starts far from its goal
         first, last = self.recorded.path.span
         is_far = (self._is_far(np.array([first, last]), edits) & (self.table.blend is not None)).tolist()
         return replace(

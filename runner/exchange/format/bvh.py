@@ -26,7 +26,6 @@ from ..skeleton.bvh_file import Joint, Skeleton, written
 from ..skeleton.captured_skeleton import CapturedSkeleton
 
 CENTIMETRES = 100.0  # per metre
-LIFTED = 0.002  # [m] least vertical shift that is reported
 PLACES = ("Xposition", "Yposition", "Zposition")
 
 
@@ -54,13 +53,8 @@ def of_captured(
         qpos, more = retarget.onto(captured, model, str(path))
         return Recording(time, qpos, fps=rate, notes=(*notes, *captured.notes, *more))
     lift = -captured.ground
-    raised = (
-        (f"{'raised' if lift > 0 else 'lowered'} by {abs(lift):.3f} m, so that feet meet the ground",)
-        if abs(lift) > LIFTED
-        else ()
-    )
     mjcf, qpos = captured_figure.figure(replace(captured, position=np.add(captured.position, [0, 0, lift])))
-    return Recording(time, qpos, Scene(mjcf), rate, (*notes, *captured.notes, *raised))
+    return Recording(time, qpos, Scene(mjcf), rate, (*notes, *captured.notes, *retarget.notes_on_lift(lift)))
 
 
 def skeleton(sampled: Sampled) -> Skeleton:

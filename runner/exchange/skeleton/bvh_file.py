@@ -25,7 +25,6 @@ from .. import gaps
 AXES = "XYZ"
 KINDS = tuple(f"{axis}{kind}" for kind in ("position", "rotation") for axis in AXES)
 NO_NUMBER = re.compile(r"[+-]?(\d+\.#\w+|nan(\(\w+\))?|inf\w*|null|none|n/?a)", re.IGNORECASE)
-LISTED = 8  # most names in a note
 MOST_JOINTS = 2000  # most joints of a skeleton; a file with more is damaged
 
 

@@ -20,7 +20,7 @@ from dynsplines.solver.tolerances import TINY
 
 from ...errors import GIVE_UNIT, listed
 from ...scene.roles import apply_bone_map, first_hinge, lineage, mapped_roles, roles, unique
-from . import bvh_file
+from . import bvh_file, hierarchy
 from .bvh_file import Skeleton, placed
 
 REACH = 1.25  # [m] typical distance from an adult's hips along the bones to the fingertips or toes
@@ -28,7 +28,6 @@ UNITS = {"metres": 1.0, "centimetres": 0.01, "millimetres": 0.001}
 ODD_UNITS = {"inches": 0.0254, "the CMU database's units": 0.0254 / 0.45}
 STANDING = 0.8  # least cosine between the vertical and legs and trunk in a pose that counts as standing
 LIKELY = (0.55, 3.0)  # [m] plausible reach of a person
-STILL = 1e-6  # [1 for quaternions, or the file's unit of length] largest change that counts as no motion
 DRIFT = 0.01  # least change of a bone's length that is reported, as a fraction of REACH
 CLEARLY = 0.3  # least gain in the sum of the cosines of up and left for which a rest pose is rotated
 AXES, USUAL = "xyz", "y"  # and the vertical axis of BVH files
@@ -77,9 +76,8 @@ class CapturedSkeleton:
         drift = np.abs(place[:, 1:] - offset[1:]).max(axis=(0, 2), initial=0.0)
         stretched = [skeleton.names[1 + i] for i in np.flatnonzero(unit * drift > DRIFT * REACH)]
         if stretched:
-            notes += (
-                f"bones keep their lengths; what moves in its parent is left out: {listed(stretched, bvh_file.LISTED)}",
-            )
+            names = listed(stretched, hierarchy.LISTED)
+            notes += (f"bones keep their lengths; what moves in its parent is left out: {names}",)
         place = place.copy()
         place[:, 1:] = offset[1:]
         offset = np.concatenate([np.zeros((1, 3)), offset[1:]])
@@ -210,8 +208,8 @@ def _from_body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> tuple[Sk
     above = lineage(root, skeleton.parents)[1:]
     subtree = [i for i in range(root, len(skeleton.joints)) if root in lineage(i, skeleton.parents)]
     beside = [i for i in range(len(skeleton.joints)) if i not in subtree and i not in above]
-    beside = [i for i in beside if any(np.ptp(part[:, i], axis=0).max() > STILL for part in skeleton.world)]
-    if beside and np.ptp(skeleton.local[0][:, root], axis=0).max() <= STILL:
+    beside = [i for i in beside if any(np.ptp(part[:, i], axis=0).max() > hierarchy.STILL for part in skeleton.world)]
+    if beside and np.ptp(skeleton.local[0][:, root], axis=0).max() <= hierarchy.STILL:
         return skeleton, ()
     place, turn = (
         np.concatenate([world[:, [root]], local[:, subtree[1:]]], axis=1)
@@ -223,7 +221,7 @@ def _from_body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> tuple[Sk
     names = ", ".join(skeleton.names[i] for i in reversed(above))
     note = f"'{skeleton.names[root]}' is the root; its parents are folded into it: {names}"
     if beside:
-        note += f"; other branches are left out: {listed((skeleton.names[i] for i in beside), bvh_file.LISTED)}"
+        note += f"; other branches are left out: {listed((skeleton.names[i] for i in beside), hierarchy.LISTED)}"
     return bvh_file.skeleton(joints, place, turn, skeleton.fps), (note,)
 
 
@@ -237,7 +235,7 @@ def _body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> int:
     root, joint = 0, 0
     while parents.count(joint) == 1:
         joint = parents.index(joint)
-        if np.ptp(skeleton.local[0][:, joint], axis=0).max() > STILL:
+        if np.ptp(skeleton.local[0][:, joint], axis=0).max() > hierarchy.STILL:
             root = joint
     return root
 

@@ -15,7 +15,8 @@ from dynsplines.solver.array import Array
 from ...motion import Bodies
 from ...scene.roles import unique
 
-STILL = 1e-7  # [m, or 1 for quaternions] largest change that counts as no motion
+STILL = 1e-7  # [1 for quaternions, m, or a file's unit of length] largest change that counts as no motion
+LISTED = 12  # most names of joints or bodies in a message
 LOCKED = 1e-6  # [1] cosine of the middle of three angles below which the first and the last are not unique
 # Figures here face x, with y to their left and z up; in animation they face z, with x to their left and y up
 Y_UP = np.array([0.5, -0.5, -0.5, -0.5])  # wxyz rotation of x to z, y to x, z to y

@@ -38,8 +38,7 @@ from .captured_skeleton import CapturedSkeleton, standing_turn, unit
 NEXT = {**ONWARD, "foot": "toe", "clavicle": "upper_arm"}
 BENT = 0.15  # least mean sine of an elbow's or knee's bend that determines its axis
 LOWEST = 2.0  # [%] of the samples whose soles may be below the ground
-LEVEL = 0.001  # [m] largest distance of soles from the ground that is not corrected
-LISTED = 12
+LEVEL = 0.001  # [m] largest distance of soles from the ground that is not reported
 LEG, ARM = ("thigh", "shin", "foot"), ("upper_arm", "forearm", "hand")
 ENDS = ("foot", "hand")
 HANGS_ON = {"forearm": "upper_arm", "shin": "thigh"}
@@ -136,10 +135,14 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
         if missing:
             every = captured.names if by_role is captured.roles else names[1:]
             repeated = [name for name in every if f"{name}_2" in every]
-            twice = f"; twice there is {listed(repeated, LISTED)}: add left and right to the names" if repeated else ""
+            twice = (
+                f"; twice there is {listed(repeated, hierarchy.LISTED)}: add left and right to the names"
+                if repeated
+                else ""
+            )
             raise UserError(
                 f"{where}: among {what} none is a {' or '.join(missing).replace('_', ' ')} by its name: "
-                f"{listed(every, LISTED)}{twice}; {GIVE_MAP}"
+                f"{listed(every, hierarchy.LISTED)}{twice}; {GIVE_MAP}"
             )
     chain = hierarchy.above(model, standing.roles.get("pelvis", standing.roles["left_thigh"]), itself=True)
     root = next((root for root in roots_of(model) if root.body in chain), None)
@@ -169,9 +172,7 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
     qpos = _placed(captured, standing, root, qpos, scale)
     qpos, lift = _on_ground(standing, root, qpos)
     notes = [*standing.notes, f"scaled by {scale:.3f}, the ratio of the legs"]
-    notes += (
-        [f"{'raised' if lift > 0 else 'lowered'} by {abs(lift):.3f} m, so that soles meet the ground"] if lift else []
-    )
+    notes += notes_on_lift(lift)
     toes_of_feet = [role for role in ("left_toe", "right_toe") if role in captured.roles]
     joints_of_roles = {
         joint for role in (*shared, *toes_of_feet) for joint in lineage(captured.roles[role], captured.parents)
@@ -181,8 +182,8 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
     still = [names[body] for body in range(1, model.nbody) if model.body_jntnum[body] and body not in moved]
     toes = " and ".join(captured.names[captured.roles[f"{side}_toe"]] for side in bent)
     notes += [f"the figure has no toes: what {toes} bend turns its feet"] if bent else []
-    notes += [f"without a counterpart in the figure: {listed(lost, LISTED)}"] if lost else []
-    notes += [f"without a counterpart in the file, kept at rest: {listed(still, LISTED)}"] if still else []
+    notes += [f"without a counterpart in the figure: {listed(lost, hierarchy.LISTED)}"] if lost else []
+    notes += [f"without a counterpart in the file, kept at rest: {listed(still, hierarchy.LISTED)}"] if still else []
     return qpos, tuple(notes)
 
 
@@ -425,9 +426,13 @@ def _on_ground(standing: _Standing, root: Root, qpos: Array) -> tuple[Array, flo
         centre, reach = boxes(model, data, feet)
         lowest.append((data.site_xpos[soles] if soles else centre - reach)[:, 2].min())
     lift = -float(np.percentile(lowest, LOWEST))
-    if abs(lift) < LEVEL:
-        return qpos, 0.0
     return _shifted(model, root, qpos, np.tile([0, 0, lift], (len(qpos), 1))), lift
+
+
+def notes_on_lift(lift: float) -> tuple[str, ...]:
+    """Return a note on a vertical shift [m] of a motion, if it is large enough."""
+    direction = "raised" if lift > 0 else "lowered"
+    return (f"{direction} by {abs(lift):.3f} m, so that feet meet the ground",) if abs(lift) > LEVEL else ()
 
 
 def _shifted(model: mujoco.MjModel, root: Root, qpos: Array, by: Array) -> Array:
