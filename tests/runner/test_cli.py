@@ -20,7 +20,7 @@ import nlopt
 import numpy as np
 import pytest
 from PIL import Image
-from problems import CLIP, FIGURE, HINGE, changed, written
+from problems import CLIP, FIGURE, HINGE, LOOP, changed, written
 from processes import Command, Done, refusal
 from typer.main import get_command
 
@@ -379,10 +379,6 @@ def test_ctrl_c_ends_with_130(run, monkeypatch, is_importing):
 
 
 # loops and edits
-
-LOOP = changed("frames = 2", 'frames = 2\nends = "periodic"').replace(
-    "root.position = [0.3, 0, 1]\nroot.rotation = {rotvec = [0, 10, 170]}", "root.position = [0.3, 0, 1]"
-)
 
 
 @pytest.mark.slow

@@ -123,6 +123,9 @@ def names(folder: Path) -> list[str]:
     return sorted(path.name for path in folder.iterdir())
 
 
+LOOP = changed("frames = 2", 'frames = 2\nends = "periodic"').replace(
+    "root.position = [0.3, 0, 1]\nroot.rotation = {rotvec = [0, 10, 170]}", "root.position = [0.3, 0, 1]"
+)
 ENDLESS = changed("evaluations = 8\nframes = 2", "evaluations = 100000\nframes = 400\ntolerance = 1e-15\nthreshold = 0")
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import motions
 import numpy as np
 import pytest
-import shipped
-from problems import names
+from problems import LOOP, names, written
 
 from dynsplines import motion, solving
 from dynsplines.clip import load as clip
@@ -26,14 +26,10 @@ FINE = (0.002, np.radians(5))
 
 
 @pytest.fixture(scope="module")
-def walk() -> Saved:
-    """The loop as its raw spline, which is quick to have."""
-    return shipped.unsolved("walk_loop")
-
-
-@pytest.fixture(scope="module")
-def straight(walk: Saved) -> Saved:
-    return edits.trimmed(walk, 0.1, 0.4)
+def loop(tmp_path_factory: pytest.TempPathFactory) -> Saved:
+    """A loop of the tiny figure as its raw spline."""
+    path = written(tmp_path_factory.mktemp("loop"), LOOP)
+    return solving.unsolved(clip.load(str(path))).motion
 
 
 def run(
@@ -69,40 +65,35 @@ def test_what_is_no_length_is_refused(text):
         length(text, "--max-error")
 
 
-@pytest.mark.slow
-def test_the_spline_through_a_thinned_clips_keyframes_is_the_motion_that_was_measured(straight, tmp_path, capsys):
-    source, target = tmp_path / "step.npz", tmp_path / "step.toml"
-    motion.save(straight, source)
-    run(source, target)
+def test_the_spline_through_a_thinned_clips_keyframes_is_the_motion_that_was_measured(motion_file, tmp_path, capsys):
+    target, measured = tmp_path / "step.toml", motion.load(motion_file)
+    run(motion_file, target)
     again = solving.unsolved(clip.load(str(target))).motion
-    said = re.search(r"(\d+) keyframes of (\d+); at most ([\d.]+) cm at ([\d.]+) s \((\w+)\)", capsys.readouterr().err)
-    assert said
+    told = " ".join(capsys.readouterr().err.split())
+    said = re.search(r"(\d+) keyframes of (\d+); at most ([\d.]+) cm at ([\d.]+) s \(([\w ]+)\)", told)
+    assert said, told
     assert int(said[1]) == len(again.keys) < 15
-    assert float(said[3]) == pytest.approx(100 * apart(straight, again), rel=0.01)
-    assert apart(straight, again) <= 0.02
-    # between the instants looked at, too
-    fine = np.arange(0.1, 0.4, 1e-3)
-    one, other = (each.figure.to_qpos(path_of(each.timeline).at(fine)) for each in (straight, again))
+    assert float(said[3]) == pytest.approx(100 * apart(measured, again), rel=0.01)
+    assert apart(measured, again) <= 0.02
+    fine = np.arange(0, 0.41, 1e-3)  # between the instants looked at, too
+    one, other = (each.figure.to_qpos(path_of(each.timeline).at(fine)) for each in (measured, again))
     assert np.abs(one - other)[:, :3].max() < 0.025
 
 
-@pytest.mark.slow
-def test_a_loop_stays_a_loop_in_its_clip(walk, tmp_path):
-    source, target = tmp_path / "walk.npz", tmp_path / "walk_thin.toml"
-    motion.save(walk, source)
+def test_a_loop_stays_a_loop_in_its_clip(loop, tmp_path):
+    source, target = tmp_path / "loop.npz", tmp_path / "loop_thin.toml"
+    motion.save(loop, source)
     run(source, target)
     found = clip.load(str(target))
     assert found.ends == "periodic"
-    assert np.array(found.problem.travel)[0] == pytest.approx(walk.timeline.states[-1, 0] - walk.timeline.states[0, 0])
-    assert names(tmp_path) == ["walk.npz", "walk_thin.toml"]  # the figure ships, so it is only named
+    assert np.array(found.problem.travel)[0] == pytest.approx(0.3)
     assert not found.context.schedule.on_ground  # those of the clip that was solved
 
 
-@pytest.mark.slow
 def test_a_searched_clip_is_reported_beside_its_spline_and_keeps_the_bound_where_that_is_requested(
-    walk, tmp_path, capsys
+    loop, tmp_path, capsys
 ):
-    source, target, step = tmp_path / "step.npz", tmp_path / "step.toml", edits.trimmed(walk, 0.1, 0.25)
+    source, target, step = tmp_path / "step.npz", tmp_path / "step.toml", edits.trimmed(loop, 0.1, 0.4)
     motion.save(step, source)
     run(source, tmp_path / "spline.toml", bound=FINE)
     spline, solved = (
@@ -118,27 +109,23 @@ def test_a_searched_clip_is_reported_beside_its_spline_and_keeps_the_bound_where
         again = solving.solve(found, Progress()).motion
         assert again.timeline.variable_count > 0
         off.append(apart(step, again))
-    # this is a raw spline, whose feet sink and slide: few keyframes are too few for what the search mends
-    assert spline <= 0.2 < solved
+    assert spline <= 0.2 < solved  # few keyframes are too few for what the search changes
     assert solved == pytest.approx(100 * off[0], rel=0.01)
     assert off[1] <= FINE[0] * (1 + 1e-6)
 
 
-@pytest.mark.slow
-def test_a_recording_is_thinned_at_its_own_instants_and_its_figure_named_if_it_ships(straight, tmp_path, capsys):
-    source = tmp_path / "step.csv"
-    formats.export(straight, "csv", source, fps=60)
-    target = run(source, tmp_path / "again.toml", figure="human")
-    assert "keyframes of 19;" in capsys.readouterr().err
+def test_a_recording_is_thinned_at_its_own_instants_and_its_figure_named_if_it_ships(tmp_path, capsys):
+    spin, source = motions.motion_of("spinner", start=0.1), tmp_path / "step.csv"
+    formats.export(spin, "csv", source, fps=60)
+    target = run(source, tmp_path / "again.toml", figure="spinner")
+    assert "keyframes of 73;" in capsys.readouterr().err
     on_grid = (np.array([key.time for key in clip.load(str(target)).keys]) - 0.1) * 60
     np.testing.assert_allclose(on_grid, on_grid.round(), atol=1e-6)
     assert names(tmp_path) == ["again.toml", "step.csv"]
-    assert 'figure = "human"' in target.read_text()
-    formats.export(
-        edits.trimmed(straight, 0.1, 0.2), "npz", tmp_path / "walk.qpos.npz"
-    )  # plain arrays are a recording by their ending
-    target = run(tmp_path / "walk.qpos.npz", tmp_path / "thin.toml")
-    assert len(clip.load(str(target)).keys) < 6
+    assert 'figure = "spinner"' in target.read_text()
+    source = tmp_path / "walk.qpos.npz"  # plain arrays are a recording by their ending
+    formats.export(edits.trimmed(spin, 0.1, 0.2), "npz", source)
+    assert len(clip.load(str(run(source, tmp_path / "thin.toml"))).keys) < 6
 
 
 @pytest.mark.slow

@@ -36,12 +36,12 @@ ARMS = ("left_upper_arm", "left_forearm", "right_upper_arm", "right_forearm")
 
 @pytest.fixture(scope="module")
 def cartwheel():
-    return Sampled.of(shipped.unsolved("cartwheel"), 10.0)
+    return Sampled.of(shipped.unsolved("cartwheel"), 5.0)
 
 
 @pytest.fixture(scope="module")
 def walk():
-    return Sampled.of(shipped.unsolved("walk_loop"), 12.0)
+    return Sampled.of(shipped.unsolved("walk_loop"), 8.0)
 
 
 def y_up(take):
