@@ -249,7 +249,7 @@ STATED = {  # the only figures outside generated parts: text, and its numbers in
     "measured {:g} times per second.": support.RATE,
     "1° during {:g} % of the clip": 100 * objective.SMALL_SHARE,
     "ω = 2π · {:g} Hz": simulation.FREQUENCY,
-    "kv = kp · {:.2g} s": simulation.DAMPING,
+    "kv = kp · {:.2g} s": 1 / (np.pi * simulation.FREQUENCY),
     "at least {:g} ms apart": 1000 * SHORTEST,
     "at most {:g} s long": LONGEST,
     "| {:g} s |": LONGEST,
