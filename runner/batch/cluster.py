@@ -11,6 +11,7 @@ import atexit
 import logging
 from collections.abc import Iterator
 from contextlib import contextmanager, nullcontext, suppress
+from tempfile import TemporaryDirectory
 
 import cryptography  # noqa: F401  Dask needs it for certificates
 import dask.config
@@ -19,7 +20,6 @@ from distributed.deploy.spec import close_clusters
 
 from ..errors import UserError, one_line
 from ..system.progress import Progress
-from ..system.scratch import scratch
 from ..system.workers import cores, ctrl_c_blocked
 from .task import BatchOptions
 
@@ -64,7 +64,8 @@ def connected(options: BatchOptions, progress: Progress) -> Iterator[Client]:
 @contextmanager
 def _local(count: int) -> Iterator[LocalCluster]:
     """Start `count` worker processes, which end with the block or with this process."""
-    with scratch() as folder, dask.config.set({"temporary-directory": str(folder)}):
+    folders = TemporaryDirectory(prefix="dynsplines-", ignore_cleanup_errors=True)
+    with folders as folder, dask.config.set({"temporary-directory": folder}):
         try:
             with ctrl_c_blocked():
                 cluster = LocalCluster(

@@ -7,12 +7,12 @@ import re
 import sys
 from collections.abc import Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from dynsplines import models
 
 from ..errors import UserError
-from ..system.scratch import scratch
 from .document import FILMS, MODELS, Document
 from .session import Session
 
@@ -121,8 +121,8 @@ class Files:
         Raises UserError with the message of the command.
         """
         what, *options = words
-        with scratch() as folder:
-            motion = folder / f"{self.session.document.name}.npz"
+        with TemporaryDirectory(prefix="dynsplines-", ignore_cleanup_errors=True) as folder:
+            motion = Path(folder) / f"{self.session.document.name}.npz"
             await self.session.save_motion(motion)
             if self._running is not None:
                 raise UserError("another file is being written; wait for it, or stop it")

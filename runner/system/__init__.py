@@ -1,7 +1,6 @@
 """The machine: files, processes, signals, terminals, memory.
 
 output        atomic writing of files, and locks of files
-scratch       temporary folders
 size_limit    limit on the memory that a file may need
 progress      progress of long work: a bar on a terminal, plain lines elsewhere, always on stderr
 mujoco_warnings  MuJoCo's warnings as notes
