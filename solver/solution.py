@@ -69,12 +69,6 @@ class Solution:
         """The spline through all frames."""
         return path_of(self.timeline)
 
-    @property
-    def is_raw(self) -> bool:
-        """Whether no search took place and the timeline is the raw spline, as for a recording."""
-        pairs = [(line.times, line.states, line.end_slope) for line in (self.raw, self.timeline)]
-        return self.evaluations == 0 and all(map(np.array_equal, *pairs))
-
     def at(self, t: ArrayLike) -> Array:
         """Return MuJoCo configurations at given times.
 

@@ -17,7 +17,7 @@ from dynsplines import models
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.edit.thin import DeviationBound, Recorded, refined, thin
+from dynsplines.solver.edit.thin import Recorded, refined, thin
 
 from .. import motion, recordings, solving
 from ..clip import text as clip_text
@@ -60,9 +60,9 @@ class MotionDifference:
     @classmethod
     def of(cls, recorded: Recorded, timeline: Timeline) -> MotionDifference:
         """Compare a timeline with recorded samples."""
-        far, turned = recorded.worst(timeline)
-        times = recorded.times[[far.instant, turned.instant]].tolist()
-        return cls(far.value, far.name, times[0], float(np.degrees(turned.value)), turned.name, times[1])
+        (distance, far, where), (angle, turned, name) = recorded.worst(timeline)
+        times = recorded.times[[far, turned]].tolist()
+        return cls(distance, where, times[0], float(np.degrees(angle)), name, times[1])
 
     def __str__(self) -> str:
         return (
@@ -87,7 +87,7 @@ def thinned(
     def solved(keys: Sequence[Frame]) -> Timeline:
         return solving.solve(of_motion(replace(saved, keys=tuple(keys))), progress).motion.timeline
 
-    loosely = replace(recorded, bound=DeviationBound(LOOSE * distance, LOOSE * angle))
+    loosely = replace(recorded, distance=LOOSE * distance, angle=LOOSE * angle)
     if solve:
         instants, timeline = refined(recorded, thin(loosely, report)[0], solved, report)
     else:
@@ -108,7 +108,7 @@ def recorded_of(saved: Saved, distance: float, angle: float) -> Recorded:
     qpos = figure.to_qpos(path_of(saved.timeline).at(times))
     back = around(saved)
     travel, turn = back.travel, radians(back.turn)
-    return Recorded(figure, times, qpos, DeviationBound(distance, angle), saved.timeline.ends, travel, turn)
+    return Recorded(figure, times, qpos, distance, angle, saved.timeline.ends, travel, turn)
 
 
 def _instants(saved: Saved, keys: Array) -> Array:

@@ -36,27 +36,6 @@ MARGIN = 3  # further keyframes on either side that the spline of a trial interp
 SHARE = 0.5  # [1] deviation relative to the worst, from which segments get a keyframe in the same round
 
 
-@dataclass(frozen=True)
-class DeviationBound:
-    """The error bound: distance [m] of a body's origin or site, angle [rad] of a link."""
-
-    distance: float
-    angle: float
-
-    def __post_init__(self) -> None:
-        if not (self.distance > 0 and self.angle > 0):
-            raise ValueError(f"a bound is above 0, not {self.distance:g} m and {self.angle:g} rad")
-
-
-@dataclass(frozen=True)
-class Worst:
-    """The largest deviation of one kind: value [m or rad], instant, and name of the point or link."""
-
-    value: float
-    instant: int
-    name: str
-
-
 @dataclass(frozen=True, eq=False)
 class Recorded:
     """The motion to approximate, and the bound.
@@ -64,13 +43,16 @@ class Recorded:
     Attributes:
         times: The instants, (S,) [s], rising.
         qpos: The configurations, (S, nq).
+        distance: The bound of the distance of a body's origin or site [m].
+        angle: The bound of the angle of a link [rad].
         ends: The end conditions of the in-between, see `Problem`; also `travel` and `turn`.
     """
 
     figure: Figure
     times: Array
     qpos: Array
-    bound: DeviationBound
+    distance: float
+    angle: float
     ends: str = "free"
     travel: ArrayLike | None = None
     turn: float | None = None
@@ -126,7 +108,7 @@ class Recorded:
         return self._excess(*self.misses(timeline))
 
     def _excess(self, distance: Array, angle: Array) -> Array:
-        return np.maximum(distance.max(axis=0) / self.bound.distance, angle.max(axis=0) / self.bound.angle)
+        return np.maximum(distance.max(axis=0) / self.distance, angle.max(axis=0) / self.angle)
 
     def excess_without(self, instants: Sequence[int], n: int) -> float:
         """Return the largest deviation of the raw spline without keyframe n, as a multiple of the bound.
@@ -141,13 +123,15 @@ class Recorded:
         states = path_of(near).at(self.times[examined])
         return float(self._excess(*self._misses(states, examined)).max())
 
-    def worst(self, timeline: Timeline) -> tuple[Worst, Worst]:
+    def worst(self, timeline: Timeline) -> tuple[tuple[float, int, str], ...]:
+        """Return the largest distance [m] and the largest angle [rad], each with its instant and the name of the point
+        or link."""
         names = self.points[0], [link.name for link in self.figure.links]
         largest = []
         for missed, called in zip(self.misses(timeline), names, strict=True):
             row, instant = np.unravel_index(int(missed.argmax()), missed.shape)
-            largest.append(Worst(float(missed[row, instant]), int(instant), called[row]))
-        return largest[0], largest[1]
+            largest.append((float(missed[row, instant]), int(instant), called[row]))
+        return tuple(largest)
 
     def frames(self, instants: Sequence[int]) -> list[Frame]:
         return Frame.many(

@@ -47,7 +47,7 @@ def run(
 def apart(one: Saved, other: Saved) -> float:
     """The largest distance of a body or site [m] between two motions."""
     recorded = recorded_of(one, *BOUND)
-    return recorded.worst(other.timeline)[0].value
+    return recorded.worst(other.timeline)[0][0]
 
 
 @pytest.mark.parametrize(("text", "metres"), [("2cm", 0.02), ("20 mm", 0.02), ("1e-3 m", 0.001), (2, 2.0)])

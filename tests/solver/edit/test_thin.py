@@ -14,10 +14,10 @@ from oracles import kinematics
 from scipy.interpolate import CubicSpline
 
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.edit.thin import DeviationBound, Recorded, refined, thin
+from dynsplines.solver.edit.thin import Recorded, refined, thin
 from dynsplines.solver.figure.figure import Figure
 
-WIDE = DeviationBound(0.08, np.radians(10))
+WIDE = (0.08, np.radians(10))  # [m], [rad]
 
 
 def recording(figure: Figure, seed: int, count: int = 14, bends: int = 5) -> tuple[np.ndarray, np.ndarray]:
@@ -75,7 +75,7 @@ def fewest(recorded: Recorded, below: int) -> int:
 def test_the_bound_holds_by_mujocos_kinematics(name, seed, count, metres, degrees):
     figure = of(name)
     times, qpos = recording(figure, seed, count)
-    instants, timeline = thin(Recorded(figure, times, qpos, DeviationBound(metres, np.radians(degrees))))
+    instants, timeline = thin(Recorded(figure, times, qpos, metres, np.radians(degrees)))
     distance, angle = apart_by_mujoco(figure, times, qpos, timeline)
     assert distance <= metres * (1 + 1e-6) + 1e-12
     assert angle <= np.radians(degrees) * (1 + 1e-6) + 1e-7
@@ -88,19 +88,19 @@ def test_a_straight_motion_thins_to_two_keyframes():
     qpos = np.tile(figure.model.qpos0, (50, 1))
     qpos[:, 0] += 1.5 * times
     qpos[:, 7] += 0.4 * times  # a hinge
-    assert thin(Recorded(figure, times, qpos, DeviationBound(1e-6, 1e-6)))[0] == (0, 49)
+    assert thin(Recorded(figure, times, qpos, 1e-6, 1e-6))[0] == (0, 49)
 
 
 def test_the_worst_is_reported_with_its_name_and_instant():
     figure = of("every joint")
     times, qpos = recording(figure, 2, count=30)
-    recorded = Recorded(figure, times, qpos, WIDE)
+    recorded = Recorded(figure, times, qpos, *WIDE)
     timeline = recorded.spline(recorded.frames([0, 29]))
-    distance, angle = recorded.worst(timeline)
+    (distance, instant, name), (angle, *_) = recorded.worst(timeline)
     apart = apart_by_mujoco(figure, times, qpos, timeline)
-    assert (distance.value, angle.value) == pytest.approx(apart, rel=1e-6)
-    assert distance.name in {figure.model.body(i).name for i in range(figure.model.nbody)}
-    assert 0 < distance.instant < 29
+    assert (distance, angle) == pytest.approx(apart, rel=1e-6)
+    assert name in {figure.model.body(i).name for i in range(figure.model.nbody)}
+    assert 0 < instant < 29
 
 
 @pytest.mark.parametrize("n", [6, 7, 20, 33, 34])
@@ -110,7 +110,7 @@ def test_a_keyframe_is_missed_as_much_as_the_spline_without_it_departs(n):
     qpos = np.tile(figure.model.qpos0, (160, 1))
     instants = [*range(0, 160, 4), 159]
     qpos[:, 0] = np.exp(-(((np.arange(160) - instants[n]) / 5) ** 2)) + 0.01 * np.sin(20 * times)
-    recorded = Recorded(figure, times, qpos, WIDE)
+    recorded = Recorded(figure, times, qpos, *WIDE)
     others = recorded.spline(recorded.frames([*instants[:n], *instants[n + 1 :]]))
     assert recorded.excess_without(instants, n) == pytest.approx(recorded.excess(others).max(), rel=1e-3)
 
@@ -118,7 +118,7 @@ def test_a_keyframe_is_missed_as_much_as_the_spline_without_it_departs(n):
 def test_refining_any_in_between_ends_within_the_bound():
     figure = of("ball tree, joint")
     times, qpos = recording(figure, 4, count=30)
-    recorded = Recorded(figure, times, qpos, WIDE)
+    recorded = Recorded(figure, times, qpos, *WIDE)
     calls = []
 
     def crooked(keys):
@@ -142,7 +142,7 @@ def test_a_single_joints_motion_has_at_most_one_keyframe_more_than_the_fewest(se
     """All choices, one by one; and without any one of its keyframes the bound does not hold."""
     figure, rng, times = (figure_of(SWAY), np.random.default_rng(seed), np.linspace(0, 1, 9))
     bends = CubicSpline(np.linspace(0, 1, 5), rng.normal(size=5), bc_type="clamped" if ends == "clamped" else "natural")
-    recorded = Recorded(figure, times, bends(times)[:, None], DeviationBound(0.15, 1.0), ends)
+    recorded = Recorded(figure, times, bends(times)[:, None], 0.15, 1.0, ends)
     told: list[str] = []
     kept, _ = thin(recorded, told.append)
     assert holds(recorded, kept)
