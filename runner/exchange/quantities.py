@@ -67,7 +67,7 @@ def wrench(forces: Forces) -> Columns:
 
 
 def ground(forces: Forces) -> Columns:
-    """Return the ground reactions of every foot with a stance; raises Unavailable if there is none."""
+    """Return the ground reactions of every foot that stands; raises Unavailable if there is none."""
     if not forces.feet:
         raise Unavailable(
             "no stance is known, so the ground reaction force is unknown", "add a [[contact]], or omit `ground`"

@@ -3,18 +3,22 @@
 Torques and wrench are MuJoCo's `mj_inverse` of qpos, qvel and qacc without contacts. They include the model's springs,
 dampers, friction loss, gravity compensation, fluid, tendons and constraints. The ground reactions are those of the soft
 constraint `support`: forces within friction cones at the points in contact that supply as much of the root's wrench as
-possible. Where neither a stance nor a flight determines them, they and the torques that depend on them are nan.
+possible. Feet also push outside their stances while they touch the ground and are slow, as in steps of a gait cycle.
+Where neither contacts nor a flight determine them, they and the torques that depend on them are nan.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import mujoco
 import numpy as np
 
 from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.contacts import Contact, within
+from dynsplines.solver.contacts.thresholds import Thresholds
+from dynsplines.solver.curve.spline import Path
 from dynsplines.solver.figure.algebra import applied, cross
 from dynsplines.solver.figure.dynamics import RootWrench, inverse_dynamics
 from dynsplines.solver.figure.kinematics import Samples
@@ -22,9 +26,13 @@ from dynsplines.solver.figure.model import set_qpos
 from dynsplines.solver.penalty import Support
 from dynsplines.solver.penalty.ground.support import Reactions
 from dynsplines.solver.surface import static_surfaces
+from dynsplines.solver.surface.heights import height_over
+from dynsplines.solver.surface.points import body_points, hanging, places_of
 
 from ..clip import load as clip
-from ..motion import Sampled, samples_at
+from ..clip.context import Context
+from ..motion import Sampled, even_times, samples_at
+from .support import RATE, touching
 
 PASSIVE = 1e4  # [1] weight of joints without a motor, whose torques the constraints have to supply
 
@@ -68,15 +76,17 @@ class Forces:
     @classmethod
     def of(cls, sampled: Sampled, model: mujoco.MjModel | None = None) -> Forces:
         """Return the forces of a motion in its model, or in another one with the same joints."""
-        support = clip.clip_from_motion(sampled.motion).context.support
-        samples = samples_at(sampled.figure, sampled.motion.path, sampled.time)
+        context, path = clip.clip_from_motion(sampled.motion).context, sampled.motion.path
+        support, samples = context.support, samples_at(sampled.figure, path, sampled.time)
+        if support is not None and not context.is_tracking:
+            support = replace(support, footings=(*support.footings, *_landings(context, support, path)))
         stiff = None if support is None else support.stiff
         return cls(sampled, samples, stiff, sampled.model if model is None else model)
 
     @cached_property
     def has_known_support(self) -> Mask:
-        """(T,) whether the forces that carry the figure are known: in stances and flights, and where there is no ground
-        or no gravity."""
+        """(T,) whether the forces that carry the figure are known: while feet stand, in flights, and where there is no
+        ground or no gravity."""
         if self.support is not None and self.support.has_intervals:
             return self.support.known(self.samples.t)
         is_carried = self.support is not None and self.sampled.figure.gravity.any() and static_surfaces(self.model)
@@ -116,7 +126,7 @@ class Forces:
 
     @cached_property
     def feet(self) -> tuple[Foot, ...]:
-        """The ground reactions of all bodies with a stance."""
+        """The ground reactions of all feet that stand."""
         if self.support is None or self._reactions is None:
             return ()
         links = self._links
@@ -175,6 +185,23 @@ class Forces:
             mujoco.mj_jac(model, data, jacobian, None, reactions.place[:, i], bodies[reactions.footing[i]])
             out[t] -= reactions.force[:, i] @ jacobian
         return np.where(self.has_known_support[:, None], out, np.nan)
+
+
+def _landings(context: Context, support: Support, path: Path) -> list[Contact]:
+    """Return the contacts of slow feet with the ground outside their stances, as measured along the path."""
+    figure, limits, t = context.figure, Thresholds.of(context.figure), even_times(path.span, RATE)
+    feet = {point.link for point in context.points}
+    points = [*context.points, *(point for point in body_points(figure) if point.link in feet)]
+    points = hanging(figure, support.root, points)
+    samples = samples_at(figure, path, t)
+    centres, radii = places_of(points, samples)
+    heights, up = height_over(context.surfaces, centres, radii)
+    speeds = np.linalg.norm(np.gradient(centres, t, axis=2), axis=0)
+    touches = (np.abs(heights) < limits.near_surface) & (speeds < limits.fast)
+    for i, point in enumerate(points):
+        stances = [(each.first, each.last) for each in support.footings if each.point.link == point.link]
+        touches[i] &= ~within((*stances, *support.flights), t)
+    return touching(samples, points, touches, up)
 
 
 def motor_torques(model: mujoco.MjModel, qpos: Array, torques: Array) -> Array:

@@ -63,11 +63,7 @@ def _of_tree(
     centres, radii = places_of(points, samples)
     height, up = height_over(motion.clip.context.surfaces, centres, radii)
     touches: Mask = np.asarray(height < limits.clear)
-    contacts = [
-        Contact(points[i], t[first], t[end - 1], surface=Plane("ground", np.zeros(3), up[:, i, (first + end) // 2]))
-        for i in range(len(points))
-        for first, end in runs(touches[i])
-    ]
+    contacts = touching(samples, points, touches, up)
     air = [(t[first], t[end - 1]) for first, end in runs(np.asarray(~touches.any(axis=0)))]
     wrench = RootWrench(samples, root)
     missing = Support.of(figure, root, contacts, air).stiff.rest(samples, wrench)
@@ -92,6 +88,23 @@ def _of_tree(
             seconds = (t[1] - t[0]) * np.count_nonzero(amount > bound)
             row = row_of(kind, figure.links[root].name, texts[kind].format(seconds))
             yield row.violation(float(mean[worst]), float(t[worst]))
+
+
+def touching(samples: Samples, points: Sequence[Point], touches: Mask, up: Array) -> list[Contact]:
+    """Return the contacts of points (n,) at the samples at which they touch a surface, (n, S), with normals (3, n, S).
+
+    A contact is at the spot below the point in the middle of the run of samples.
+    """
+    contacts = list[Contact]()
+    for i, point in enumerate(points):
+        for first, end in runs(touches[i]):
+            middle = (first + end) // 2
+            normal = up[:, i, middle]
+            below = samples.links.rotation[:, :, point.link, middle].T @ (point.radius * normal)
+            spot = Point(point.name, point.link, point.position - below)
+            plane = Plane("ground", np.zeros(3), normal)
+            contacts.append(Contact(spot, samples.t[first], samples.t[end - 1], surface=plane))
+    return contacts
 
 
 def _beside(centre: Array, places: Array, touches: Mask) -> Array:

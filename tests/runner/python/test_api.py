@@ -219,6 +219,21 @@ def test_the_ground_carries_who_stands_and_the_torques_are_those_of_mujoco_under
     np.testing.assert_allclose(forces.torques[1, 6:], expected[6:], atol=1e-6)
 
 
+def test_feet_carry_before_they_leave_and_after_they_land_between_keyframes():
+    """A step of the left foot, which has a stance in neither keyframe. When it leaves, the weight is on both feet."""
+    step = STAND + 'root.position = "free"\n'
+    for foot, place in (("left", [0.2, 0.09, 0]), ("right", [-0.055, -0.09, 0])):
+        step += f"sites.{foot}_heel = {place}\nbodies.{foot}_foot.flat = true\n"
+    motion = inbetween(load(step))
+    forces = motion.forces(times=[0, 0.5, 1])
+    left, right = forces.feet
+    assert forces.has_known_support.all()
+    np.testing.assert_array_equal(left.has_contact, [True, False, True])
+    assert right.has_contact.all()
+    weight = 9.81 * motion.model.body_subtreemass[1]
+    assert 0.2 * weight < left.force[0, 2] < 0.8 * weight
+
+
 def test_forces_without_a_known_contact_are_not_numbers():
     """Of a figure that hovers over the floor: what holds it is unknown."""
     raised = STAND.replace('"rest"', '"rest"\nroot.position = [0, 0, 1.5]')
