@@ -1,8 +1,9 @@
 """Minimisation of E by Gauss-Newton steps with Levenberg's damping, then by NLopt. Each step is a banded solve.
 
 The damping decreases after good predictions of the reduction of E and increases after poor ones (D. W. Marquardt, "An
-algorithm for least-squares estimation of nonlinear parameters", J. SIAM 1963). The damping
-multiplies ∫ |δy''|² dt of the step δy, with equal weight for all coordinates, so that a damped step is smooth.
+algorithm for least-squares estimation of nonlinear parameters", J. SIAM 1963), by the factors of H. B. Nielsen,
+"Damping parameter in Marquardt's method", IMM 1999. It multiplies ∫ |δy''|² dt of the step δy, with equal weight for
+all coordinates, so that a damped step is smooth.
 
 Gauss-Newton steps approach the minimum. NLopt then uses only E and its gradient, so it can lower E where the model of
 these steps is inaccurate. It searches in whitened variables z, x = x₀ + P z with P Pᵀ = c H⁻¹, where H is the model's
@@ -26,10 +27,7 @@ from .quadratic import Layout, Proposal, QuadraticModel
 
 FIRST_DAMPING = 1.0  # in units of E's curvature in y''
 MIN_DAMPING, MAX_DAMPING = 1e-6, 1e9  # from a full Newton step to a negligible one
-GOOD_RATIO, POOR_RATIO = 0.7, 0.25  # gain ratios above which the damping decreases, and below which it increases
-# factors of the damping after a step of good or poor gain ratio, and after one that raised E
-DAMPING_DECREASE, DAMPING_INCREASE, REJECTION_INCREASE = 0.2, 3.0, 8.0
-PATIENCE = 3  # evaluations over which NLopt's progress is averaged, because some in a line search make none
+GOOD_RATIO = 0.7  # [1] gain ratio, actual by predicted reduction, above which a prediction is reliable
 # [1] estimate of the remaining reduction relative to the last predicted one, see `_run`
 MIN_TREND, MIN_MODEL_ERROR, MODEL_ERROR = 0.1, 0.02, 2.0
 
@@ -102,21 +100,21 @@ def _refine(search: Search, factor: Array, tolerance: float, method: str) -> Non
     """Lower E from the best point of a search, in variables whitened by the Cholesky factor of its last model.
 
     Args:
-        tolerance: Stop when PATIENCE evaluations gain less than this share of E each.
+        tolerance: Stop when an evaluation gains less than this share of E.
 
     Raises:
         StopSearch: The search was interrupted.
     """
     layout, around, gradient, unit = search.layout, search.x, search.gradient, sqrt(search.value)
-    values, is_converged, remaining = [search.value] * PATIENCE, False, search.budget - search.count
+    first, is_converged, remaining = search.value, False, search.budget - search.count
 
     def fun(z: Array) -> tuple[float, Array]:
         nonlocal is_converged
         if not z.any():
-            return values[0], unit * layout.whiten(factor, layout.from_x(gradient))
+            return first, unit * layout.whiten(factor, layout.from_x(gradient))
+        before = search.value
         result = search.evaluate(around + layout.to_x(layout.unwhiten(factor, unit * z)))
-        values.append(search.value)
-        is_converged = search.is_negligible((values[-1 - PATIENCE] - values[-1]) / PATIENCE, tolerance)
+        is_converged = search.is_negligible(before - search.value, tolerance)
         if is_converged:
             raise StopSearch
         return result.value, unit * layout.whiten(factor, layout.from_x(result.gradient))
@@ -137,6 +135,7 @@ class Search:
         count: The number of evaluations so far.
         scale: The median second derivative of E with respect to y'' in the first model; damping is a multiple of it.
         factor: The Cholesky factor of the last model.
+        increase: The factor of the damping after the next step that does not reduce E.
     """
 
     def __init__(self, problem: Discretised, budget: int, damping: float, improved: Callable | None) -> None:
@@ -146,6 +145,7 @@ class Search:
         self.first = np.inf
         self.scale: float | None = None
         self.factor: Array | None = None
+        self.increase = 4.0
 
     @cached_property
     def layout(self) -> Layout:
@@ -191,25 +191,21 @@ class Search:
         while True:
             proposal = model.minimise(self.damping * model.scale)
             self.factor = proposal.factor
-            if proposal.factor is None:  # no curvature, no step
-                self.damping *= REJECTION_INCREASE
-                if self.damping > MAX_DAMPING:
-                    return proposal, Stop.NO_PROGRESS
-                continue
-            if self.is_negligible(proposal.predicted_reduction, tolerance):
-                return proposal, Stop.CONVERGED
-            x = self.x + proposal.step
-            self.evaluate(x)
-            if self.x is x:
-                return proposal, None
-            self.damping *= REJECTION_INCREASE
+            if proposal.factor is not None:  # otherwise there is no curvature, thus no step
+                if self.is_negligible(proposal.predicted_reduction, tolerance):
+                    return proposal, Stop.CONVERGED
+                x = self.x + proposal.step
+                self.evaluate(x)
+                if self.x is x:
+                    return proposal, None
+            self.damping *= self.increase
+            self.increase *= 2
             if self.damping > MAX_DAMPING:
                 return proposal, Stop.NO_PROGRESS
             if self.count >= self.budget:
                 return proposal, Stop.MAX_EVALUATIONS
 
     def update_damping(self, gain_ratio: float) -> None:
-        if gain_ratio > GOOD_RATIO:
-            self.damping = max(self.damping * DAMPING_DECREASE, MIN_DAMPING)
-        elif gain_ratio < POOR_RATIO:
-            self.damping *= DAMPING_INCREASE
+        """Change the damping after a step that reduced E, by a factor from 1/3 (gain ratio 1 or more) to 2 (0)."""
+        self.damping = max(self.damping * max(1 / 3, 1 - (2 * gain_ratio - 1) ** 3), MIN_DAMPING)
+        self.increase = 4.0
