@@ -363,21 +363,6 @@ def test_what_went_wrong_in_drawing_is_reported_and_nothing_is_written(run, tmp_
     assert (done.code, done.out, done.err.splitlines()[-1]) == (2, "", "dynsplines: the bench is locked")
 
 
-@pytest.mark.parametrize("is_importing", [True, False])
-def test_ctrl_c_ends_with_130(run, monkeypatch, is_importing):
-    def interrupted(*_: object, **__: object) -> None:
-        try:
-            raise KeyboardInterrupt
-        except KeyboardInterrupt as error:
-            if is_importing:
-                raise ImportError("initialization failed") from error
-            raise
-
-    monkeypatch.setattr(*((cli, "app") if is_importing else (models, "clips")), interrupted)
-    done = run("clips")
-    assert (done.code, done.err) == (130, "dynsplines: stopped\n")
-
-
 # loops and edits
 
 
@@ -400,15 +385,6 @@ def test_a_travelling_loop_is_solved_repeated_and_rendered(run, tmp_path):
     with Image.open(tmp_path / "twice.gif") as film:
         assert getattr(film, "n_frames", 1) == int(2 * 0.41 * 5) + 1
     assert run("render", "loop.npz", *SMALL, "--repeat", 2, "--at", 0.8, "-o", "late.png").code == 0
-
-
-def test_what_is_no_loop_is_not_repeated(run, motion_file, tmp_path):
-    (tmp_path / "loop.toml").write_text(LOOP, encoding="utf-8")
-    with nothing_written(tmp_path):
-        assert_refused(run("solve", "tiny.toml", "--repeat", 2), "--repeat", "'tiny' is not a loop", "'periodic'")
-        assert_refused(run("render", motion_file, *SMALL, "--repeat", 2), "is not a loop")
-        assert_refused(run("solve", "loop.toml", "--repeat", 0), "--repeat 0: give a whole number, 1 or more")
-        assert_refused(run("solve", "loop.toml", "--repeat", 5000), "600 s at most")
 
 
 @pytest.mark.slow

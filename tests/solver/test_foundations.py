@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 import pytest
 import shipped
@@ -11,7 +9,6 @@ from figures import TINY, figure_of
 from gradients import taylor_slope
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from oracles import SiteGoal, kinematics
 from scipy.optimize import nnls
 from scipy.spatial.transform import Rotation
 from threadpoolctl import ThreadpoolController
@@ -20,13 +17,12 @@ from dynsplines import models
 from dynsplines.solver import compiled
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.cache import Cache, cache_key, cached_by_content
+from dynsplines.solver.cache import cached_by_content
 from dynsplines.solver.cone import projection, unsupplied
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.figure.figure import Figure, quaternion_columns
+from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween, one_thread
 from dynsplines.solver.penalty import RootAcceleration
-from dynsplines.solver.posing import find_pose, inverse_kinematics, reached
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import midpoints, split
 from dynsplines.solver.search.quadratic import Layout, QuadraticModel
@@ -165,28 +161,8 @@ def test_the_projection_is_how_the_rest_moves_with_the_vector(rng):
     np.testing.assert_allclose((after - before) / (2 * h), moved, atol=1e-6)
 
 
-@dataclass(frozen=True, eq=False)
-class Told:
-    name: str
-    values: Array
-
-
-VALUES = st.lists(st.sampled_from([0.0, -0.0, 1.0, np.nextafter(1, 2), np.nan]), min_size=2, max_size=2).map(np.array)
-
-
 def human() -> Figure:
     return figure_of(models.figure_text("human"))
-
-
-@settings(deadline=None, max_examples=25)
-@given(VALUES, VALUES, st.sampled_from("ab"), st.sampled_from("ab"))
-def test_content_is_the_same_where_every_bit_is(a, b, one, other):
-    are_alike = a.tobytes() == b.tobytes() and one == other
-    assert (cache_key(Told(one, a)) == cache_key(Told(other, b))) == are_alike
-    assert (cache_key([one, (a,)]) == cache_key([other, (b,)])) == are_alike
-    assert hash(cache_key([Told(one, a), None, 1.5])) == hash(cache_key([Told(one, a.copy()), None, 1.5]))
-    assert cache_key(a) != cache_key(a[None])
-    assert cache_key((1.0, 2.0)) != cache_key([1.0, 2.0])
 
 
 def test_a_function_of_a_figure_is_evaluated_again_only_for_other_models_and_coordinates():
@@ -196,34 +172,6 @@ def test_a_function_of_a_figure_is_evaluated_again_only_for_other_models_and_coo
     for figure in [*figures, figure_of(TINY, "joint"), figure_of(TINY)]:
         cached(figure)
     assert evaluated[:3] == [figures[0], *figures[2:]] and len(evaluated) == 5
-
-
-def test_a_pose_is_searched_once_for_a_figure_and_depends_on_what_its_goals_do_alone(monkeypatch):
-    figure, rng = human(), np.random.default_rng(1)
-    data = kinematics(figure.model)
-    goals = [SiteGoal("left_hand", data.site("left_hand").xpos + np.array([0.2, 0, 0.3]))]
-    home, free = np.array(figure.model.qpos0), np.ones(figure.width, bool)
-    free[:7] = False
-    first = find_pose(figure, home, free, goals)
-    assert first.is_met
-    other = np.array(home)
-    for link in figure.links[1:]:
-        columns = quaternion_columns(link)
-        if columns is not None and not reached(figure, goals)[columns].any():
-            other[columns] = quat.normalised(rng.normal(size=4))
-    with monkeypatch.context() as patch:
-        patch.setattr(inverse_kinematics, "_poses", Cache(9))
-        fresh = find_pose(figure, other, free, goals)
-
-    def never(*_: object) -> None:
-        pytest.fail("searched again")
-
-    monkeypatch.setattr(inverse_kinematics, "_posed", never)
-    again = find_pose(human(), other, free, goals)
-    own = reached(figure, goals)
-    assert np.array_equal(again.qpos, fresh.qpos)
-    assert np.array_equal(again.qpos[own], first.qpos[own])
-    assert np.array_equal(again.qpos[~own], other[~own])
 
 
 needs_kernel = pytest.mark.skipif(compiled.kernel is None, reason="the kernel was not built")

@@ -6,12 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from figures import CHAIN, figure_of, hinge_keys, hinged, scaled
+from figures import CHAIN, figure_of, hinge_keys, hinged
 from gradients import clip, every_penalty, taylor_slope
 from random_models import TIMES, evenly
 from scipy.interpolate import CubicSpline
 
-from dynsplines import models
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -183,16 +182,6 @@ def test_what_costs_more_on_a_path_that_leads_is_divided_by_that_and_violations_
     assert below > 0
 
 
-def test_motion_costs_the_weights_of_what_its_own_integrals_measure():
-    figure = figure_of(ONE_HINGE)
-    keys = [Frame.key(t, [q]) for t, q in ((0, 0.0), (1, 1.0), (2, 0.5))]
-    objective = Objective.of(figure, [(CovariantAcceleration(), 2.0), (Posture(), 5.0), (RootAcceleration(), 0.25)])
-    assert objective.raw_cost == 2.25
-    assert [term.penalty.name for term in objective.raw_normalized] == ["acceleration.angular", "acceleration.linear"]
-    assert objective.renormalised(path_of(raw_timeline(figure, keys))).heavy == pytest.approx(10 * 2.25)
-    assert Objective.of(figure, [(Posture(), 5.0)]).renormalised(path_of(raw_timeline(figure, keys))).heavy == np.inf
-
-
 @pytest.mark.parametrize("weight", [-1.0, np.nan, np.inf])
 def test_a_weight_that_is_none_is_refused_by_name(weight, figure):
     with pytest.raises(ValueError, match=r"the weight of 'acceleration.linear' is .*; it must be a number, at least 0"):
@@ -279,16 +268,6 @@ def test_it_rises_with_the_fourth_power_of_the_time_between_keyframes(gap, tensi
     objective = objective_of(raw_timeline(hinged(), hinge_keys()), hinged(), np.array([0, gap, gap + 0.1]))
     found = objective.tension(np.array([-0.1, 0, 0.01, gap - 0.01, gap, gap + 0.1, gap + 1]))
     np.testing.assert_allclose(found, [tension] * 4 + [1.0] * 3)
-
-
-def test_figures_of_one_dynamic_similarity_have_the_same_tension():
-    """Lengths four times as large, so times between keyframes twice as long."""
-    tensions = []
-    for size, pace in ((1.0, 1.0), (4.0, 2.0)):
-        figure = Figure(scaled(models.figure_text("human"), size).compile())
-        key_times = pace * np.array([0.0, 0.3, 0.7])
-        tensions.append(replace(Objective.of(figure, []), key_times=key_times).tension(pace * np.array([0.1, 0.5])))
-    np.testing.assert_allclose(tensions[1], tensions[0], rtol=1e-5)
 
 
 def swing_keys(figure: Figure, times: Array) -> list[Frame]:

@@ -15,7 +15,7 @@ from pathlib import Path
 import deeds
 import mujoco
 import pytest
-from problems import CLIP, FIGURE, changed, names, written
+from problems import CLIP, FIGURE, changed, names
 from processes import Command, quiet
 
 pytest.importorskip("distributed")
@@ -254,26 +254,6 @@ def test_a_cluster_elsewhere_gets_all_it_needs_and_one_that_goes_away_costs_no_c
     assert ended.last.startswith("dynsplines: the Dask scheduler is gone; run the same command again")
     assert cluster.wait(PATIENCE) == -signal.SIGKILL
     assert states(tmp_path / "more") in ([], [("a", "done")])
-
-
-@pytest.mark.slow
-def test_what_a_killed_program_had_begun_to_write_is_removed_whatever_the_ending(
-    in_process: None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, command: Command
-):
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("MUJOCO_GL", "disable")  # so that it is put back
-    written(tmp_path)
-    (tmp_path / "out").mkdir()
-    (tmp_path / "out/.tiny.keys.xml.0123456789abcdef.partial.xml").write_text("<mujo", encoding="utf-8")
-    words = ("batch", "tiny.toml", "-o", "out", "--workers", 1, "--to", "mjcf")
-    ended = command(*words)
-    assert ended.code == 0, ended
-    assert sorted(file.name for file in (tmp_path / "out").iterdir()) == ["manifest.jsonl", "tiny.keys.xml"]
-    problem = "1 of 1 clips has violations; worst: tiny: keyframe 1 itself: the figure never comes down"
-    assert ended.err.splitlines()[-2].startswith(problem)
-    again = command(*words, "--strict")
-    assert (again.code, again.last) == (3, "out: 0 solved, 1 already there, 0 failed")
-    assert again.err.splitlines()[-2].startswith(problem)
 
 
 MESHED = FIGURE.replace("<worldbody>", '<asset><mesh name="part" file="part.obj"/></asset><worldbody>').replace(

@@ -294,24 +294,6 @@ def test_an_optimiser_that_does_nothing_with_so_many_unknowns_is_reported():
     assert "optimiser 'slsqp' is dense: with some 612 unknowns, over 300" in dense.notes[-1]
 
 
-LYING = """<mujoco><compiler angle="degree"/><worldbody>
-  <body name="pelvis" pos="0 0 1" euler="90 0 0"><freejoint name="root"/><geom size=".1"/>
-    <body name="thigh" pos="0 -.1 -.1" euler="0 90 0"><joint name="hip" type="ball"/><geom size=".05" pos="0 -.2 0"/>
-      <body name="shin" pos="0 -.4 0" euler="0 0 20"><joint name="knee" type="ball"/><geom size=".05" pos="0 -.2 0"/>
-</body></body></body></worldbody></mujoco>"""
-
-
-def test_a_knee_flexes_about_the_worlds_y_at_rest_however_its_thigh_is_turned(tmp_path):
-    (tmp_path / "lying.xml").write_text(LYING, encoding="utf-8")
-    keys = "".join(f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in (0, 1))
-    found = recordings.from_text(f'figure = "lying.xml"\n{keys}', name="lying", folder=tmp_path)
-    (bend,) = found.context.bends
-    data = kinematics(found.figure.model)
-    thigh = data.body("thigh").xmat.reshape(3, 3)
-    np.testing.assert_allclose(thigh @ bend.lateral, [0, 1, 0], atol=1e-12)
-    np.testing.assert_allclose(thigh @ bend.long_axis, [0, 0, -1], atol=1e-12)
-
-
 CRATE = """
 [[scene.box]]
 name = "crate"

@@ -15,7 +15,6 @@ from paper.penetration import penetration
 import dynsplines
 from dynsplines import Keyframe, build, motion, recordings, solving
 from dynsplines.clip import load as clips
-from dynsplines.clip.build import Clip
 from dynsplines.clip.kinds import KINDS, Options
 from dynsplines.clip.tracking.problem import tracking_context
 from dynsplines.errors import UserError
@@ -25,7 +24,6 @@ from dynsplines.solver.contacts import Contact
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import Support, TrackingPenalty
-from dynsplines.solver.problem import Problem
 from dynsplines.system.progress import Progress
 
 REACH = """
@@ -54,11 +52,6 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture(scope="module")
 def saved(folder: Path) -> Saved:
     return motion.load(folder / "run.npz")
-
-
-def shortly(clip: Clip) -> Problem:
-    """Return its problem for a search that ends soon."""
-    return replace(clip.problem, settings=replace(clip.settings, max_evaluations=3))
 
 
 def bodies(saved_figure, path, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -95,32 +88,6 @@ def test_a_reach_is_exact_and_changes_nothing_beyond_its_blend(folder, saved, tm
     np.testing.assert_allclose(np.abs(own_state[key.fixed]), np.abs(key.state[key.fixed]), atol=1e-12)
 
 
-def test_a_recording_that_starts_and_stops_abruptly_stays_the_same_beyond_a_blend(tmp_path):
-    """A loop of three keyframes, whose legs have large accelerations at its ends."""
-    joints = [f"{side}_hip = {{rotvec = [0, {angle}, 0]}}" for side, angle in (("left", -25), ("right", 15))]
-    ahead = f"joints = {{{', '.join(joints)}}}"
-    back = ahead.replace("left", "other").replace("right", "left").replace("other", "right")
-    rows = [
-        f'[[keyframe]]\ntime = {t}\nroot.position = [{x}, 0, 0.9]\n{legs}\nothers = "rest"\n'
-        for t, x, legs in ((0.0, 0.0, ahead), (0.5, 0.4, back), (1.0, 0.8, ahead))
-    ]
-    head = 'figure = "human"\n[solve]\nends = "periodic"\nevaluations = 2\n'
-    loop = dynsplines.inbetween(recordings.from_text(head + "".join(rows), name="loop"))
-    loop.save(tmp_path / "loop.npz")
-    edit = (
-        'figure = "human"\n[recording]\nfile = "loop.npz"\nblend = 0.15\n'
-        "[[keyframe]]\ntime = 0.5\njoints.right_shoulder = {rotvec = [-60, 0, 0]}\n"
-    )
-    clip = recordings.from_text(edit, name="edit", folder=tmp_path)
-    times = np.linspace(0, 1, 501)
-    edited, original = (
-        bodies(clip.figure, path_of(timeline), times)[0]
-        for timeline in (inbetween(shortly(clip)).timeline, motion.load(tmp_path / "loop.npz").timeline)
-    )
-    beyond = np.abs(times - 0.5) > 0.15
-    assert np.linalg.norm(edited - original, axis=2)[beyond].max() < 0.001
-
-
 ARM = """
 figure = "human"
 [recording]
@@ -134,32 +101,9 @@ joints.right_shoulder = {{rotvec = [0, -100, 0]}}
 """
 
 
-def test_a_large_edit_with_a_short_blend_changes_nothing_beyond_it():
-    """The frames of the recording are up to 0.5 s apart."""
-    clip = recordings.from_text(ARM.format(blend=0.1), name="edit")
-    original = recordings.from_text('figure = "human"\n[recording]\nfile = "sit_down"\n', name="original")
-    near = original.problem.penalties[0][0]
-    assert isinstance(near, TrackingPenalty)
-    recording = near.recorded.path
-    times = np.arange(0, recording.span[1] / 0.5, 0.004)
-    beyond = times[np.abs(times - 0.42) > 0.1]
-    edited, _ = bodies(clip.figure, path_of(inbetween(shortly(clip)).timeline), beyond)
-    same, _ = bodies(clip.figure, recording, beyond * 0.5)
-    assert np.linalg.norm(edited - same, axis=2).max() < 0.001
-
-
 def test_a_blend_shorter_than_frames_can_be_apart_is_an_error():
     with pytest.raises(UserError, match="is too short; choose"):
         recordings.from_text(ARM.format(blend=0.005), name="edit")
-
-
-@pytest.mark.slow
-def test_without_keyframes_the_motion_is_the_recording(folder, saved):
-    clip = recordings.from_text(BARE, name="bare", folder=folder)
-    times = np.linspace(0.05, 2.15, 40)
-    paths = path_of(inbetween(clip.problem).timeline), path_of(saved.timeline)
-    own, true = (bodies(clip.figure, path, times)[0] for path in paths)
-    assert np.median(np.linalg.norm(own - true, axis=2)) < 0.01
 
 
 @pytest.mark.parametrize(

@@ -114,42 +114,6 @@ def test_of_several_figures_the_one_with_limbs_is_read(tmp_path, capsys):
     assert note in capsys.readouterr().err
 
 
-def under(found, channels, values, root):
-    """A skeleton under a joint with channels and values; `root` are the body's channels and values."""
-    body = [replace(joint, parent=joint.parent + 1) for joint in found.joints]
-    body[0] = replace(body[0], channels=root[0])
-    joints = (Joint("Armature", -1, np.zeros(3), channels), *body)
-    return Skeleton(joints, found.fps, np.concatenate([values, root[1], found.values[:, 6:]], axis=1))
-
-
-def with_heading(found):
-    """Under a parent that is turned and moved; the root makes up for it."""
-    turn = Rotation.from_euler("y", 70, degrees=True)
-    own = turn.inv() * Rotation.from_euler("YXZ", found.values[:, 3:6], degrees=True)
-    root = np.concatenate(
-        [turn.inv().apply(found.values[:, :3] - [30, 0, 10]), own.as_euler("YXZ", degrees=True)], axis=1
-    )
-    parent = np.tile((30.0, 0, 10, 70, 0, 0), (len(root), 1))
-    return under(found, found.joints[0].channels, parent, (found.joints[0].channels, root))
-
-
-def with_places(found):
-    """Under a parent that has the root's places."""
-    channels = found.joints[0].channels
-    return under(found, channels[:3], found.values[:, :3], (channels[3:], found.values[:, 3:6]))
-
-
-@pytest.mark.slow
-def test_parents_above_the_pelvis_change_nothing(cartwheel, tmp_path):
-    moved = []
-    for change in (replace, with_heading, with_places):
-        (tmp_path / "under.bvh").write_text(bvh_file.written(change(bvh.skeleton(cartwheel))), encoding="utf-8")
-        moved.append(Sampled.of(import_recording(tmp_path / "under.bvh", figure="human"), 30.0))
-    assert np.ptp(moved[0].qpos[:, 0]) > 0.5
-    for other in moved[1:]:
-        np.testing.assert_allclose(other.bodies.position, moved[0].bodies.position, atol=TENTH)
-
-
 @pytest.mark.slow
 def test_our_own_file_comes_back_on_our_own_figure(cartwheel, tmp_path):
     back = Sampled.of(import_recording(written(cartwheel, tmp_path), figure="human"))

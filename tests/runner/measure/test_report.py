@@ -209,22 +209,6 @@ def test_figures_without_feet_or_quaternions_have_a_report_too(tmp_path, figure)
     Console(file=io.StringIO()).print(tables(data))
 
 
-@pytest.mark.parametrize(
-    ("share", "slip", "words"),
-    [
-        (0.0344, 0.126, ("about 3.4% of the objective is left", "low feet slide at 13% of the travel")),
-        (0.9996, None, ("about 100.0% of the objective is left", "2.5 times as sure as the raw spline\n")),
-        (1.0, None, ("an unknown share of the objective is left", "a cycle of 1.10 s")),
-    ],
-)
-def test_what_is_left_and_the_cycle_are_on_the_screen(solved: Solved, share, slip, words):
-    data = report(solved.clip, solved.motion) | {"left to gain": {"objective": 1.0, "share": share}}
-    data["cycle"] = {"period, s": 1.1, "gain": 3.0, "trust": 2.5} | ({} if slip is None else {"slip": slip})
-    out = io.StringIO()
-    Console(file=out, width=400).print(tables(data))
-    assert not [each for each in words if each not in out.getvalue().replace(" \n", "\n")]
-
-
 def test_stances_that_only_the_raw_spline_has_are_omitted_in_print():
     stance = {"point": "left_toe", "from, s": 0.0, "to, s": 0.5, "slip, m": 0.01}
     assert list(rows({"stances": [stance]}, {"stances": []})) == []

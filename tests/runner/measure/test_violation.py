@@ -22,7 +22,6 @@ from dynsplines.clip.build import Clip
 from dynsplines.edit import edits
 from dynsplines.measure import violation
 from dynsplines.measure.bounds import BOUNDS, WHIP_SHARE, Violation
-from dynsplines.measure.checks import Hits
 from dynsplines.motion import Sampled
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -48,7 +47,6 @@ HOPPER = """<mujoco>{}<worldbody>{}<body name="trunk" pos="0 0 .5"><freejoint na
 ON_FLOOR = HOPPER.format("", '<geom type="plane" size="1 1 .1" pos="0 0 .1"/>')
 
 REST = 'others = "rest"\n'
-SIGNS = (("left", -1), ("right", 1))
 HIGH = REST + "root.position = [0, 0, 3]\n"  # above all floors
 
 
@@ -379,27 +377,6 @@ def test_bodies_collide_as_mujoco_has_it_or_all_of_them_if_none_would(one, other
     assert (deepest(problem, 60) > 0.01) == (count > 0 and 'contype="0" conaffinity="0"' not in other)
 
 
-def test_of_two_limbs_in_each_other_one_line_is_reported_and_of_other_limbs_another():
-    """Two arms on a chest, and two legs: thighs and shins are in each other, each pair as deep as the other."""
-    limb = """<body name="{0}" pos="{1} {2} 0"><joint name="{0}" type="slide" axis="0 1 0"/><geom size=".04"/>
-        <body name="end of {0}" pos="0 0 -.2"><joint axis="1 0 0"/><geom size=".04"/></body></body>"""
-    arms, legs = ([limb.format(f"{side} {part}", x, y) for side, y in (("left", 0.1), ("right", -0.1))]
-                  for part, x in (("arm", 0.3), ("leg", -0.3)))  # fmt: skip
-    chest = (
-        f'<body name="chest" pos="0 0 .3"><joint name="spine" axis="0 0 1"/><geom size=".05"/>{"".join(arms)}</body>'
-    )
-    figure = f'<mujoco><worldbody><body name="pelvis" pos="0 0 1"><freejoint/><geom size=".05"/>{chest}{"".join(legs)}'
-    far, near = (
-        "joints = {"
-        + ", ".join(f'"{side} {part}" = {sign * y}' for part in ("arm", "leg") for side, sign in SIGNS)
-        + "}"
-        for y in (0, 0.08)
-    )
-    found = of_kind(read(keys(HIGH + far, HIGH + near, HIGH + far), f"{figure}</body></worldbody></mujoco>"), "self")
-    assert sorted({each.name.split()[-1] for each in found}) == ["arm", "leg"]
-    assert len(found) == 2
-
-
 @pytest.mark.parametrize("offset", [0.0, 0.004])
 def test_hands_that_pass_fast_through_each_other_are_reported(offset):
     """Two balls of 80 mm meet at 0.25 s + offset with 8 m/s: they overlap by more than 10 mm for 17 ms."""
@@ -485,13 +462,6 @@ def test_a_limb_that_whips():
     assert found[0].time == pytest.approx(0.5, abs=0.06)
 
 
-def test_a_quaternion_far_from_length_one():
-    problem = read(keys(at(0, 0, 2), at(0, 0, 2)), BALL)
-    (found,) = wrong(problem, with_frame(problem, 0.5, np.array([0, 0, 0, -0.7, 0, 0, 0])))
-    assert (found.kind, found.name) == ("length", "root")
-    assert found.amount == pytest.approx(0.7, abs=0.02)
-
-
 # the ground
 
 
@@ -533,11 +503,6 @@ def test_an_obstacle_inside_a_body_that_follows_a_recording_is_reported(tmp_path
     assert deep.name == "barrel" and deep.amount == pytest.approx(0.12, abs=0.008)  # from the rail's far side
 
 
-def test_a_frame_of_a_recording_is_no_keyframe_at_fault(tmp_path):
-    found = following(tmp_path, [(0, 0, 1.5), (0.1, 0, 1.5)], "[[keyframe]]\ntime = 0.5\n")
-    assert [v.kind for v in found] == ["aloft"] and found[0].keyframe is None and "itself" not in found[0].text
-
-
 # the search, order and number of lines
 
 
@@ -547,13 +512,6 @@ def test_a_search_that_ended_early():
         found = [(each.kind, each.time, each.text) for each in wrong(problem, stop=stop)]
         is_early = stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS)
         assert found == ([("search", None, f"the search ended early: {stop.value}")] if is_early else [])
-
-
-def test_of_equal_amounts_with_a_label_the_first_is_the_largest():
-    hits = Hits(np.array([0, 0, 0, 1, 1]), np.array([5, 3, 4, 2, 1]), np.array([1.0, 1, 1, 2, 3]))
-    assert hits.largest(np.array([7, 7, 7, 2, 2])).tolist() == [4, 1]
-    assert hits.largest(np.array([0, -1, -1, 0, -1])).tolist() == [3]
-    assert hits.largest(np.full(5, -1)).size == 0
 
 
 def test_the_worst_comes_first_by_how_many_times_its_bound_it_is():

@@ -12,14 +12,12 @@ import pytest
 from oracles import kinematics
 from texts import read_data
 
-from dynsplines import recordings
 from dynsplines.clip.starter import starter
 from dynsplines.errors import UserError
 from dynsplines.studio.actions import Actions
 from dynsplines.studio.document import Document
 from dynsplines.studio.loop import SolverLoop
 from dynsplines.studio.session import Session
-from dynsplines.studio.stage import limbs
 
 FIGURE = read_data("leg.xml")
 
@@ -142,12 +140,6 @@ def test_a_keyframe_at_rest_is_where_its_places_had_it(session):
     np.testing.assert_allclose(after["qpos"][7:10], 0, atol=1e-6)
 
 
-def test_a_limb_alone_has_the_root_that_is_on_it(session):
-    _, _, _ = done(session, ("key", {"time": 0.25, "limb": ["root"]}))
-    row = tomllib.loads(session.document.text)["keyframe"][1]
-    assert set(row) == {"time", "root"}
-
-
 def test_a_new_keyframe_of_one_limb_says_the_limb_that_was_turned(session):
     turn = [np.cos(0.1), 0, np.sin(0.1), 0]
     grip = ("grip", {"time": 0.25, "body": 5, "offset": [0, 0, 0]})
@@ -181,25 +173,6 @@ def test_a_figure_that_has_other_joints_by_now_is_not_posed_as_the_one_that_was_
         assert await actions.drop(time=0.5) == ""
 
     live(session, deed)
-
-
-def test_what_follows_an_edit_at_once_is_of_the_path_after_it(session):
-    async def deed(actions):
-        await session.edit("change", {"at": ["keyframe", 1], "entries": {"root": {"position": [0.13, 0, 0.85]}}})
-        await actions.pin(key=1, joints=["root"])
-
-    live(session, deed)
-    row = tomllib.loads(session.document.text)["keyframe"][1]
-    assert row["root"]["position"] == pytest.approx([0.13, 0, 0.85], abs=1e-5)
-
-
-def test_a_free_body_has_a_row_of_its_own(tmp_path):
-    (tmp_path / "leg.xml").write_text(FIGURE)
-    figure = recordings.from_text(CLIP, name="leg", folder=tmp_path).figure
-    assert [(limb["name"], limb["joints"]) for limb in limbs(figure)] == [
-        ("root … ankle", ["root", "hip", "knee", "ankle"]),
-        ("crate", ["crate"]),
-    ]
 
 
 def test_a_robot_crouches_and_reaches_in_two_drags(tmp_path, monkeypatch):

@@ -512,62 +512,6 @@ def test_a_partial_keyframe_specifies_only_the_dragged_limb(tab):
     tab.press("n")
 
 
-def test_a_locked_body_stays_in_place(tab):
-    page, place = tab.page, "studio.hands.padlocks.children[0].position.toArray()"
-    tab.seek(0.6)
-    tab.press("2")
-    tab.shown()
-    arm = tab.grip("left_forearm")
-    page.mouse.move(*arm)
-    page.locator("#hover").wait_for()
-    tab.press("x")
-    toast(tab, "left_forearm is locked")
-    tab.shown()
-    before = tab.evaluate(place)
-    stays = f"(studio.stage.draw(), {place}.every((x, i) => Math.abs(x - {before}[i]) < 3e-3))"
-    x, y = tab.grip("pelvis")
-    tab.changes(lambda: tab.drag((x, y), (x - 14, y + 10)))
-    tab.until(f"!studio.stage.melting && {stays}", 5)
-    height = page.get_by_label("root z [m]")
-    height.fill(str(float(height.input_value()) + 0.02))
-    tab.changes(lambda: height.press("Enter"))
-    tab.until(f"!studio.stage.melting && {stays}", 5)
-    height.fill("3")
-    height.press("Enter")
-    toast(tab, "'left_forearm': locked, and cannot stay")
-    x, y = tab.grip("left_forearm")
-    tab.drag((x, y), (x + 20, y))
-    toast(tab, "'left_forearm': locked; unlock it")
-    tab.until("!studio.hands.busy && studio.stage.override === null")
-    assert "unlock it to drag it" in tab.words()  # and not that there is nothing to drag
-    page.mouse.click(x, y, button="right")
-    page.get_by_role("button", name="Unlock", exact=True).click()
-    assert tab.evaluate("studio.model.locks.size") == 0
-    undo(tab)
-    undo(tab)
-    assert not tab.evaluate("studio.model.document.dirty")
-
-
-ON_GROUND = """!studio.stage.melting && studio.model.stage.soles.every((sole) =>
-  Math.abs(studio.stage.placeOf(sole.body, sole.offset).z - sole.radius) < 3e-3)"""
-
-
-def test_a_foot_near_the_ground_is_put_flat_on_it(tab):
-    page = tab.page
-    tab.seek(0.3)
-    tab.press("2")
-    ankle = page.get_by_label("left_ankle [degrees]")
-    ankle.fill(str(float(ankle.input_value()) + 12))
-    tab.changes(lambda: ankle.press("Enter"))
-    tab.shown()
-    assert not tab.evaluate(ON_GROUND)
-    page.mouse.click(*tab.grip("left_foot"), button="right")
-    tab.changes(page.get_by_role("button", name="Flat on the ground").click)
-    tab.until(f"(studio.stage.draw(), {ON_GROUND})", 5)
-    undo(tab)
-    undo(tab)
-
-
 def test_a_grasp_is_drawn_for_the_hand_of_the_arm_that_is_chosen(tab):
     page = tab.page
     assert page.locator("[data-hand]").count() == 0

@@ -194,19 +194,6 @@ def test_an_interrupt_just_outside_of_a_search_repeats_it(work, tmp_path, monkey
     assert told[-1]["stop"] == "CONVERGED"
 
 
-def test_a_search_that_was_stopped_stays_so(work, tmp_path):
-    interrupted_after(work, 2)
-    work.loaded(tmp_path, problems.CLIP)
-    uninterrupted(work)
-    assert [each["stop"] for each in work.asked("stop")] == ["INTERRUPTED"]
-    assert {each["is"] for each in work.asked("curves", on=True)} == {"curves"}
-    work.asked("curves", on=False)
-    told = work.loaded(tmp_path, problems.changed("[0, 40, 0]", "[0, 44, 0]"), 1, go=False)
-    assert [each["kind"] for each in told if each["is"] == "path"] == ["initial", "raw"]
-    assert told[-1]["stop"] == "paused"
-    assert "best" in {each.get("kind") for each in work.asked("go")}
-
-
 @pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="other C libraries return memory themselves, or never")
 def test_freed_memory_is_returned_to_the_system():
     process, blocks = psutil.Process(), [bytearray(2000) for _ in range(50_000)]

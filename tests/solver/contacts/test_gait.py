@@ -17,7 +17,6 @@ from dynsplines.clip.parse import chosen
 from dynsplines.clip.table import PenaltyTable
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.contacts.gait_period import SLIP, Gait
-from dynsplines.solver.contacts.pose_vectors import PoseVectors, heading_of
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of
@@ -75,18 +74,6 @@ def test_a_figure_that_stays_where_it_is_or_climbs_tells_none():
     assert Gait(FIGURE, up.keys, SOLES, (slope,)).infer() is None
 
 
-def test_two_keyframes_tell_none_even_if_asked():
-    keys = raw_timeline(FIGURE, [Frame.key(TIME[k], WALK[k]) for k in (0, 200)])
-    two = Gait(FIGURE, keys, SOLES, GROUND)
-    assert two.infer() is two.likeliest() is two.with_period(1.0) is None
-    listed = chosen([PenaltyTable.of("cycle", period=1.0)], "two")
-    _, penalties, notes = constraints(Context.of(FIGURE, keys, GROUND, "two"), listed)
-    assert "cycle" not in {penalty.name for penalty, _ in penalties}
-    assert (
-        "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none" in notes
-    )
-
-
 def test_a_clip_has_the_cycle_by_itself_or_as_asked_and_not_with_weight_0():
     keys = gait(WALK, 0.42).keys
 
@@ -141,25 +128,3 @@ def test_every_joint_of_a_leg_places_a_foot_unless_it_only_turns_one(text: str, 
     elsewhere = ("world", "root", "waist", "shoulder", "elbow", others)
     expected = {link.name for link in clip.figure.links if not any(part in link.name for part in elsewhere)}
     assert placing(clip) == expected and len(expected) >= 10
-
-
-def test_the_heading_is_the_angle_of_the_x_axis_without_jumps(rng):
-    times = np.linspace(0, 2, 6)
-    yaw = 2.8 + 1.5 * times  # beyond 180°
-    lean = quat.from_rotation_vector(np.column_stack([0 * times, rng.uniform(-0.4, 0.4, 6), 0 * times]))
-    rotations = quat.product(quat.from_rotation_vector(np.outer(yaw, [0.0, 0, 1])), lean)
-    back = quat.from_rotation_vector(np.outer(-heading_of(times, rotations)(times), [0.0, 0, 1]))
-    turned = quat.product(back, rotations)
-    np.testing.assert_allclose(np.abs(np.sum(turned * lean, axis=1)), 1, atol=1e-12)
-
-
-def test_poses_of_a_walk_in_a_circle_are_those_of_the_walk_on_a_line():
-    picked = np.arange(0, TIME.size, TIME.size // 7)
-    poses = []
-    for angle in (0 * TIME, -1.0 + 0.4 * TIME):
-        qpos = WALK.copy()
-        qpos[:, 3:7] = quat.product(quat.from_rotation_vector(np.outer(angle, [0.0, 0, 1])), WALK[:, 3:7])
-        poses.append(PoseVectors.of(FIGURE, raw_timeline(FIGURE, [Frame.key(TIME[k], qpos[k]) for k in picked])))
-    assert poses[0] is not None
-    assert poses[1] is not None
-    np.testing.assert_allclose(poses[1].rows, poses[0].rows, atol=1e-9)

@@ -16,7 +16,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.ground_alignment import LOWEST, align_to_ground, move_to_ground
-from dynsplines.solver.contacts.recorded_stances import DEAR, _cut, infer_stances, surprisal
+from dynsplines.solver.contacts.recorded_stances import infer_stances
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.figure.kinematics import Samples
@@ -24,17 +24,7 @@ from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import Point, places_of
 
-ADULT = Thresholds()
-
-
 FPS = 60.0
-
-
-def log_normal(x: np.ndarray, covariance: np.ndarray) -> float:
-    """The log density about nought of all of x (n,) together, covariance (n, n)."""
-    sign, size = np.linalg.slogdet(2 * np.pi * covariance)
-    assert sign > 0
-    return float(-0.5 * (size + x @ np.linalg.solve(covariance, x)))
 
 
 @pytest.fixture(scope="module")
@@ -114,43 +104,6 @@ def test_a_stance_lasts_from_when_the_point_has_come_to_rest_until_it_leaves(bef
     assert len(found) == 1
     assert found[0].first == pytest.approx(before / FPS, abs=1.01 / FPS)
     assert found[0].last == pytest.approx((before + 40) / FPS, abs=1.01 / FPS)
-
-
-@pytest.mark.parametrize(("rate", "most", "rough"), [(FPS, 9, 0.02), (4.0, 4, 0.02), (FPS, 9, 0.08)])
-def test_of_all_ways_to_cut_a_recording_into_stances_the_likeliest_is_taken(rate, most, rough, rng):
-    """All ways, of stances of a second at most, one by one, each by the densities of its samples: a stance's about a
-    middle that is anywhere, the others' as they come when the point moves, the height of a stance beside heights
-    anywhere up to 0.3 m."""
-    count = 9
-    pairs = [(a, b) for a in range(count) for b in range(a + 2, min(count, a + most) + 1)]
-
-    def ways(first: int) -> list[list[tuple[int, int]]]:
-        return [[], *([(a, b), *rest] for a, b in pairs if a >= first for rest in ways(b))]
-
-    every, seen, times = ways(0), set(), np.arange(count) / rate
-    for _ in range(20):
-        noise, steps = rng.uniform(0, rough), rng.normal(size=(3, count)) * rng.choice([0.002, 0.1], count)
-        place, height = np.cumsum(steps, axis=1) + rng.normal(0, noise, (3, count)), rng.uniform(0, 0.1, count)
-        known = rng.random(count) < 0.85
-        size = noise**2 + ADULT.rolls**2
-        moving = surprisal(times, place[:, None], np.array([size]), known, ADULT)[0]
-
-        def cost(a: int, b: int, place=place, height=height, noise=noise, known=known, size=size, moving=moving):
-            at = a + np.flatnonzero(known[a:b])
-            if not (known[a] and known[b - 1]) or abs(height[at].mean()) > ADULT.highest / 2:
-                return np.inf
-            # one sample's worth of density, which is of where the middle is, is the first's of what moves, too
-            middle = np.array([height[at].mean()])
-            joint = -sum(log_normal(row, size * np.eye(at.size) + 100) for row in place[:, at])
-            alone = -3 * log_normal(np.zeros(1), np.array([[100.0]]))
-            hover = -log_normal(middle, np.array([[ADULT.hovers**2 + noise**2 / at.size]])) - np.log(ADULT.highest)
-            return DEAR + joint - alone + hover - moving[at[1:]].sum()
-
-        costs = {pair: cost(*pair) for pair in pairs}
-        least = min(every, key=lambda runs, costs=costs: sum(costs[run] for run in runs))
-        assert _cut(times, place, height, moving, known, noise, ADULT) == least
-        seen.add(len(least))
-    assert seen >= ({0, 1, 2} if most == count else {1, 2, 3})
 
 
 def heights(take: Take, ground: Context) -> np.ndarray:

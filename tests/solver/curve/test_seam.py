@@ -33,7 +33,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.loop_keys import close_loop
-from dynsplines.solver.curve.raw import NEARLY_HALF, raw_timeline, signs, straight, straightened
+from dynsplines.solver.curve.raw import NEARLY_HALF, raw_timeline, signs, straightened
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import Unknowns
@@ -318,16 +318,3 @@ def test_variable_frames_are_moved_and_what_keyframes_fix_stays_even_partly(figu
     assert apart(figure, figure.to_qpos(first.states[inner]), expected) > 0.01
     for key, state in zip(keys, path_of(found).at(TIMES), strict=True):
         assert distance_from_key(figure, state, key) < 1e-11
-
-
-def test_a_body_in_a_spin_goes_the_longer_way_round_where_its_signs_say_so():
-    figure = figure_of(BALL)
-    angles, times = np.array([0.0, 100, 300, 400]), np.arange(4.0)
-    turns = quat.from_rotation_vector(np.radians(angles)[:, None] * [0.0, 0, 1])
-    raw = raw_timeline(figure, [Frame.key(t, [0, 0, 1, *q]) for t, q in zip(times, turns, strict=True)])
-    t = np.linspace(0, 3, 31)
-    wanted = quat.from_rotation_vector(np.radians(np.interp(t, times, angles))[:, None] * [0.0, 0, 1])
-    ways = straight(figure, raw.times, raw.states, t)[:, 3:]
-    assert quat.angle_between(ways, wanted).max() < 1e-7
-    backwards = straight(figure, raw.times, raw.states * np.array([[1], [1], [-1], [-1]]), t)[:, 3:]
-    assert np.degrees(quat.angle_between(backwards, wanted)[15]) == pytest.approx(180, abs=1e-6)

@@ -14,7 +14,7 @@ from oracles import kinematics
 from scipy.interpolate import CubicSpline
 
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.edit.thin import Recorded, refined, thin
+from dynsplines.solver.edit.thin import Recorded, thin
 from dynsplines.solver.figure.figure import Figure
 
 WIDE = (0.08, np.radians(10))  # [m], [rad]
@@ -101,35 +101,6 @@ def test_the_worst_is_reported_with_its_name_and_instant():
     assert (distance, angle) == pytest.approx(apart, rel=1e-6)
     assert name in {figure.model.body(i).name for i in range(figure.model.nbody)}
     assert 0 < instant < 29
-
-
-@pytest.mark.parametrize("n", [6, 7, 20, 33, 34])
-def test_a_keyframe_is_missed_as_much_as_the_spline_without_it_departs(n):
-    """Also where its neighbourhood alone is examined, of a motion that departs most at that keyframe."""
-    figure, times = of("every joint"), np.linspace(0, 2, 160)
-    qpos = np.tile(figure.model.qpos0, (160, 1))
-    instants = [*range(0, 160, 4), 159]
-    qpos[:, 0] = np.exp(-(((np.arange(160) - instants[n]) / 5) ** 2)) + 0.01 * np.sin(20 * times)
-    recorded = Recorded(figure, times, qpos, *WIDE)
-    others = recorded.spline(recorded.frames([*instants[:n], *instants[n + 1 :]]))
-    assert recorded.excess_without(instants, n) == pytest.approx(recorded.excess(others).max(), rel=1e-3)
-
-
-def test_refining_any_in_between_ends_within_the_bound():
-    figure = of("ball tree, joint")
-    times, qpos = recording(figure, 4, count=30)
-    recorded = Recorded(figure, times, qpos, *WIDE)
-    calls = []
-
-    def crooked(keys):
-        calls.append(len(keys))
-        line = recorded.spline(keys)
-        return line.with_rows(np.concatenate([line.states, 1.3 * line.end_slope]))
-
-    instants, timeline = refined(recorded, (0, 29), crooked)
-    assert recorded.excess(timeline).max() <= 1 + 1e-9
-    assert calls == sorted(calls)
-    assert calls[-1] == len(instants)
 
 
 SWAY = """<mujoco><worldbody><body name="foot"><joint type="slide" axis="1 0 0"/><geom size=".02"/>

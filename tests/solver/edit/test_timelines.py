@@ -40,7 +40,6 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.subdivision import split
 from dynsplines.solver.search.descent import optimised
 
 FIGURE_OF_A_HOP = figure_of(TINY)
@@ -175,24 +174,6 @@ def test_both_motions_keep_their_curves_and_the_whole_is_smooth_to_the_second_de
         assert np.abs(near - far).max() < 1e-3 * np.abs(whole.at(np.linspace(*whole.span, 99), 2)).max()
 
 
-def test_the_ends_of_a_transition_are_held_for_every_x(rng):
-    figure = figure_of(TINY)
-    before, after = sides(figure, rng)
-    begin = bridge(figure, before, after, variable=4)
-    for timeline in (begin, evenly(begin, 1)):
-        unknowns = Unknowns.of(figure, timeline)
-        for x in (unknowns.start, unknowns.start + rng.normal(size=unknowns.size)):
-            path = path_of(timeline.with_rows(unknowns.rows(x)))
-            for order in range(3):
-                for at, side in ((path.span[0], before), (path.span[1], after)):
-                    wanted = path_of(side).at(at, order)
-                    np.testing.assert_allclose(path.at(at, order), wanted, atol=1e-8 * max(1, np.abs(wanted).max()))
-        np.testing.assert_allclose(unknowns.rows(unknowns.start), timeline.rows, atol=1e-11)
-    finer = split(begin, np.array([begin.times[0] + 0.01, begin.times[-1] - 0.02]))
-    t = np.linspace(*path_of(begin).span, 60)
-    np.testing.assert_allclose(path_of(finer).at(t), path_of(begin).at(t), atol=1e-10)
-
-
 def test_the_gradient_and_the_step_under_held_ends_are_exact(rng):
     figure = figure_of(TINY)
     begin = bridge(figure, *sides(figure, rng), variable=5)
@@ -247,22 +228,3 @@ def step(figure: Figure, pelvis: float, way: float) -> tuple[Frame, Frame]:
     qpos[spine.qpos : spine.qpos + 4] = quat.from_rotation_vector([0, 0, -2 * off])
     state = figure.to_state(qpos)
     return Frame.key(0.0, state), Frame.key(1.0, state)
-
-
-def test_a_transition_that_is_none_is_refused(rng):
-    figure = figure_of(TINY)
-    before, after = sides(figure, rng)
-    with pytest.raises(TimelineError, match="takes time"):
-        bridge(figure, before, before)
-    now = replace(
-        after, frames=tuple(replace(f, time=f.time - after.times[0] + before.times[-1]) for f in after.frames)
-    )
-    with pytest.raises(TimelineError, match="takes time"):
-        bridge(figure, before, now)
-    with pytest.raises(TimelineError, match="at least 4 variable frames, not 2"):
-        bridge(figure, before, after, variable=2)
-    begin = bridge(figure, before, after)
-    second, last = (Frame.key(begin.times[i], begin.states[i]) for i in (1, -2))
-    for frames in ((begin.frames[0], second, *begin.frames[2:]), (*begin.frames[:-2], last, begin.frames[-1])):
-        with pytest.raises(TimelineError, match="held ends need a variable frame next to each end"):
-            Timeline(frames, begin.end_slope, "held")

@@ -12,7 +12,7 @@ from figures import EVERY_JOINT, LEG, MIXED, figure_of, link_named
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracles import SiteGoal, kinematics
-from scipy.optimize import least_squares, lsq_linear, minimize
+from scipy.optimize import lsq_linear, minimize
 from scipy.spatial.transform import Rotation
 from texts import read_data
 
@@ -22,7 +22,6 @@ from dynsplines.clip.posing.places import sole_points
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
-from dynsplines.solver.penalty import Bend, BendLimits
 from dynsplines.solver.penalty.joints.bend import bent
 from dynsplines.solver.posing import (
     MET,
@@ -30,14 +29,11 @@ from dynsplines.solver.posing import (
     Goal,
     LeastSquares,
     PointGoal,
-    PoseSearch,
     Residuals,
     bounds,
     find_pose,
 )
 from dynsplines.solver.surface.points import Point, site_points
-
-RANGED = read_data("ranged.xml")
 
 
 def somewhere(model: mujoco.MjModel, rng: np.random.Generator, size: float = 1.0) -> Array:
@@ -116,24 +112,6 @@ def test_a_body_that_leans_misses_upright_by_its_lean_about_the_axis_that_it_lea
     assert_rows(goal, model, nearly, atol=2e-5)
 
 
-def test_what_a_search_adds_up_changes_as_its_rows_say(rng):
-    """Away from home, from the goals and over the bounds, along every free velocity."""
-    figure = figure_of(RANGED)
-    home = somewhere(figure.model, rng, 0.2)
-    knee = next(i for i, link in enumerate(figure.links) if link.name == "knee")
-    bends = BendLimits((Bend("knee", knee, np.array([0.0, 1, 0]), np.array([0.0, 0, -1])),), 0.1, 0.2, 0.3)
-    goals = (SiteGoal("tip", np.ones(3)), PointGoal.of(figure, Point("foot", len(figure.links) - 1, np.ones(3))))
-    preferred = ((0.3, SiteGoal("toe", np.zeros(3))),)
-    search = PoseSearch(figure, home, np.ones(figure.model.nq, bool), goals, bends, preferred=preferred)
-    near = search.moved(home, 1e-3 * rng.normal(size=search.dofs.size))
-    rows = np.concatenate([rows for _, rows in search.linearise(near)])
-    expected = differences(
-        figure.model, near, lambda at: np.concatenate([values for values, _ in search.linearise(at)])
-    )
-    np.testing.assert_allclose(rows, expected[:, search.dofs], atol=2e-2)
-    np.testing.assert_allclose(rows[search.dofs.size :], expected[search.dofs.size :, search.dofs], atol=1e-5)
-
-
 def moved(pose, step):
     return pose + step
 
@@ -166,24 +144,6 @@ def test_stiff_one_sided_residuals_are_bounds(rng):
         both = np.concatenate([rows, stiff]), np.append(wanted, 0.3e4 * np.ones(8))
         pose, _ = linear(*both, 8).minimise(np.zeros(4))
         np.testing.assert_allclose(pose, lsq_linear(rows, wanted, bounds=(-0.3, 0.3)).x, atol=1e-5)
-
-
-@given(st.integers(0, 10_000), st.sampled_from([1.0, 10, -10, 3, 30]))
-@settings(max_examples=8, deadline=None)
-def test_curved_residuals_are_minimised_as_by_scipy(seed, scale):
-    """Rosenbrock's valley and its mirror images, from random poses."""
-    begin = np.random.default_rng(seed).uniform(-2, 2, 2)
-
-    def values(x):
-        return np.array([scale * (x[1] - x[0] ** 2), 1 - x[0]])
-
-    def residuals(pose):
-        return Residuals(values(pose), np.array([[-2 * scale * pose[0], scale], [-1, 0]]), 2)
-
-    pose, cost = LeastSquares(residuals, moved, np.ones(2), 300, longest=0.5).minimise(begin)
-    expected = least_squares(values, begin)
-    assert cost <= 2 * expected.cost + 1e-12
-    np.testing.assert_allclose(pose, expected.x, atol=1e-5)
 
 
 HUMAN = {c: Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")), c) for c in ("world", "joint")}
@@ -264,15 +224,6 @@ def test_a_pose_that_is_there_already_stays_to_the_bit(coordinates):
     found = find_pose(figure, home, everything(figure), goals, BENDS)
     np.testing.assert_array_equal(found.qpos, home)
     assert found.is_met
-
-
-def test_the_joints_from_the_root_to_a_goal_are_what_it_fixes():
-    figure = HUMAN["world"]
-    target = seen(figure, figure.model.qpos0).site("left_heel").xpos + np.array([0, 0, 0.2])
-    found = find_pose(figure, figure.model.qpos0, everything(figure), [SiteGoal("left_heel", target)], BENDS)
-    fixed = [link.name for i, link in enumerate(figure.links) if i and found.fixed[figure.links[i].columns].all()]
-    assert fixed == ["root", "left_hip", "left_knee", "left_ankle"]
-    np.testing.assert_array_equal(found.qpos[~found.fixed], figure.model.qpos0[~found.fixed])
 
 
 def test_a_straight_leg_shortens_forward_at_the_knee():

@@ -12,7 +12,6 @@ from figures import FLOOR, TINY, figure_of
 from random_models import distance_from_key, evenly, mask_without
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.raw import raw_timeline
@@ -30,7 +29,7 @@ from dynsplines.solver.penalty import (
     UnitMagnitude,
 )
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.parts import AHEAD, BEHIND, KEPT, SearchPart, Window, edited, windows
+from dynsplines.solver.refine.parts import AHEAD, BEHIND, KEPT, SearchPart, Window, windows
 from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface.points import Point
@@ -217,22 +216,3 @@ def test_a_few_steps_in_windows_lower_e_in_every_part_of_the_clip_and_are_report
     assert found.sum() < 0.95 * raw.sum()
     edges = [window.first for window in windows(14)]
     assert np.all(np.add.reduceat(found, edges) < np.add.reduceat(raw, edges))
-
-
-KEYS = np.array([0.0, 0.5, 1.0, 1.75, 2.5, 3.0, 3.5, 4.25, 5.0])
-
-
-def raw_of(ends: str = "free", keys: Array = KEYS) -> Timeline:
-    return Timeline(tuple(Frame.key(t, np.zeros(2)) for t in keys), np.zeros((2, 2)), ends)
-
-
-def test_a_loop_has_no_part_nor_has_an_edit_that_leaves_less_than_three_segments_out():
-    assert edited(raw_of(), []) == []
-    assert edited(raw_of("periodic"), [(1.75, 1.75)]) == []
-    assert edited(raw_of(), [(1.75, 2.5)]) == [Window(1, 2, 5, 6)]  # five of eight
-    assert edited(raw_of(), [(1.75, 3.0)]) == []  # six
-    assert edited(raw_of(), [(1.75, 2.5), (1.75, 3.0)]) == []
-    assert edited(raw_of(keys=KEYS[:-1]), [(1.75, 2.5)]) == []
-    assert edited(raw_of(keys=KEYS[:5]), [(0.0, 0.0)]) == []
-    assert edited(raw_of(keys=KEYS[:6]), [(0.0, 0.0)]) == [Window(0, 0, 1, 2)]
-    assert edited(raw_of(), [(5.0, 5.0), (0.6, 0.6)]) == [Window(6, 7, 8, 8), Window(0, 0, 3, 4)]

@@ -117,43 +117,6 @@ def test_the_gradients_of_depth_have_taylor_slope_two(buried, rng):
         assert taylor_slope(value, points, weights * gradient, rng) > 1.95
 
 
-@pytest.mark.parametrize("name", ["crate", "step", "ramp"])
-def test_within_a_margin_spheres_outside_have_negative_depths(scene, name, rng):
-    model, surfaces = scene
-    surface, radius = surfaces[name], np.array([0.15])
-    centre = surface.point if name == "ramp" else surface.centre
-    found = 0
-    for place in centre + rng.normal(scale=0.7, size=(300, 3)):
-        at = place.reshape(3, 1, 1)
-        depth, gradient = (np.squeeze(part, axis=(-2, -1)) for part in surface.depth(at, radius, 0.2))
-        inside, slope = (np.squeeze(part, axis=(-2, -1)) for part in surface.depth(at, radius))
-        if inside > 0:
-            assert depth == inside
-            np.testing.assert_array_equal(gradient, slope)
-        elif np.isfinite(depth):
-            found += 1
-            assert 0 <= -depth / np.linalg.norm(gradient) <= mujoco_distance(model, name, place) + 1e-6
-        else:
-            assert not gradient.any()
-            below = name == "step" and place[2] < surface.centre[2] - surface.half[2]  # no exit downwards
-            assert below or mujoco_distance(model, name, place) > 0.2 - 1e-6
-    assert found > 20
-
-
-@pytest.mark.parametrize("buried", [True, False])
-def test_spheres_are_near_where_they_have_a_depth(buried, rng):
-    axes = Rotation.from_euler("xyz", [0.2, -0.1, 1.0]).as_matrix()
-    box = Box("b", np.array([0.1, 0.2, 0.3]), axes, np.array([0.5, 0.7, 0.4]), buried)
-    plane = Plane("p", np.array([0.1, 0.2, 0.3]), np.array([0.6, 0, 0.8]))
-    points, radius = rng.normal(size=(3, 40, 5)), rng.uniform(0, 0.3, 40)
-    radius[:3] = -np.inf
-    for surface in (box, plane):
-        near = surface.near(points, radius[:, None])
-        np.testing.assert_array_equal(near, surface.depth(points, radius)[0] > 0)
-        assert near.any()
-        assert not near[:3].any()
-
-
 HAIR = 1e-5
 
 

@@ -6,9 +6,8 @@ import mujoco
 import numpy as np
 import pytest
 from figures import BALL, FLOOR, figure_of, random_points, stance_of
-from gradients import clip
 from oracles import kinematics
-from random_models import TIMES, at_times, random_samples
+from random_models import at_times, random_samples
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
@@ -16,13 +15,10 @@ from dynsplines.solver.contacts import Contact, resting_objects, stances
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
-from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.raw import raw_timeline
-from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import (
     Attachment,
     Collision,
@@ -158,22 +154,6 @@ def test_it_is_the_squared_distance_along_the_given_axes_at_its_time(figure, rng
             expected += np.nansum((at - target) ** 2)
         assert values[i] == pytest.approx(expected, rel=1e-9)
     assert not values[[0, 3, 4]].any()
-
-
-QUADRATURES = [Quadrature(), Quadrature("gauss", 4, 0.05), Quadrature("uniform", 37)]
-
-
-@pytest.mark.parametrize("quadrature", QUADRATURES, ids=["gauss", "panels", "uniform"])
-def test_the_objective_holds_it_once_at_its_time_and_leaves_the_others_as_they_were(figure, rng, quadrature):
-    path = path_of(clip(figure, rng))
-    instants = (float(TIMES[1]), float(TIMES[-1]))
-    placement = placement_of(figure, *instants)
-    others = [(CovariantAcceleration(), 2.0), (UnitMagnitude(), 1.0)]
-    plain = Objective.of(figure, others, quadrature=quadrature).integrals(path)
-    found = Objective.of(figure, [*others, (placement, 3.0)], quadrature=quadrature).integrals(path)
-    np.testing.assert_allclose(found[:2], plain, rtol=1e-12)
-    at = Samples(figure, *path.motion(np.array(instants)), t=np.array(instants))
-    assert found[2] == pytest.approx(placement.evaluate(at).sum(), rel=1e-12)
 
 
 BALL_WITH_SITE = (

@@ -98,21 +98,6 @@ def shoulder_turned(figure: Figure, angle: float) -> Array:
     return qpos
 
 
-def test_only_links_that_have_penetrated_each_other_are_evaluated_once_paths_are_watched(rng):
-    figure = spider()
-    penalty, every = SelfContact.of(figure), tangled(figure, rng)
-    apart, together = (Samples.still(figure, figure.to_state(shoulder_turned(figure, a))[None]) for a in (0.0, -2.0))
-    assert penalty.evaluate(together)[0] > 0.05**2 and not penalty.evaluate(apart).any()
-    idle = penalty.watching([apart])
-    assert not idle.evaluate(together).any() and not list(idle.residuals(together))
-    assert idle.watching([apart]) is idle
-    watching = idle.watching([apart, together])
-    assert watching.watching([apart]) is watching
-    np.testing.assert_array_equal(watching.evaluate(together), penalty.evaluate(together))
-    assert 0 < watching.evaluate(every).sum() < penalty.evaluate(every).sum()
-    np.testing.assert_allclose(watching.watching([every]).evaluate(every), penalty.evaluate(every), atol=1e-4)
-
-
 def test_a_depth_that_keyframes_specify_is_tolerated_and_fades_towards_the_next_keyframe():
     figure, angles = spider(), (-2.0, 0.0)
     specified = np.ones(figure.model.nq, bool)

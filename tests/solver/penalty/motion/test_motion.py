@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 from figures import BALL_TREE, CHAINS, figure_of, with_armature
-from gradients import assert_squares, penalty_slope
+from gradients import penalty_slope
 from motions import FIGURE, GROUND, SOLES, TIME, WALK, gait
 from oracles import kinematics, mujoco_forces
 from random_models import at_times, evenly, random_samples
@@ -25,7 +25,7 @@ from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.dynamics import Size
-from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
+from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
@@ -74,40 +74,6 @@ def test_it_is_the_sum_of_eighth_powers(figure, rng):
     np.testing.assert_allclose(PeakAcceleration().evaluate(samples), np.sum(sizes(samples) ** 8, axis=1), rtol=1e-10)
 
 
-@pytest.fixture(params=CHAINS, ids=["free", "fixed balls", "fixed ball and hinge"])
-def jointed(request) -> Figure:
-    text, coordinates = request.param
-    return figure_of(text, coordinates)
-
-
-PLACING = 2  # a link that places a foot
-
-
-def stepping(figure: Figure, links: list[int]) -> Between:
-    """A timeline of one segment, in which these links take a step and the roots' mean velocities are zero."""
-    steps, placing = np.zeros((len(figure.links), 1), bool), np.zeros(len(figure.links), bool)
-    steps[links], placing[PLACING] = True, True
-    times, roots = np.array([0.0, 1.0]), len(roots_of(figure))
-    turning, across = np.zeros((3, roots, 1)), np.zeros((2, roots, 1))
-    return Between(times, turning, across, Steps(times, steps, placing), np.array([True]))
-
-
-def residuals(samples: Samples, exempt: list[int]) -> np.ndarray:
-    """Half the velocities of joints and roots, those of roots times √12 and √2 / size, of other joints times 2 except
-    those that place a foot, (S, r)."""
-    figure, y_d, omega = samples.figure, samples.y_d, samples.links.omega
-    balls = [i for i, link in enumerate(figure.links) if i and link.kind is JointKind.BALL and i not in exempt]
-    relative = [(1 if i == PLACING else 2) * (omega[:, i] - omega[:, figure.links[i].parent]) for i in balls]
-    is_moving = ~np.isin(figure.tables.hinge_links, exempt)
-    hinges, hinge_links = figure.tables.hinge_columns[is_moving], figure.tables.hinge_links[is_moving]
-    roots = roots_of(figure)
-    turning = [np.sqrt(12) * omega[:, i] for i in roots]
-    along = np.sqrt(2) / Size.of(figure).length * y_d
-    across = [along[:, figure.links[i].qpos : figure.links[i].qpos + 2] for i in roots]
-    bending = np.where(hinge_links == PLACING, 1, 2) * y_d[:, hinges]
-    return 0.5 * np.hstack([*(part.T for part in (*relative, *turning)), bending, *across])
-
-
 def roots_of(figure: Figure) -> list[int]:
     """The links with a free joint that carry others."""
     carrying = {link.parent for link in figure.links[1:]}
@@ -131,12 +97,6 @@ def test_the_value_is_the_speed_of_the_joints_by_differences(figure, rng):
         a, b = (Rotation.from_quat(q[:, qpos + 3 : qpos + 7], scalar_first=True) for q in (before, after))
         expected += 3 * np.sum(((a.inv() * b).as_rotvec() / (2 * h)) ** 2, axis=1)
     np.testing.assert_allclose(Posture().evaluate(samples), expected, rtol=1e-5)
-
-
-@pytest.mark.parametrize("exempt", [[], [2]])
-def test_it_and_its_curvature_are_squares_of_velocities(jointed, rng, exempt):
-    penalty = Posture(between=stepping(jointed, exempt))
-    assert_squares(penalty, lambda seen: residuals(seen, exempt), random_samples(jointed, rng, 3), rng)
 
 
 def test_a_root_that_turns_and_travels_evenly_between_its_keyframes_costs_nothing(rng):
@@ -234,36 +194,8 @@ def at_its_times(cycle: Cycle, rng: np.random.Generator, count: int) -> tuple[Sa
     return Samples(seen.figure, seen.y, seen.y_d, seen.y_dd, cycle.gait_cycle.times[some]), some
 
 
-def cycle_residuals(cycle: Cycle, y: np.ndarray, some: np.ndarray) -> np.ndarray:
-    """How far joints, hinges and the root's height are off, (S, r), the trust aside."""
-    figure, gait_cycle = cycle.figure, cycle.gait_cycle
-    qpos, out = figure.to_qpos(y), []
-    for i, link in enumerate(figure.tables.quaternion_links):
-        own = qpos[:, quaternion_columns(figure.links[link])]
-        off = Rotation.from_quat(np.roll(gait_cycle.rotations[some, i], -1, 1)).inv()
-        out.append(2 * (off * Rotation.from_quat(np.roll(own, -1, 1))).as_quat(canonical=True)[:, :3])
-    out.append(qpos[:, figure.tables.hinge_columns] - gait_cycle.angles[some])
-    out.append(gait_cycle.poses.map.up * (qpos[:, figure.tables.position_columns[2]] - gait_cycle.heights[some]))
-    return np.hstack(out)
-
-
-def test_the_deviation_is_the_angle_by_which_joints_are_off(cycled, rng):
-    samples, some = at_its_times(cycled, rng, 5)
-    halves = (
-        cycle_residuals(cycled, samples.y, some)[:, : 3 * cycled.figure.tables.quaternion_links.size].reshape(5, -1, 3)
-        / 2
-    )
-    np.testing.assert_allclose(cycled.deviation(samples).T, 2 * np.arcsin(np.linalg.norm(halves, axis=2)), rtol=1e-6)
-
-
 def test_the_gradient_has_taylor_slope_two_of_cycles(cycled, rng):
     assert penalty_slope(cycled, at_its_times(cycled, rng, 5)[0], rng) > 1.95
-
-
-def test_it_and_its_curvature_are_squares_of_how_far_joints_are_off(cycled, rng):
-    samples, some = at_its_times(cycled, rng, 3)
-    trust = np.sqrt(cycled.gait_cycle.trust[some])[:, None]
-    assert_squares(cycled, lambda seen: trust * cycle_residuals(cycled, seen.y, some), samples, rng)
 
 
 @pytest.mark.slow
@@ -375,24 +307,3 @@ def test_it_leads_variable_frames_to_the_recording_and_no_others(figure, rng):
         initial_guess = found.initial_guess(Timeline(tuple(frames), np.zeros((2, figure.width))), None)
         np.testing.assert_allclose(initial_guess.frames[1].state, expected)
         assert all(np.array_equal(initial_guess.frames[k].state, start) for k in (0, 2))
-
-
-def test_the_ends_of_limbs_are_the_bodies_that_carry_none_and_are_where_mujoco_has_their_mass(figure, rng):
-    found = near(figure, rng)
-    model, links = figure.model, figure.links
-    bodies = [link.body for link in links]
-    carrying = set()
-    for body in bodies:
-        above = int(model.body_parentid[body]) if body > 0 else 0
-        while above:
-            carrying.add(above)
-            above = int(model.body_parentid[above])
-    ends, arms = found.ends
-    assert {bodies[i] for i in ends} == {body for body in bodies if body > 0} - carrying
-    data = mujoco.MjData(model)
-    mujoco.mj_forward(model, data)
-    for link, arm in zip(ends, arms.T, strict=True):
-        body = bodies[link]
-        if not any(model.body_weldid[other] == body for other in range(model.nbody) if other != body):
-            place = data.xpos[body] + data.xmat[body].reshape(3, 3) @ arm
-            np.testing.assert_allclose(place, data.xipos[body], atol=1e-12)

@@ -18,7 +18,6 @@ from dynsplines.clip.person import person_of
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
-from dynsplines.solver.figure.dynamics import Size
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Prior
@@ -235,60 +234,3 @@ def test_predicted_poses_are_interpolated_with_sines_and_shares_of_tangents(rng:
     np.testing.assert_allclose(found.changes, changes, rtol=1e-9)
     np.testing.assert_allclose(found.apart, 0, atol=1e-20)
     np.testing.assert_allclose(found.expected, np.tile(np.exp(outputs[:, -1]), (3, 1)), rtol=1e-12)
-
-
-def test_networks_that_disagree_are_apart_by_their_largest_variance(rng: np.random.Generator) -> None:
-    segments, outputs = random_segments(rng), symmetric(rng)
-    more = outputs.copy()
-    more[:, 1] += 0.2  # of a half sine about y, or along y for the hips, whose mirror image has the opposite sign
-    more[:, -1] += np.log(3)
-    phases = np.linspace(0, 1, 5)
-    pair = [
-        people.Prediction.of(nets, segments, np.tile(phases, (3, 1)))
-        for nets in ([constant(more)], 2 * [constant(more)])
-    ]
-    for found in pair:
-        np.testing.assert_allclose(found.apart[:, :12], 0, atol=1e-20)
-        np.testing.assert_allclose(found.apart[:, 12], 0.04, rtol=1e-9)
-    both = people.Prediction.of([constant(outputs), constant(more)], segments, np.tile(phases, (3, 1)))
-    np.testing.assert_allclose(both.apart[:, :12], 0.01, rtol=1e-9)
-    np.testing.assert_allclose(both.expected, np.tile(2 * np.exp(outputs[:, -1]), (3, 1)), rtol=1e-9)
-
-
-def test_a_motion_that_is_off_by_the_expected_error_costs_one_times_the_trust(
-    walk: Clip, rng: np.random.Generator
-) -> None:
-    """Where the prediction differs from interpolation by more than its error, trust is about one."""
-    outputs, (power, factor) = symmetric(rng), (0.5, 2.0)
-    outputs[:, -1] = np.log(rng.uniform(0.05, 0.15, 13))
-    person, figure, states = walker(walk), walk.figure, walk.context.keys.states
-    times = np.append(0, np.cumsum(np.resize([0.6, 0.25, 1.7, 1.0, 2.4], len(states) - 1)))
-    keys = timeline(walk.context.keys, times, states)
-    more = np.zeros_like(outputs)
-    more[:12, 1] = more[12, 0] = 0.1  # of a half sine about y, along x for the hips: the same for the mirror image
-    nets = [constant(outputs + by, calibration=np.array([power, factor])) for by in (more, -more)]
-    prior = Prior.of(person, keys, nets, 0.0)
-    hips, turns = person.posture(keys.states, 0.0)
-    moved = np.sum(quat.rotation_vector(quat.product(quat.conjugate(turns[:-1]), turns[1:])) ** 2, axis=2)
-    moved = np.concatenate([moved, np.sum(np.diff(hips, axis=0) ** 2, axis=1)[:, None]], axis=1)
-    is_moved = np.maximum(moved / (moved + people.HELD**2), 0.1)
-    gaps = np.diff(keys.times)[:, None] / Size.of(figure).time
-    variances = np.exp(outputs[:, -1]) * gaps**power + factor * 0.1**2
-    middle, middles = prior.predicted.shape[1] // 2, (keys.times[:-1] + keys.times[1:]) / 2
-    states = keys.states[:-1].copy()
-    by = np.sqrt(variances * is_moved)
-    states[:, prior.positions] = prior.predicted[:, middle, :3] + person.leg * by[:, 12:] * [0.6, 0.0, -0.8]
-    rotations = prior.predicted[:, middle, 3:].reshape(-1, 12, 4)
-    # |q − q̂| is the chord of half the angle
-    off = quat.from_rotation_vector(4 * np.arcsin(by[:, :12, None] / 4) * [0.0, 0.6, 0.8])
-    states[:, prior.quaternions.ravel()] = quat.product(rotations, off).reshape(-1, 48)
-    u = np.linspace(0, 1, prior.predicted.shape[1])[:, None, None]
-    steps = quat.rotation_vector(quat.product(quat.conjugate(turns[:-1]), turns[1:]))[:, None]
-    linear = quat.product(turns[:-1, None], quat.from_rotation_vector(u * steps))
-    predicted = quat.product(prior.predicted[..., 3:].reshape(*linear.shape), person.turns)
-    away = quat.rotation_vector(quat.product(quat.conjugate(linear), predicted))
-    clearness = np.mean(np.sum(away**2, axis=3), axis=1).sum(axis=1) / variances[:, :12].sum(axis=1)
-    trust = clearness**2 / (clearness**2 + 0.45**2)
-    trust *= np.interp(gaps[:, 0], [0.2, 0.3, 1.5, 2.5], [0, 1, 1, 0])
-    assert trust.max() > 0.3 > trust.min() > 0
-    np.testing.assert_allclose(prior.evaluate(Samples.still(figure, states, middles)), trust, rtol=1e-6)
