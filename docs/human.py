@@ -20,7 +20,7 @@ from PIL import Image, ImageDraw, ImageFont  # noqa: E402
 
 from dynsplines import Keyframe, build  # noqa: E402
 from dynsplines.picture.camera import View, axes  # noqa: E402
-from dynsplines.picture.layout import caption  # noqa: E402
+from dynsplines.picture.show import caption  # noqa: E402
 from dynsplines.picture.stage import Stage  # noqa: E402
 from dynsplines.solver.figure.model import set_qpos  # noqa: E402
 

@@ -8,10 +8,11 @@ from dataclasses import dataclass, replace
 from functools import partial
 from numbers import Integral
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import mujoco
 import numpy as np
+from PIL import Image, ImageDraw, ImageFont
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Timeline
@@ -24,16 +25,18 @@ from ..scene.framing import height, middles, spread
 from ..system.progress import Progress
 from ..system.quantity import positive
 from ..system.workers import MOST_WORKERS, cores, in_order
-from . import film, layout
+from . import film
 from .camera import ANGLES, View, plan, still
+from .film import Picture
 from .graphics import Graphics
-from .stage import Ghost, Picture, Stage
+from .stage import Ghost, Stage
 
 KEY_SECONDS = 0.5  # [s] duration of a keyframe in a video of keyframes
 PIXELS_OF_A_PROCESS = 4_000_000  # minimum number of pixels per process; drawing them takes twice its starting time
 SMALLEST = 16  # [pixels] minimum width and height
 MAX_FRAMES = 100_000  # maximum number of video frames, an hour at 30 frames per second
 BETWEEN_RATE = 15.0  # [1/s] rate of in-betweens in a still
+PAPER, INK = (250, 251, 252), (24, 30, 38)  # red, green, blue of captions
 
 
 @dataclass(frozen=True)
@@ -152,9 +155,34 @@ def _stage(scene: Scene, look: Look, graphics: Graphics, panes: int) -> Stage:
 def _drawn(stage: Stage, shot: Shot) -> Picture:
     halves = []
     for qpos, title in shot.poses:
-        picture = layout.caption(stage.picture(qpos, shot.view, ghosts=shot.ghosts), title)
-        halves.append(layout.caption(picture, shot.corner, place="bottom right"))
-    return halves[0] if len(halves) == 1 else layout.side_by_side(*halves)
+        picture = caption(stage.picture(qpos, shot.view, ghosts=shot.ghosts), title)
+        halves.append(caption(picture, shot.corner, place="bottom right"))
+    return halves[0] if len(halves) == 1 else side_by_side(*halves)
+
+
+def side_by_side(left: Picture, right: Picture) -> Picture:
+    """Return two pictures of equal height as one, (H, Wl + Wr, 3), with a fine line between them."""
+    both = np.concatenate([left, right], axis=1)
+    seam = left.shape[1]
+    both[:, seam - 1 : seam + 1] = PAPER
+    return both
+
+
+def caption(image: Picture, text: str, *, place: Literal["top", "bottom right"] = "top") -> Picture:
+    """Return the picture with pale-edged words, such as "before" or "0.80 s".
+
+    The height of the letters is 1/30 of the picture's, and less for long text.
+    """
+    out = Image.fromarray(image)
+    draw = ImageDraw.Draw(out)
+    margin, letters = out.height / 40, max(9, out.height / 30)
+    width = draw.textlength(text, ImageFont.load_default(letters))
+    letters = max(1, letters * min(1, (out.width - 4 * margin) / max(width, 1)))
+    middle, corner = (out.width / 2, 2 * margin), (out.width - margin, out.height - margin)
+    at, anchor = (middle, "mm") if place == "top" else (corner, "rd")
+    font = ImageFont.load_default(letters)
+    draw.text(at, text, INK, font, anchor, stroke_width=round(letters / 6), stroke_fill=PAPER)
+    return np.asarray(out)
 
 
 def _key_shots(saved: Saved, look: Look) -> list[Shot]:

@@ -9,17 +9,16 @@ from typing import Self
 
 import mujoco
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from dynsplines.solver.array import Array
 from dynsplines.solver.figure.model import set_qpos
 
 from ..scene.assets import Scene
 from ..scene.mujoco_versions import lamp, without_shadow
 from .camera import View
+from .film import Picture
 from .graphics import Graphics
-
-Picture = NDArray[np.uint8]
-Array = NDArray[np.float64]
 
 SHADOW_DETAIL = 8  # maximum texels of a shadow map for each pixel of the picture's longer side, with OpenGL
 _SUN_DISTANCE = 6.0  # [m] distance of a directional light from the camera's target, around which it casts shadows
