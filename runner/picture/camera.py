@@ -10,10 +10,10 @@ from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 from scipy.ndimage import gaussian_filter1d
 
-Array = NDArray[np.float64]
+from dynsplines.solver.array import Array
 
 
 @dataclass(frozen=True)

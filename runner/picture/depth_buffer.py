@@ -5,14 +5,11 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from dynsplines.solver.array import Array, Index
 from dynsplines.solver.tolerances import TINY
 
-Array = NDArray[np.float64]
-Ints = NDArray[np.intp]
-
-AT_ONCE = 20_000  # faces whose pixels are in memory at once
+AT_ONCE = 20_000  # faces or samples at once, few enough for the processor's cache
 
 
 class Eye(NamedTuple):
@@ -61,12 +58,12 @@ class Faces:
         self._low, self._high = _extent(corners[self.number], eye.near)
         self._size = np.array([eye.width, eye.height])
 
-    def weights(self, face: Ints, x: Array, y: Array) -> Array:
+    def weights(self, face: Index, x: Array, y: Array) -> Array:
         """Return barycentric coordinates at pixels on faces, (n, 3)."""
         out = self.edges[face] @ np.stack([x, y, np.ones_like(x)], axis=-1)[..., None]
         return out[..., 0] / out.sum(axis=1)
 
-    def cover(self, at: Array) -> tuple[Array, Ints]:
+    def cover(self, at: Array) -> tuple[Array, Index]:
         """Return 1 / depth and index of the nearest face at an offset (2,) in every pixel, (h, w); else 0 and −1."""
         width, height = self._size
         nearest, winner = np.zeros(width * height), np.full(width * height, -1)
@@ -113,7 +110,7 @@ def _extent(corners: Array, near: float) -> tuple[Array, Array]:
     return low, high
 
 
-def _runs(lengths: Ints) -> tuple[Ints, Ints]:
+def _runs(lengths: Index) -> tuple[Index, Index]:
     """Return the index of the run and the position in it, for every item of runs of these lengths."""
     lengths = np.maximum(lengths, 0)
     run = np.repeat(np.arange(len(lengths)), lengths)

@@ -14,14 +14,14 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from dynsplines.solver.array import Array, Index, Mask
+
 from ..scene.mujoco_versions import lamp
 from ..scene.triangles import MESHES, half_extent, picture_repeat, piece_of, texels, triangles
-from .depth_buffer import Eye, Faces
+from .depth_buffer import AT_ONCE, Eye, Faces
+from .film import Picture
 
-Picture = NDArray[np.uint8]
-Array = NDArray[np.float64]
 Floats = NDArray[np.float32]
-Ints = NDArray[np.intp]
 
 _KINDS = mujoco.mjtGeom
 PLANE = int(_KINDS.mjGEOM_PLANE)
@@ -29,13 +29,11 @@ ROUND = (_KINDS.mjGEOM_SPHERE, _KINDS.mjGEOM_CAPSULE, _KINDS.mjGEOM_ELLIPSOID, _
 DRAWN = {int(kind) for kind in (_KINDS.mjGEOM_PLANE, _KINDS.mjGEOM_HFIELD, _KINDS.mjGEOM_BOX, *ROUND, *MESHES)}
 FAR = 1000.0  # [m] extent of an infinite plane
 SAMPLES = np.array([[1, 5], [3, 1], [5, 7], [7, 3]]) / 8  # positions in a pixel, in different rows and columns
-AT_ONCE = 30_000  # samples shaded at once, few enough for the processor's cache
 SKY = np.array([0.84, 0.88, 0.93], np.float32)  # colour of the background
 HAZE_START, HAZE_LENGTH = 9.0, 28.0  # [m] distance at which haze begins, and length scale of its increase
 SHADE, SHADE_HEIGHT = 0.6, 0.25  # share of light that a foot on the ground takes, and length scale of its decrease [m]
 SHADE_TEXELS = 1024  # width and height of the map of heights above the ground
 FADING = 4.0  # [1] reciprocal of the share of a repetition of a texture at whose extent per pixel it has faded
-SUNK = 0.02  # [m] depth of a foot in the ground up to which it is shaded
 OFF_EDGES = 1e-6  # [1] of a texture, so that rounding does not decide about pixels on the edge of a texel
 
 
@@ -49,12 +47,12 @@ class Projection(NamedTuple):
     eye: Eye
     faces: Faces
     normals: Array
-    geom: Ints
+    geom: Index
     lowest: HeightMap
     geoms: list[Any]
     colour: Floats
     emission: Floats
-    is_still: NDArray[np.bool_]
+    is_still: Mask
 
 
 class Raster:
@@ -113,7 +111,7 @@ class Raster:
         shape = triangles(self._model, piece_of(self._model, geom), FAR)
         return shape.points[shape.faces], shape.normals[shape.faces]
 
-    def _surface(self, geoms: list[Any]) -> tuple[Array, Array, Ints]:
+    def _surface(self, geoms: list[Any]) -> tuple[Array, Array, Index]:
         """Return all triangles of the scene in the world: corners and normals (m, 3, 3), and index in `geoms` (m,)."""
         parts = [(np.empty((0, 3, 3)), np.empty((0, 3, 3)), np.empty(0, int))]
         for index, geom in enumerate(geoms):
@@ -137,7 +135,7 @@ class Raster:
             out += light.ambient + light.diffuse * reached[:, None]
         return out
 
-    def _colour(self, view: Projection, x: Array, y: Array, face: Ints, closeness: Array) -> Floats:
+    def _colour(self, view: Projection, x: Array, y: Array, face: Index, closeness: Array) -> Floats:
         """Return colours at pixels (n, 3), of the visible face, or of the sky where its index is negative."""
         rays = view.eye.rays(x, y)
         length = np.linalg.norm(rays, axis=1)
@@ -213,4 +211,4 @@ class HeightMap:
         closest = np.where(inside, self._closest[np.where(inside, row * SHADE_TEXELS + column, 0)], 0.0)
         with np.errstate(divide="ignore"):
             height = 1 / closest - depth
-        return np.where(height > -SUNK, np.exp(-np.abs(height) / SHADE_HEIGHT), 0).astype(np.float32)
+        return np.exp(-np.abs(height) / SHADE_HEIGHT).astype(np.float32)
