@@ -6,7 +6,6 @@ manifest    the results of the clips, in a file that survives the end of the pro
 solving     the work on a clip: its files in, the files of its motion out
 cluster     the Dask workers
 dispatch    the assignment of clips to workers
-tally       the results of a batch at its end
 """
 
 from __future__ import annotations
@@ -19,7 +18,7 @@ from .task import BatchOptions
 
 if TYPE_CHECKING:
     from ..system.progress import Progress
-    from .tally import Tally
+    from .manifest import Tally
 
 __all__ = ["BatchOptions", "run"]
 

@@ -19,9 +19,8 @@ from ..system.progress import Progress
 from ..system.workers import AHEAD
 from . import cluster, solving
 from .inputs import Contents, InputSource, sources, task_of
-from .manifest import Entry, Manifest, check_below, digest_of
+from .manifest import Entry, Manifest, Tally, check_below, digest_of
 from .solving import SolveTask
-from .tally import Tally
 from .task import BatchOptions, Outcome, Result
 
 READING_EVERY = 500  # clips per line of progress

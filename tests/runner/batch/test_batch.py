@@ -23,8 +23,7 @@ pytest.importorskip("distributed")
 import psutil
 
 from dynsplines.batch import dispatch, solving
-from dynsplines.batch.manifest import ENTRY, Entry, Manifest
-from dynsplines.batch.tally import Tally
+from dynsplines.batch.manifest import ENTRY, Entry, Manifest, Tally
 from dynsplines.batch.task import BatchOptions
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="needs POSIX limits and signals")
