@@ -34,7 +34,6 @@ from .table import KEY, KeyframeTable
 from .text import keyframe_tables, tables, written
 
 APART = 0.5  # [s] distance of keyframes if the model's times do not rise
-STRAIGHT = 0.99  # [1] component of a slide's direction from which a comment names the axis
 REPORTED = 5e-4  # [m] displacement above which a raised pose is reported
 DIGITS = 6  # decimal places of degrees and metres
 WIDE = 110  # characters per line of comments
@@ -239,18 +238,12 @@ def _joint_line(figure: Figure, link: Link) -> str:
     name, limited = f"joints.{_key(link.name)}", bool(figure.model.jnt_limited[link.joint])
     low, high = (float(bound) for bound in figure.model.jnt_range[link.joint])
     if link.kind is JointKind.SLIDE:
-        return f"{name:40} slide, metres{_along(link)}" + (f", {low:g} to {high:g}" if limited else "")
+        direction = quat.rotated(link.turn, link.axis).round(2) + 0.0
+        return f"{name:40} slide, metres along {direction.tolist()}" + (f", {low:g} to {high:g}" if limited else "")
     low, high = np.degrees([low, high])
     if link.kind is JointKind.HINGE:
         return f"{name:40} hinge, degrees" + (f", {low:.4g} to {high:.4g}" if limited else "")
     return f"{name:40} ball, a rotation such as {{rotvec = [0, 30, 0]}}" + (f", up to {high:.4g}°" if limited else "")
-
-
-def _along(link: Link) -> str:
-    """Return the world axis of a slide at rest, in words; "" for an oblique axis."""
-    direction = quat.rotated(link.turn, link.axis)
-    axis = int(np.abs(direction).argmax())
-    return f" along {'-' if direction[axis] < 0 else ''}{'xyz'[axis]}" if abs(direction[axis]) > STRAIGHT else ""
 
 
 def _key(name: str) -> str:

@@ -161,6 +161,6 @@ def test_followers_begin_where_they_belong_and_are_not_named(tmp_path, bend, key
     legs = BODY.format(joints[0], f'<body>{joints[1]}<geom size=".1"/></body>')
     problem = written(f"<mujoco><worldbody>{legs}</worldbody>{tie}{keys}</mujoco>", tmp_path)
     np.testing.assert_allclose(problem.keys[0].state, expected, atol=1e-8)
-    assert "joints.cap                               slide, metres along z" in problem.text
+    assert "joints.cap                               slide, metres along [0.0, 0.0, 1.0]" in problem.text
     assert "\njoints.cap" not in problem.text
     assert not [note for note in problem.notes if "off" in note]
