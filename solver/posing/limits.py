@@ -15,7 +15,6 @@ from .goals import PointGoal
 
 SUPPORT_SHARE = 0.8  # size of the polygon for the centre of mass in a drag, relative to the support polygon
 MIN_SUPPORT = 1e-3  # [m] width below which contact points form no polygon
-COLLINEAR = 1e-9  # [m²] doubled area of a triangle up to which its corners are collinear
 NEAR_FLOOR = 0.05  # [m] height below which a body's clearance is linearise
 
 
@@ -36,14 +35,15 @@ class SupportPolygon:
     @classmethod
     def of(cls, root: int, points: Array, share: float = SUPPORT_SHARE) -> SupportPolygon | None:
         """Return the polygon inside the convex hull of contact points (n, 3) [m], or None if they are collinear."""
+        from scipy.spatial import ConvexHull  # slow to import
+
         rays = points[1:, :2] - points[0, :2]
         if len(points) < 3 or np.linalg.eigvalsh(rays.T @ rays)[0] < MIN_SUPPORT**2:
             return None
-        corners = _hull(points[:, :2])
-        edges = np.roll(corners, -1, axis=0) - corners
-        normals = np.column_stack([edges[:, 1], -edges[:, 0]]) / np.linalg.norm(edges, axis=1)[:, None]
-        centre = corners.mean(axis=0)
-        return cls(root, normals, np.sum(normals * (centre + share * (corners - centre)), axis=1))
+        hull = ConvexHull(points[:, :2])
+        normals, distances = hull.equations[:, :2], -hull.equations[:, 2]
+        centre = points[hull.vertices, :2].mean(axis=0)
+        return cls(root, normals, share * distances + (1 - share) * normals @ centre)
 
     def linearise(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
         """Return the excess (k,) [m] over every edge and its Jacobian (k, nv)."""
@@ -137,22 +137,3 @@ class FloorClearance:
 
     def _depth(self, centres: Array) -> Array:
         return self.level + self.radii - self.allowed - centres @ self.normal
-
-
-def _hull(points: Array) -> Array:
-    """Return the corners of the convex hull of points (n, 2), counterclockwise, by Andrew's monotone chain."""
-    ordered = sorted(map(tuple, points.tolist()))
-    return np.array([*_chain(ordered), *_chain(ordered[::-1])])
-
-
-def _chain(points: Sequence[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return the corners of a hull from the first to the last point, on the right, without the last one."""
-    corners: list[tuple[float, float]] = []
-    for x, y in points:
-        while len(corners) > 1:
-            (ax, ay), (bx, by) = corners[-2:]
-            if (bx - ax) * (y - ay) - (by - ay) * (x - ax) > COLLINEAR:
-                break
-            corners.pop()
-        corners.append((x, y))
-    return corners[:-1]
