@@ -10,9 +10,10 @@ import type { Stage } from "./stage";
 const STILL = 4; // [px] that a click may move
 const NEAR = 6; // [px] beside the figure at which a figure is still picked
 
-/** A drag: the grabbed point, the plane in which it moves, and its next target while an answer is pending. */
+/** A drag: the grabbed point, the plane in which it moves, where it is on the page, and its next target while an answer is
+ * pending. */
 interface Held {
-  body: number; offset: number[]; plane: THREE.Plane; x: number; y: number; time: number;
+  body: number; offset: number[]; plane: THREE.Plane; x: number; y: number; clientX: number; clientY: number; time: number;
   moved: boolean; waits: boolean; next: THREE.Vector3 | null; ended: boolean;
 }
 
@@ -198,7 +199,7 @@ export class Hands {
     const group = this.stage.figure!.groups[found.body];
     const offset = found.point.clone().sub(group.position).applyQuaternion(group.quaternion.clone().invert()).toArray();
     const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(this.stage.camera.getWorldDirection(new THREE.Vector3()), found.point);
-    this.held = { body: found.body, offset, plane, x: event.clientX, y: event.clientY, time: model.time, moved: false, waits: false, next: null, ended: false };
+    this.held = { body: found.body, offset, plane, x: event.clientX, y: event.clientY, clientX: event.clientX, clientY: event.clientY, time: model.time, moved: false, waits: false, next: null, ended: false };
     this.stage.canvas.style.cursor = "grabbing";
     $("hover").hidden = true;
   }
@@ -215,7 +216,11 @@ export class Hands {
       void ask("grip", { time: held.time, body: held.body, offset: held.offset, plant: !event.altKey, alone: model.partial && model.here === null, locks: model.locked })
         .then((answer) => this.answered(held, answer.ok, answer.words));
     }
-    held.next = this.stage.through(event).intersectPlane(held.plane, new THREE.Vector3());
+    if (event.ctrlKey) held.plane.constant += (event.clientY - held.y) * this.stage.perPixel(held.plane); // up: away
+    else { held.clientX += event.clientX - held.x; held.clientY += event.clientY - held.y; }
+    held.x = event.clientX;
+    held.y = event.clientY;
+    held.next = this.stage.through(held).intersectPlane(held.plane, new THREE.Vector3());
     if (!held.waits) this.pull(held);
   }
 

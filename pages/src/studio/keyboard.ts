@@ -98,7 +98,7 @@ const speed = (by: number): void => {
 };
 
 const MOUSE: [string, string][] = [
-  ["drag the figure", "pose it: the limb bends, then the whole figure follows; planted soles stay (Alt: they may move)"],
+  ["drag the figure", "pose it: the limb bends, then the whole figure follows; planted soles stay (Alt: they may move; Ctrl: nearer or farther)"],
   ["click the figure", "select a joint and rotate it by its rings"],
   ["select an obstacle in the panel Scene", "arrows move it, or resize it (R)"],
   ["right button on the figure", "lock or unlock a body: it stays where it is while others are posed"],

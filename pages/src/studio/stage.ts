@@ -141,6 +141,12 @@ export class Stage {
     return true;
   }
 
+  /** [m] the width of a pixel in a plane that faces the camera. */
+  perPixel(plane: THREE.Plane): number {
+    const { camera, canvas } = this;
+    return (2 * Math.abs(plane.distanceToPoint(camera.position)) * Math.tan((camera.fov * Math.PI) / 360)) / canvas.clientHeight;
+  }
+
   /** A ray through a point of the page. */
   through({ clientX, clientY }: { clientX: number; clientY: number }): THREE.Ray {
     const box = this.canvas.getBoundingClientRect();

@@ -6,6 +6,7 @@ from pathlib import Path
 from time import monotonic, sleep
 
 import browser as browsers
+import numpy as np
 import psutil
 import pytest
 from browser import Tab
@@ -480,6 +481,10 @@ def test_a_turn_is_let_go_by_escape_and_the_camera_and_the_next_one_go_on(tab):
     tab.press("Escape")
 
 
+FOREARM = """(() => { const { camera, figure, orbit } = studio.stage;
+  const i = studio.model.stage.bodies.indexOf('left_forearm');
+  const ahead = orbit.target.clone().sub(camera.position).normalize();
+  return [figure.groups[i].position.toArray(), ahead.toArray()]; })()"""
 FAILING = """void (sockets.at(-1).send = function(text) {
   WebSocket.prototype.send.call(this, text.includes('"do":"drag"') ? text.replace("position", "nowhere") : text); })"""
 
@@ -496,6 +501,15 @@ def test_a_partial_keyframe_specifies_only_the_dragged_limb(tab):
     tab.until("!studio.hands.busy && studio.stage.override === null && studio.stage.orbit.enabled")
     assert tab.evaluate("delete sockets.at(-1).send")
     tab.changes(lambda: tab.drag((x, y), (x + 12, y - 12)))
+    tab.shown()
+    x, y = tab.grip("left_forearm")
+    before, ahead = tab.evaluate(FOREARM)
+    tab.page.keyboard.down("Control")
+    tab.changes(lambda: tab.drag((x, y), (x, y - 12)))
+    tab.page.keyboard.up("Control")
+    tab.shown()
+    away = np.subtract(tab.evaluate(FOREARM)[0], before)
+    assert away @ ahead > 0.02
     (key,) = [key for key in tab.evaluate("studio.model.document.keys") if abs(key["time"] - 0.8) < 1e-6]
     assert set(key["joints"]) == {"left_shoulder", "left_elbow"}
     assert "root" not in key
