@@ -501,6 +501,10 @@ def test_a_partial_keyframe_specifies_only_the_dragged_limb(tab):
     tab.until("!studio.hands.busy && studio.stage.override === null && studio.stage.orbit.enabled")
     assert tab.evaluate("delete sockets.at(-1).send")
     tab.changes(lambda: tab.drag((x, y), (x + 12, y - 12)))
+    (key,) = [key for key in tab.evaluate("studio.model.document.keys") if abs(key["time"] - 0.8) < 1e-6]
+    assert set(key["joints"]) == {"left_shoulder", "left_elbow"}
+    assert "root" not in key
+    assert key["others"] == "free"
     tab.shown()
     x, y = tab.grip("left_forearm")
     before, ahead = tab.evaluate(FOREARM)
@@ -510,10 +514,7 @@ def test_a_partial_keyframe_specifies_only_the_dragged_limb(tab):
     tab.shown()
     away = np.subtract(tab.evaluate(FOREARM)[0], before)
     assert away @ ahead > 0.02
-    (key,) = [key for key in tab.evaluate("studio.model.document.keys") if abs(key["time"] - 0.8) < 1e-6]
-    assert set(key["joints"]) == {"left_shoulder", "left_elbow"}
-    assert "root" not in key
-    assert key["others"] == "free"
+    undo(tab)
     undo(tab)
     tab.shown()
     x, y = tab.grip("left_forearm")
