@@ -49,15 +49,11 @@ def torques(forces: Forces) -> Columns:
     return _by_dof(forces.sampled.model, forces.torques, {"ball": "t", "hinge": "t", "slide": "f"}, units)
 
 
-class Unavailable(Exception):
-    """A group that a motion has no values for: the reason, and what to do."""
-
-
 def wrench(forces: Forces) -> Columns:
-    """Return the external wrench at the free root; raises Unavailable without a free root."""
+    """Return the external wrench at the free root; raises UserError without a free root."""
     root_wrench, figure = forces.wrench, forces.sampled.figure
     if root_wrench is None or figure.root is None:
-        raise Unavailable("the figure has no free root, so no wrench moves it from outside", "omit `wrench`")
+        raise UserError("the figure has no free root, so no wrench moves it from outside")
     name = figure.links[root_wrench.root].name
     return (
         _vector(f"{name}.f", "N", root_wrench.force.T)
@@ -67,11 +63,9 @@ def wrench(forces: Forces) -> Columns:
 
 
 def ground(forces: Forces) -> Columns:
-    """Return the ground reactions of every foot that stands; raises Unavailable if there is none."""
+    """Return the ground reactions of every foot that stands; raises UserError if there is none."""
     if not forces.feet:
-        raise Unavailable(
-            "no stance is known, so the ground reaction force is unknown", "add a [[contact]], or omit `ground`"
-        )
+        raise UserError("no stance is known, so the ground reaction force is unknown; add a [[contact]]")
     out: Columns = {}
     for foot in forces.feet:
         out |= _vector(f"{foot.name}.f", "N", foot.force)
@@ -114,11 +108,10 @@ def table(sampled: Sampled, groups: Sequence[str]) -> tuple[Columns, list[str]]:
     for group in wanted:
         try:
             out |= GROUPS[group](forces)
-        except Unavailable as missing:
-            reason, remedy = missing.args
+        except UserError as missing:
             if ALL not in groups:
-                raise UserError(f"{sampled.name}: {reason}; {remedy}") from None
-            notes.append(f"no columns `{group}`: {reason}")
+                raise UserError(f"{sampled.name}: {missing}") from None
+            notes.append(f"no columns `{group}`: {missing}")
     if {"torques", "ground"} & set(wanted) and not forces.has_known_support.all():
         notes.append(UNKNOWN_NOTE.format(share=1 - float(forces.has_known_support.mean())))
     if "torques" in wanted:
