@@ -78,12 +78,12 @@ def recorded(source: Parsed, figure_file: str | None = None, following: tuple[st
         return None
     name, folder, where = source.table.recording.file, source.folder or Path(), f"{source.where}: recording"
     if name in models.clips():
-        return _solved(name, name, where, following)
+        return _solve(name, name, where, following)
     file = folder / name
     if not file_access.is_allowed() and not file_access.lies_in(file, folder):
         raise UserError(f"{where}: '{name}' lies outside the clip's folder; --allow-outside lets it be read")
     if file.suffix == ".toml":
-        return _solved(str(file), str(file.resolve()), where, following)
+        return _solve(str(file), str(file.resolve()), where, following)
     if motion.is_motion(str(file)):
         return motion.load(file)
     figure = figure_file or source.table.figure
@@ -97,7 +97,7 @@ def recorded(source: Parsed, figure_file: str | None = None, following: tuple[st
         raise UserError(f"{where}: {error}") from None
 
 
-def _solved(source: str, identity: str, where: str, following: tuple[str, ...]) -> Saved:
+def _solve(source: str, identity: str, where: str, following: tuple[str, ...]) -> Saved:
     """Return the motion of a shipped clip or of a clip's file."""
     if identity in following:
         raise UserError(f"{where}: '{source}' follows itself")

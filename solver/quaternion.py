@@ -50,11 +50,11 @@ def rotated(q: ArrayLike, v: ArrayLike) -> Array:
     """Return v (..., 3) rotated by q (..., 4) of any length: the vector part of q ⊗ v ⊗ q⁻¹."""
     q, v = np.asarray(q, float), np.asarray(v, float)
     if q.ndim == v.ndim == 1 and q @ q > 0:
-        return np.array(_turned(*q.tolist(), *v.tolist()))  # for a single vector, numbers are faster than arrays
-    return np.stack(_turned(*(q[..., i] for i in range(4)), *(v[..., i] for i in range(3))), axis=-1)
+        return np.array(_turn(*q.tolist(), *v.tolist()))  # for a single vector, numbers are faster than arrays
+    return np.stack(_turn(*(q[..., i] for i in range(4)), *(v[..., i] for i in range(3))), axis=-1)
 
 
-def _turned(w: Any, x: Any, y: Any, z: Any, a: Any, b: Any, c: Any) -> tuple[Any, Any, Any]:
+def _turn(w: Any, x: Any, y: Any, z: Any, a: Any, b: Any, c: Any) -> tuple[Any, Any, Any]:
     """Return v + w t + u × t with t = 2 u × v / |q|², component by component, for q = (w, u)."""
     twice = 2 / (w * w + x * x + y * y + z * z)
     i, j, k = twice * (y * c - z * b), twice * (z * a - x * c), twice * (x * b - y * a)

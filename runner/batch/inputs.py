@@ -57,7 +57,7 @@ def sources(words: Iterable[str], listed: str | None = None, *, recordings: bool
     """
     unique: dict[object, InputSource] = {}
     for word in (*words, *(_lines(listed) if listed else ())):
-        for source in _named(word, recordings):
+        for source in _sources(word, recordings):
             path = str(source.path or source.name)
             if path != path.encode("utf-8", "replace").decode():  # the manifest and the workers need text
                 shown = path.encode("utf-8", "backslashreplace").decode()
@@ -117,7 +117,7 @@ def _lines(listed: str) -> list[str]:
     return [line for line in lines if line and not line.startswith("#")]
 
 
-def _named(word: str, recordings: bool) -> Iterator[InputSource]:
+def _sources(word: str, recordings: bool) -> Iterator[InputSource]:
     """Yield a shipped clip, a file, or files in a folder or of a pattern with the extension of a clip or recording."""
     path = Path(word)
     if not recordings and word in models.clips():

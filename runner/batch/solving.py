@@ -88,11 +88,11 @@ def solved(task: Task, folder: Path) -> Outcome:
     warned: list[str] = []
     with mujoco_warnings.reported_to(warned.append), file_access.allowed(task.allow_outside):
         cleaning = task.options.cleaning
-        outcome = _solved(task, folder) if cleaning is None else _cleaned(task, cleaning, folder)
+        outcome = _solve(task, folder) if cleaning is None else _clean(task, cleaning, folder)
     return replace(outcome, notes=(*outcome.notes, *warned))
 
 
-def _solved(task: Task, folder: Path) -> Outcome:
+def _solve(task: Task, folder: Path) -> Outcome:
     from .. import recordings, solving
     from ..measure.violation import plain
     from ..system.progress import silent
@@ -104,7 +104,7 @@ def _solved(task: Task, folder: Path) -> Outcome:
     return replace(_written(result.motion, task, folder, task.options.fps), violations=tuple(plain(result.violations)))
 
 
-def _cleaned(task: Task, cleaning: Source, folder: Path) -> Outcome:
+def _clean(task: Task, cleaning: Source, folder: Path) -> Outcome:
     from ..clean import command
     from ..measure import violation
     from ..solving import Solved

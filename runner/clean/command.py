@@ -221,7 +221,7 @@ def _clean(
         result = closer(result, max_displacement, improved)
     for line in _notes(result, max_displacement):
         progress.report(line)
-    return result, _saved(result, recording)
+    return result, _save(result, recording)
 
 
 def _notes(result: Cleaned, max_displacement: float | None) -> Iterator[str]:
@@ -252,7 +252,7 @@ def _notes(result: Cleaned, max_displacement: float | None) -> Iterator[str]:
         yield every[0].line
 
 
-def _saved(result: Cleaned, recording: ImportedMotion) -> Saved:
+def _save(result: Cleaned, recording: ImportedMotion) -> Saved:
     """Return the motion with every frame as a keyframe; raw is the recording."""
     figure, timeline = result.figure, result.solution.timeline
     everything = np.ones(timeline.states.shape, bool)

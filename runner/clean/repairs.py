@@ -56,7 +56,7 @@ def repair(figure: Figure, time: Array, qpos: Array, where: str) -> Repaired:
         notes.append(f"{gaps.POSE} {time[pose]:.3f} s: the pose is left out")
         time, qpos, known = time[pose:], qpos[pose:], known[pose:]
     _check_gaps(figure, time, known, where)
-    time, qpos, known = _interpolated(time, qpos, known, notes)
+    time, qpos, known = _interpolate(time, qpos, known, notes)
     known &= ~_jumps(figure, time, qpos, known, notes)
     lost = [_name(figure, columns) for columns in groups(figure) if known[:, columns].all(axis=1).sum() < FEWEST]
     if lost:
@@ -106,7 +106,7 @@ def _check_gaps(figure: Figure, time: Array, known: Mask, where: str) -> None:
             )
 
 
-def _interpolated(time: Array, qpos: Array, known: Mask, notes: list[str]) -> tuple[Array, Array, Mask]:
+def _interpolate(time: Array, qpos: Array, known: Mask, notes: list[str]) -> tuple[Array, Array, Mask]:
     step = float(np.median(np.diff(time)))
     missing = np.maximum(np.round(np.diff(time) / step).astype(int) - 1, 0)
     missing[np.diff(time) < 1.5 * step] = 0

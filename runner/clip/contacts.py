@@ -155,7 +155,7 @@ def _with_places(
         return contact
     placed_contact = _at_spots(contact, spots)
     others = np.setdiff1d(setting, firm)
-    return _loosened(placed_contact, spots, keys, places, others, limits) if contact.on else placed_contact
+    return _loosen(placed_contact, spots, keys, places, others, limits) if contact.on else placed_contact
 
 
 def _at_spots(contact: Contact, spots: Mapping[float, Array]) -> Contact:
@@ -186,7 +186,7 @@ def _risen(
     return out
 
 
-def _loosened(
+def _loosen(
     grasp: Contact, spots: Mapping[float, Array], keys: Timeline, places: Array, posed: Index, limits: Thresholds
 ) -> Contact:
     """Return a grasp with slack at posed keyframes that have the site elsewhere, because it is out of reach.

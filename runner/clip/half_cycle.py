@@ -55,20 +55,20 @@ def _whole(half: ClipTable, figure: Figure, where: str) -> ClipTable:
         raise UserError("ends = 'mirrored': give travel = [x, 0, z] in [solve], the displacement of the whole cycle")
     start, seconds, shift = first.time, last.time - first.time, (x / 2, 0.0, z / 2)
     image = mirrored_tables(half.changed(keyframe=[first, *between], penalty=[]), figure, mirror)
-    images = [_moved(row, shift).changed(time=row.time + seconds) for row in image.keyframe]
-    end = _moved(_moved(first, shift), shift).changed(time=start + 2 * seconds)
+    images = [_move(row, shift).changed(time=row.time + seconds) for row in image.keyframe]
+    end = _move(_move(first, shift), shift).changed(time=start + 2 * seconds)
     contacts = [
         piece
         for row, other in zip(half.contact, image.contact, strict=True)
         for one in (row, _later(other, seconds, shift))
         for piece in _pieces(one, start, start + 2 * seconds, shift)
     ]
-    penalties = [_repeated(entry, seconds) for entry in half.penalty]
+    penalties = [_repeat(entry, seconds) for entry in half.penalty]
     solve = half.solve.changed(ends="periodic")
     return half.changed(keyframe=[first, *between, *images, end], contact=contacts, penalty=penalties, solve=solve)
 
 
-def _moved(row: KeyframeTable, by: Shift) -> KeyframeTable:
+def _move(row: KeyframeTable, by: Shift) -> KeyframeTable:
     """Return a keyframe displaced by a vector [m]."""
 
     def along(place: tuple[float | str, ...]) -> tuple[float | str, ...]:
@@ -110,7 +110,7 @@ def _pieces(row: ContactTable, first: float, last: float, half: Shift) -> Iterat
             yield one.changed(start=begin, end=end)
 
 
-def _repeated(entry: PenaltyTable, seconds: float) -> PenaltyTable:
+def _repeat(entry: PenaltyTable, seconds: float) -> PenaltyTable:
     """Return a soft constraint with its intervals [s] in both halves."""
     intervals = entry.options.get("intervals")
     if not isinstance(intervals, list):

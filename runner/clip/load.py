@@ -189,18 +189,18 @@ def _has_ground(clip: Clip, table: ClipTable) -> bool:
 
 def _from_mjcf(path: Path, fps: float | None) -> Clip:
     """Return the clip of an MJCF file whose <keyframe> elements, with their times, are the keyframes."""
-    with _labelled(path.name):
+    with _label(path.name):
         return from_spec(path.stem, figure_spec(str(path)), fps, path.name)
 
 
 def from_spec(name: str, spec: mujoco.MjSpec, fps: float | None, where: str) -> Clip:
     """Return the clip of a model whose <keyframe> elements, with their times, are the keyframes."""
-    with _labelled(where):
+    with _label(where):
         spec.assets = dict(taken_along(spec))
     model, time, qpos = compiled_keys(spec, where)
     if not time.size:
         raise UserError(f"{where}: the model has no <keyframe> elements to go through")
-    with _labelled(where):
+    with _label(where):
         scene = compose(spec, bare=model)
     clip = from_qpos(name, scene, time, qpos, fps, where)
     return replace(clip, notes=(*clip.notes, *_displaced(model, time.size)))
@@ -244,7 +244,7 @@ def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:
         if arrays[name].dtype.kind not in "fiu":
             raise UserError(f"{keys.name}: '{name}' holds {arrays[name].dtype.name}, not numbers")
     time, qpos = (np.asarray(arrays[name], float) for name in names)
-    with _labelled(model):
+    with _label(model):
         scene = compose(figure_spec(model))
     clip = from_qpos(keys.stem, scene, time, qpos, fps, keys.name)
     joints = arrays.get("joint_names")
@@ -254,7 +254,7 @@ def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:
 
 
 @contextmanager
-def _labelled(where: str) -> Iterator[None]:
+def _label(where: str) -> Iterator[None]:
     """Begin errors of users in this block with a label, once."""
     try:
         yield

@@ -137,9 +137,9 @@ def mirrored_tables(clip: ClipTable, figure: Figure, mirror: Mirror) -> ClipTabl
         scene=_scene(clip.scene),
         solve=_solve(clip.solve),
         penalty=[_penalty(entry, sides) for entry in clip.penalty],
-        contact=[_placed(row.changed(point=sides.other(row.point)), "position") for row in clip.contact],
+        contact=[_mirror_places(row.changed(point=sides.other(row.point)), "position") for row in clip.contact],
         grasp=[
-            _placed(row.changed(point=sides.other(row.point), body=sides.other(row.body)), "position")
+            _mirror_places(row.changed(point=sides.other(row.point), body=sides.other(row.body)), "position")
             for row in clip.grasp
         ],
         keyframe=[_keyframe(row, sides) for row in clip.keyframe],
@@ -184,17 +184,17 @@ def _scene(scene: SceneTable) -> SceneTable:
 
 
 def _obstacle(row: Obstacle, *places: str) -> Obstacle:
-    out = _placed(row, *places)
+    out = _mirror_places(row, *places)
     return out if out.rotation is None else out.changed(rotation=_rotation(out.rotation))
 
 
 def _solve(solve: SolveTable) -> SolveTable:
-    return _placed(solve, "travel").changed(turn=None if solve.turn is None else 0.0 - solve.turn)
+    return _mirror_places(solve, "travel").changed(turn=None if solve.turn is None else 0.0 - solve.turn)
 
 
-def _placed(row: Placed, *names: str) -> Placed:
+def _mirror_places(row: Placed, *names: str) -> Placed:
     """Return a table with the positions (3,) of some keys mirrored."""
-    return row.changed(**{name: _signed(place, POLAR) for name in names if (place := getattr(row, name)) is not None})
+    return row.changed(**{name: _flip(place, POLAR) for name in names if (place := getattr(row, name)) is not None})
 
 
 def _penalty(entry: PenaltyTable, sides: _Sides) -> PenaltyTable:
@@ -233,7 +233,7 @@ def _further_root(name: str, table: RootTable, sides: _Sides) -> tuple[str, Root
 
 
 def _root(table: RootTable, reflection: Array, rest: Array) -> RootTable:
-    position = table.position if table.position == "free" else _signed(table.position, POLAR)
+    position = table.position if table.position == "free" else _flip(table.position, POLAR)
     rotation_ = table.rotation if table.rotation == "free" else _in_world(table.rotation, reflection, rest)
     return table.changed(position=position, rotation=rotation_)
 
@@ -241,11 +241,11 @@ def _root(table: RootTable, reflection: Array, rest: Array) -> RootTable:
 def _body(name: str, table: BodyTable, sides: _Sides) -> BodyTable:
     reflection, body, other = sides.reflection(name), sides.places.body(name), sides.places.body(sides.other(name))
     at = None if table.at is None else tuple((reflection @ np.array(table.at)).tolist())
-    return _placed(_in_world(table, reflection, sides.rest(body or 0, other or 0)), "position").changed(at=at)
+    return _mirror_places(_in_world(table, reflection, sides.rest(body or 0, other or 0)), "position").changed(at=at)
 
 
 def _site(value: SiteTable | Axes) -> SiteTable | tuple[float | str, ...]:
-    return _placed(value, "position") if isinstance(value, SiteTable) else _signed(value, POLAR)
+    return _mirror_places(value, "position") if isinstance(value, SiteTable) else _flip(value, POLAR)
 
 
 def _joint(name: str, value: RotationTable | float | str, sides: _Sides) -> tuple[str, RotationTable | float | str]:
@@ -293,13 +293,13 @@ def _rotation(table: Turned) -> Turned:
     """Return a rotation mirrored in its notation, for frames aligned with the world."""
     signs = [AXIAL["xyz".index(letter)] for letter in table.order or "xyz"]
     return table.changed(
-        rotvec=None if table.rotvec is None else _signed(table.rotvec, AXIAL),
-        quat=None if table.quat is None else _signed(table.quat, TURN),
-        euler=None if table.euler is None else list(_signed(table.euler, signs)),
+        rotvec=None if table.rotvec is None else _flip(table.rotvec, AXIAL),
+        quat=None if table.quat is None else _flip(table.quat, TURN),
+        euler=None if table.euler is None else list(_flip(table.euler, signs)),
         heading=None if table.heading is None else 0.0 - table.heading,
     )
 
 
-def _signed(values: Sequence[float | str], signs: Sequence[float] | Array) -> tuple[float | str, ...]:
+def _flip(values: Sequence[float | str], signs: Sequence[float] | Array) -> tuple[float | str, ...]:
     """Return numbers with changed signs; "free" is unchanged, and zero has no sign."""
     return tuple(x if isinstance(x, str) else float(sign) * x + 0.0 for x, sign in zip(values, signs, strict=True))

@@ -50,20 +50,20 @@ def pose(
     for row, here, free in zip(rows, places, loose, strict=True):
         if row.others == "previous" and not keys:
             raise UserError(f"{here}: others = 'previous' has no keyframe before it")
-        keys.append(_based(key_of(figure, row, keys[-1] if keys else None, free, here), base))
+        keys.append(_base_on(key_of(figure, row, keys[-1] if keys else None, free, here), base))
     stander, missed = stander_of(source, figure), list[str]()
     if any(goals for goals, _ in targets):
         for k, (row, (goals, _), here) in enumerate(zip(rows, targets, places, strict=True)):
             before = keys[k - 1] if k else None  # "previous" uses posed keyframes
             partial = key_of(figure, row, before, loose[k], here)
-            keys[k] = _based(partial, base)
+            keys[k] = _base_on(partial, base)
             if goals:
                 among, index = (keys, k) if base is None else ([_later(keys[k], base, by) for by in (-1, 0, 1)], 1)
                 unposed = among[index]
                 keys[k], nearest = with_pose(figure, among, index, goals, soles_of(figure, among), stander, here)
                 if not nearest.is_met:
                     missed.append(f"{source.labels[k]}: {notes.on_unmet(figure, unposed, row, goals, nearest)}")
-                keys[k] = _based(keys[k], base)
+                keys[k] = _base_on(keys[k], base)
     for key, (_, left), here in zip(keys, targets, places, strict=True):
         check_search(figure, key, left, here)
     placed = [point for _, left in targets for point in left]
@@ -78,7 +78,7 @@ def stander_of(source: Parsed, figure: Figure) -> Stander:
     return Stander(figure, surfaces, bends, table.solve, source.where, table.contact, table.grasp, flights)
 
 
-def _based(key: Frame, base: Callable[[float], Array] | None) -> Frame:
+def _base_on(key: Frame, base: Callable[[float], Array] | None) -> Frame:
     """Return a keyframe with its unspecified degrees of freedom as in the recording that it edits."""
     if base is None:
         return key

@@ -103,9 +103,9 @@ def starter(source: str, target: Path, report: Callable[[str], None] = lambda _:
         _head(source, len(poses) if has_keys else 0, float(max((poses - coupled).flat, key=abs))),
         written(head).rstrip("\n"),
         *([_comment(notes)] if notes else []),
-        _named(figure, poses[0], soles),
+        _name_lines(figure, poses[0], soles),
         PENALTIES.rstrip("\n"),
-        "\n\n".join(written({"keyframe": [_rounded(tables(row))]}).strip("\n") for row in rows),
+        "\n\n".join(written({"keyframe": [_round(tables(row))]}).strip("\n") for row in rows),
         *([NEXT] if len(poses) == 1 else []),
     ]
     return "\n\n".join(blocks) + "\n"
@@ -156,11 +156,11 @@ def _on_floor(figure: Figure, qpos: Array, *, lowers: bool) -> Array:
     return out
 
 
-def _rounded(value: Any) -> Any:
+def _round(value: Any) -> Any:
     if isinstance(value, dict):
-        return {key: (entry if key == "rotvec" else _rounded(entry)) for key, entry in value.items()}
+        return {key: (entry if key == "rotvec" else _round(entry)) for key, entry in value.items()}
     if isinstance(value, list | tuple):
-        return [_rounded(entry) for entry in value]
+        return [_round(entry) for entry in value]
     return _short(value) if isinstance(value, float) else value
 
 
@@ -187,7 +187,7 @@ def _comment(notes: Sequence[str]) -> str:
     return "\n".join(f"# {line}" for note in notes for line in textwrap.wrap(f"NOTE: {note}", WIDE))
 
 
-def _named(figure: Figure, qpos: Array, soles: Sequence[Point]) -> str:
+def _name_lines(figure: Figure, qpos: Array, soles: Sequence[Point]) -> str:
     model = figure.model
     lines = ["# Joints, by their keys in keyframes:"]
     for link in figure.links[1:]:
@@ -201,11 +201,11 @@ def _named(figure: Figure, qpos: Array, soles: Sequence[Point]) -> str:
         [c.name for c in couplings(figure)],
     )
     lines += [f"# {ALL_COUNT}"] if counts_all(model) else []
-    lines += _placed(figure, qpos, soles)
+    lines += _place_lines(figure, qpos, soles)
     return "\n".join(lines)
 
 
-def _placed(figure: Figure, qpos: Array, soles: Sequence[Point]) -> list[str]:
+def _place_lines(figure: Figure, qpos: Array, soles: Sequence[Point]) -> list[str]:
     """Return comments with the positions of feet, sites and ends of other limbs in a pose (nq,)."""
     places = Places(figure, soles)
     names = [*(point.name for point in soles), *posable_sites(figure.model)]

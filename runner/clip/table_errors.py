@@ -50,7 +50,7 @@ def describe(
     first = next((c for kind in telling for c in complaints if c["type"] == kind), complaints[0])
     kind = first["type"]
     location = (*inside, *first["loc"])
-    names, words, actual, around, expected = _walked(location, raw, schema, len(inside), has_key=kind != "missing")
+    names, words, actual, around, expected = _walk(location, raw, schema, len(inside), has_key=kind != "missing")
     where = "".join(f"{word}: " for word in words)
     key = ".".join(names)
     if kind == "extra_forbidden":
@@ -67,7 +67,7 @@ def describe(
             limit = next(iter(first.get("ctx", {}).values()))
             return f"{where}{key} must be {bound} {limit:g}, not {actual}"
     plain = "a table" if kind.endswith(("model_type", "dict_type")) else first["msg"].removeprefix("Input should be ")
-    return f"{where}{key + ' ' if key else ''}must be {expected or plain}, not {_shown(actual)}"
+    return f"{where}{key + ' ' if key else ''}must be {expected or plain}, not {_show(actual)}"
 
 
 def describe_toml(error: ValueError, text: str, schema: type[Table]) -> str:
@@ -81,7 +81,7 @@ def describe_toml(error: ValueError, text: str, schema: type[Table]) -> str:
     lines = text.replace("\r\n", "\n").split("\n")
     number, column = (int(match[1]), int(match[2])) if match else (len(lines), 1)
     if words.startswith(TWICE) and (header := re.fullmatch(r"\s*\[+\s*([\w.]+)\s*\]+\s*(#.*)?", lines[number - 1])):
-        return _repeated(lines, number, header[1], schema)
+        return _twice(lines, number, header[1], schema)
     line, at = lines[number - 1].strip(), lines[number - 1][column - 1 :].strip()
     shown = line if len(line) <= LONGEST_LINE else f"{line[: LONGEST_LINE - 3]}..."
     remedy = ""
@@ -93,7 +93,7 @@ def describe_toml(error: ValueError, text: str, schema: type[Table]) -> str:
     return f"line {number}: '{shown}' is not valid TOML: {words[:1].lower()}{words[1:]}{remedy}"
 
 
-def _repeated(lines: list[str], number: int, name: str, schema: type[Table]) -> str:
+def _twice(lines: list[str], number: int, name: str, schema: type[Table]) -> str:
     """Return a line on a table that is given twice, the second time in line `number`."""
     kind: Any = schema
     for part in name.split("."):
@@ -104,7 +104,7 @@ def _repeated(lines: list[str], number: int, name: str, schema: type[Table]) -> 
     return f"line {next(single, number)}: [{name}] is a single table, and there are several; write [[{name}]]"
 
 
-def _walked(
+def _walk(
     location: tuple[int | str, ...], raw: object, schema: type[Table], start: int, *, has_key: bool
 ) -> tuple[list[str], list[str], object, Any, str]:
     """Return the keys of an error's location in the file, the labels of numbered tables around it, the value there,
@@ -134,7 +134,7 @@ def _walked(
             here = here.get(part, here)
             if i >= start:
                 around, kind = kind, _entry(kind, part)
-                expected = _expected(kind)
+                expected = _expectation(kind)
     return names, words, here, around, expected
 
 
@@ -167,16 +167,16 @@ def _keys(kind: Any) -> list[str]:
     return [field.alias or name for table in tables for name, field in table.model_fields.items()]
 
 
-def _expected(kind: Any) -> str:
+def _expectation(kind: Any) -> str:
     """Return the value that a type expects, in words; "" if they are pydantic's."""
     if get_origin(kind) is Annotated:
         expected = [entry for entry in kind.__metadata__ if isinstance(entry, str)]
-        return expected[-1] if expected else _expected(get_args(kind)[0])
+        return expected[-1] if expected else _expectation(get_args(kind)[0])
     options = get_args(kind) if get_origin(kind) in (Union, UnionType) else ()
-    return next(filter(None, map(_expected, options)), "")
+    return next(filter(None, map(_expectation, options)), "")
 
 
-def _shown(value: object) -> str:
+def _show(value: object) -> str:
     if isinstance(value, dict):
         return "a table"
     if isinstance(value, bool):

@@ -156,11 +156,11 @@ def retimed_tables(clip: ClipTable, speed: float) -> ClipTable:
         keyframe=[row.changed(time=later(row.time)) for row in clip.keyframe],
         contact=[row.changed(start=later(row.start), end=later(row.end)) for row in clip.contact],
         grasp=[row.changed(start=later(row.start), end=later(row.end)) for row in clip.grasp],
-        penalty=[_paced(row, later, speed) for row in clip.penalty],
+        penalty=[_pace(row, later, speed) for row in clip.penalty],
     )
 
 
-def _paced(penalty: PenaltyTable, later: Callable[[float], float], speed: float) -> PenaltyTable:
+def _pace(penalty: PenaltyTable, later: Callable[[float], float], speed: float) -> PenaltyTable:
     options = dict(penalty.options)
     if options.get("intervals"):
         options["intervals"] = [[later(first), later(last)] for first, last in options["intervals"]]

@@ -209,7 +209,7 @@ def recording(
     available = readers()
     if kind is not None and kind not in available:
         raise UserError(_write_only(kind) if kind in writers() else unknown("format", kind, available))
-    form = available[kind] if kind is not None else _recognised(source)
+    form = available[kind] if kind is not None else _recognise(source)
     size_limit.check_file(source)
     if scale is not None and form.name != "bvh":
         raise UserError(f"{source}: lengths of the format '{form.name}' are metres; --scale does not apply")
@@ -226,7 +226,7 @@ def _write_only(name: str) -> str:
     return f"the format '{name}' is only written; read are: {', '.join(readers())}"
 
 
-def _recognised(source: Path) -> Format:
+def _recognise(source: Path) -> Format:
     """Return the format of a file by its complete extension, or by its content where several share an extension.
 
     Raises UserError for a file that none or several recognise, and for tables and arrays without names.

@@ -72,7 +72,7 @@ def read_recording(
         spec = record.scene.spec()
         model = compiled(spec, source)
     assert spec is not None and model is not None, "a reader returns a figure or requires one"
-    qpos, notes = _unwrapped(model, record.time, record.qpos)
+    qpos, notes = _unwrap(model, record.time, record.qpos)
     for note in (*record.notes, *notes):
         progress.report(f"note: {note}")
     step = gaps.median_step(record.time)
@@ -103,7 +103,7 @@ def import_recording(
     return unsolved(clip).motion
 
 
-def _unwrapped(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, tuple[str, ...]]:
+def _unwrap(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, tuple[str, ...]]:
     """Return qpos (T, nq) in which hinges without limits, whose angles wrap at ±180°, are continuous, and a note."""
     out, names, first = qpos, [], np.inf
     if qpos.shape[1] != model.nq:  # reported where the keyframes are made

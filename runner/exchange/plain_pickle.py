@@ -184,7 +184,7 @@ class _Unpickler(InPython):
         self.append(bytearray(self.read(int.from_bytes(self.read(8), "little"))))
 
 
-def _checked(name: str) -> tuple[int, Callable[[_Unpickler], None]]:
+def _check(name: str) -> tuple[int, Callable[[_Unpickler], None]]:
     code = getattr(pickle, name)[0]
     overrides = {"BUILD": _Unpickler.load_build, "BYTEARRAY8": _Unpickler.load_bytearray8}
     run = overrides.get(name) or InPython.dispatch[pickle.REDUCE[0] if name == "NEWOBJ" else code]
@@ -197,15 +197,15 @@ def _checked(name: str) -> tuple[int, Callable[[_Unpickler], None]]:
     return code, checked
 
 
-def _refused(name: str) -> Callable[[_Unpickler], None]:
+def _refuse(name: str) -> Callable[[_Unpickler], None]:
     def refuse(unpickler: _Unpickler) -> None:
         raise Refused(name)
 
     return refuse
 
 
-_Unpickler.dispatch = {ord(opcode.code): _refused(opcode.name) for opcode in pickletools.opcodes}
-_Unpickler.dispatch |= map(_checked, INSTRUCTIONS.split())
+_Unpickler.dispatch = {ord(opcode.code): _refuse(opcode.name) for opcode in pickletools.opcodes}
+_Unpickler.dispatch |= map(_check, INSTRUCTIONS.split())
 
 
 def load(source: Path) -> ArrayReader:

@@ -138,7 +138,7 @@ def images(
     shots = shots_of(saved, look) if shots is None else shots
     processes = max(1, min(workers, len(shots), len(shots) * look.width * look.height // PIXELS_OF_A_PROCESS))
     stage = partial(_stage, saved.scene, look, graphics, len(shots[0].poses))
-    for shot, image in zip(shots, in_order(stage, _drawn, shots, processes), strict=True):
+    for shot, image in zip(shots, in_order(stage, _draw, shots, processes), strict=True):
         for _ in range(shot.frames):
             yield image
 
@@ -152,7 +152,7 @@ def _stage(scene: Scene, look: Look, graphics: Graphics, panes: int) -> Stage:
     return Stage(scene, look.width // panes, look.height, graphics)
 
 
-def _drawn(stage: Stage, shot: Shot) -> Picture:
+def _draw(stage: Stage, shot: Shot) -> Picture:
     halves = []
     for qpos, title in shot.poses:
         picture = caption(stage.picture(qpos, shot.view, ghosts=shot.ghosts), title)

@@ -117,12 +117,12 @@ def roles(names: Sequence[str], parents: Sequence[int]) -> dict[str, int]:
             fitting = [i for i, (s, word) in enumerate(parts) if s == side and word in words]
             general = [i for i, part in enumerate(parts) if part[0] == side and role in EITHER.get(part[1], ())]
             at_ends = on[role].isdisjoint(fitting) and not on[role].isdisjoint(general)
-            _first(by_role, f"{side}_{role}", [] if at_ends else _preferred(fitting, on[role]))
+            _first(by_role, f"{side}_{role}", [] if at_ends else _prefer(fitting, on[role]))
         for word, choices in EITHER.items():
             same = [i for i, part in enumerate(parts) if part == (side, word)]
             for role in choices:
                 if f"{side}_{role}" not in by_role and _fits(by_role, side, role, word, same, parents):
-                    _first(by_role, f"{side}_{role}", _preferred(same, on[role]))
+                    _first(by_role, f"{side}_{role}", _prefer(same, on[role]))
                     break
     for role, words in MIDDLE.items():
         _first(by_role, role, [i for i, (side, word) in enumerate(parts) if side is None and word in words])
@@ -209,7 +209,7 @@ def _going_on(role: str, side: str, parts: Sequence[tuple[str | None, str]], par
     return {above for end in ends for above in lineage(end, parents)[1:]}
 
 
-def _preferred(fitting: list[int], on: set[int]) -> list[int]:
+def _prefer(fitting: list[int], on: set[int]) -> list[int]:
     """Sort joints with a continuation of the limb first."""
     return sorted(fitting, key=lambda i: i not in on)
 

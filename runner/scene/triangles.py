@@ -204,10 +204,10 @@ def _lathe(radius: Array, height: Array, normal: Array, count: int) -> Triangles
     lower = np.stack([a, b, b + count], axis=-1)[(radius[:-1] > 0)]
     upper = np.stack([a, b + count, a + count], axis=-1)[(radius[1:] > 0)]
     faces = np.concatenate([lower.reshape(-1, 3), upper.reshape(-1, 3)])
-    return _used(Triangles(points.reshape(-1, 3), normals.reshape(-1, 3), faces.astype(np.uint32)))
+    return _drop_unused(Triangles(points.reshape(-1, 3), normals.reshape(-1, 3), faces.astype(np.uint32)))
 
 
-def _used(mesh: Triangles) -> Triangles:
+def _drop_unused(mesh: Triangles) -> Triangles:
     """Return the triangles without points that no face uses."""
     used, faces = np.unique(mesh.faces, return_inverse=True)
     return Triangles(mesh.points[used], mesh.normals[used], faces.reshape(-1, 3).astype(np.uint32))

@@ -136,7 +136,7 @@ class Gait:
         padded = np.concatenate([[-np.inf], gain, [-np.inf]])
         peaks = np.flatnonzero((gain >= padded[:-2]) & (gain > padded[2:]))
         peaks = peaks[np.argsort(-gain[peaks])][:TRIED]
-        return [self._rhythm(process, _refined(process, tried, gain, int(i))) for i in peaks]
+        return [self._rhythm(process, _refine(process, tried, gain, int(i))) for i in peaks]
 
     def _rhythm(self, process: PoseProcess, period: float) -> GaitCycle:
         gait_cycle = GaitCycle.of(process, period, *self._plain)
@@ -220,7 +220,7 @@ class Gait:
         return centres, heights(self.surfaces, centres, np.zeros(len(self.points)))[0]
 
 
-def _refined(process: PoseProcess, tried: Array, gain: Array, i: int) -> float:
+def _refine(process: PoseProcess, tried: Array, gain: Array, i: int) -> float:
     """Return the maximum of the parabola through the gains at a peak, over the logarithm of the period."""
     if i in (0, tried.size - 1):
         return float(tried[i])

@@ -32,7 +32,7 @@ def align_to_ground(recorded: Track, stances: Sequence[Contact], surfaces: Seque
     if not stances or not surfaces:
         return recorded
     for link in {one.point.link for one in stances}:
-        recorded = _levelled(recorded, [one for one in stances if one.point.link == link], link)
+        recorded = _level(recorded, [one for one in stances if one.point.link == link], link)
     points = _points(stances)
     places = _places(recorded, points)
     height, _ = height_over(surfaces, places, np.array([point.radius for point in points]))
@@ -51,7 +51,7 @@ def move_to_ground(recorded: Track, points: Sequence[Point], surfaces: Sequence[
     return recorded.moved([0, 0, lift]) if abs(lift) > Thresholds.of(recorded.figure).same_spot else recorded
 
 
-def _levelled(recorded: Track, stances: Sequence[Contact], link: int) -> Track:
+def _level(recorded: Track, stances: Sequence[Contact], link: int) -> Track:
     """Return the recording rotated at the link of a sole, so that the mean of it is level when all of it stands."""
     figure = recorded.figure
     columns = quaternion_columns(figure.links[link])

@@ -66,7 +66,7 @@ def infer_stances(
             usual = float(np.median(speeds[i, slice(*run)])) if smoothed else 0.0
             still = speeds[i] <= max(largest[i], min(usual, limits.fast))
             still &= _is_low(place, *run, noise, limits)
-            a, b = _trimmed(still, *run)
+            a, b = _trim(still, *run)
             if b - a > 1 and not _moves(tracks.times, place, a, b, noise, limits):
                 ground = ground_at(surfaces, place[:, a:b].mean(axis=1), point.radius, limits.edge)
                 first, last = float(tracks.times[a]), float(tracks.times[b - 1])
@@ -100,7 +100,7 @@ def _resting_runs(
     near, high = Runs(), Runs()
     for i, point_noise in enumerate(noise.tolist()):
         cuts = _cut(times, centres[:, i], height[i], moving[i], is_known, point_noise, limits)
-        runs = _joined(times, cuts, centres[:, i], point_noise, limits)
+        runs = _join(times, cuts, centres[:, i], point_noise, limits)
         planted_height = 0.0 if aligned else min((float(above[i, a:b].mean()) for a, b in runs), default=0.0)
         flat = np.quantile(np.concatenate([tilt[i, a:b] for a, b in runs]), FLATTEST) if runs else 0.0
         unsure = SURE * REMAINS * point_noise
@@ -202,7 +202,7 @@ def _cut(
     return runs[::-1]
 
 
-def _joined(
+def _join(
     times: Array, runs: list[tuple[int, int]], place: Array, noise: float, limits: Thresholds
 ) -> list[tuple[int, int]]:
     """Merge consecutive runs with the same mean position."""
@@ -218,7 +218,7 @@ def _joined(
     return out
 
 
-def _trimmed(still: Mask, first: int, last: int) -> tuple[int, int]:
+def _trim(still: Mask, first: int, last: int) -> tuple[int, int]:
     """Remove samples at both ends of a run at which the point is not still (T,)."""
     rests = first + np.flatnonzero(still[first:last])
     return (int(rests[0]), int(rests[-1]) + 1) if rests.size else (first, first)

@@ -96,11 +96,11 @@ class Thresholds:
     @classmethod
     def of(cls, figure: Figure) -> Thresholds:
         """Return the thresholds of a figure."""
-        return _scaled(Size.of(figure))
+        return _scale(Size.of(figure))
 
 
 @lru_cache(maxsize=64)
-def _scaled(size: Size) -> Thresholds:
+def _scale(size: Size) -> Thresholds:
     scaled: dict[str, Any] = {}
     for each in fields(Thresholds):
         scale = size.length ** each.metadata.get("length", 0) * size.time ** each.metadata.get("time", 0)

@@ -37,7 +37,7 @@ def close_loop(
     first, last = (_unit(figure, frame) for frame in (keys[0], keys[-1]))
     headings = _headings(figure, first, last, turn)
     seam = Seam.turned(figure, first.state, last.state, headings, "joint")
-    seam = replace(seam, shift=_shift(figure, first, last, seam, _travelled(figure, first, last, travel)))
+    seam = replace(seam, shift=_shift(figure, first, last, seam, _travel(figure, first, last, travel)))
     fixed, is_known = first.fixed | last.fixed, first.known | last.known
     from_first = first.fixed | (first.known & ~last.fixed)
     for x, heading in zip(figure.tables.position_columns[0], headings, strict=True):
@@ -84,7 +84,7 @@ def _headings(figure: Figure, first: Frame, last: Frame, turn: float | None) -> 
     return headings
 
 
-def _travelled(figure: Figure, first: Frame, last: Frame, travel: ArrayLike | None) -> Array:
+def _travel(figure: Figure, first: Frame, last: Frame, travel: ArrayLike | None) -> Array:
     """Return the displacement (3, f) [m] of each root from its first position to its last. Roots after the first have
     that of the first, as carried objects do, if their positions in both keyframes are closer to it than to none."""
     roots = figure.tables.position_columns

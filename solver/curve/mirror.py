@@ -119,14 +119,14 @@ class Mirror:
 
     def key(self, key: Frame) -> Frame:
         """Return a mirrored keyframe, which holds a configuration; masks are mirrored as well."""
-        return self._moved(key, self.configurations(key.state))
+        return self._move(key, self.configurations(key.state))
 
     def timeline(self, timeline: Timeline) -> Timeline:
         """Return the timeline of the mirrored motion, whose frames hold states."""
-        frames = tuple(self._moved(frame, self.states(frame.state)) for frame in timeline.frames)
+        frames = tuple(self._move(frame, self.states(frame.state)) for frame in timeline.frames)
         return Timeline(frames, self.slopes(timeline.end_slope), timeline.ends)
 
-    def _moved(self, frame: Frame, state: Array) -> Frame:
+    def _move(self, frame: Frame, state: Array) -> Frame:
         source = self.of_qpos.source
         return Frame(frame.time, state, frame.fixed[source], None if frame.posed is None else frame.posed[source])
 

@@ -193,11 +193,11 @@ class Track:
 
     def _likeliest(self, columns: Index, weight: Array) -> tuple[Array, float]:
         """Return the most likely curve (T, k), and its liveliness A."""
-        fitted = [(*self._fitted(columns, weight, float(prior)), float(prior)) for prior in LIVELINESS]
+        fitted = [(*self._fit(columns, weight, float(prior)), float(prior)) for prior in LIVELINESS]
         smooth, _, prior = max(fitted, key=lambda found: found[1])
         return smooth, prior
 
-    def _fitted(self, columns: Index, weight: Array, prior: float) -> tuple[Array, float]:
+    def _fit(self, columns: Index, weight: Array, prior: float) -> tuple[Array, float]:
         """Return the curve (T, k) that minimises Σ weight (d − z)² + ∫ z''² / A, and the log-likelihood of A."""
         count = self.times.size
         if count < 3:

@@ -89,7 +89,7 @@ class Seam:
     def linear(self, values: Array, periods: ArrayLike = 1) -> Array:
         """Return Aᵏ y for values y (..., N) and whole numbers k of periods (...)."""
         k = np.asarray(periods)[..., None]
-        return self.signs**k * self._rotated(values, k * self.angles)
+        return self.signs**k * self._rotate(values, k * self.angles)
 
     def moved(self, states: Array, periods: ArrayLike = 1) -> Array:
         """Return states (..., N) after k periods (...): Aᵏ y + (1 + A + … + Aᵏ⁻¹) shift."""
@@ -97,9 +97,9 @@ class Seam:
         half = self.angles / 2
         steep = half != 0
         length = np.where(steep, np.sin(k * half) / np.where(steep, np.sin(half), 1.0), k)
-        return self.linear(states, periods) + length * self._rotated(self.shift, (k - 1) * half)
+        return self.linear(states, periods) + length * self._rotate(self.shift, (k - 1) * half)
 
-    def _rotated(self, values: Array, angles: Array) -> Array:
+    def _rotate(self, values: Array, angles: Array) -> Array:
         return np.cos(angles) * values + np.sin(angles) * values[..., self.partners]
 
     def matrix(self) -> Array:

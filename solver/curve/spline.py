@@ -54,9 +54,9 @@ class Spline:
         count = self.times.size
         # the row in which each coefficient is the middle one; with it, the collocation matrix is tridiagonal
         self.order = np.concatenate([[0, count], np.arange(1, count - 1), [count + 1, count - 1]])
-        self._collocation = self._closed() if ends == "periodic" else Tridiagonal(*self.collocation)
+        self._collocation = self._close() if ends == "periodic" else Tridiagonal(*self.collocation)
 
-    def _closed(self) -> SuperLU:
+    def _close(self) -> SuperLU:
         from scipy.sparse.linalg import splu  # imported here: slow to load, used by loops alone
 
         first, last = self.times[[0, -1]]

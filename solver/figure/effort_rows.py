@@ -178,20 +178,20 @@ class _Links:
     def by_turns(self, sets: Array) -> Array:
         """Return the changes of sets of links (n, L) by rotations φ about the origin."""
         out = self._empty(len(sets))
-        first = _summed(sets, self.first)
+        first = _sum(sets, self.first)
         _add_force(out, first)
         if self.has_moment:
-            out[0, :, 3:] = _crossed(_summed(sets, self._moment)) + _across(first[0], self.gravity)
+            out[0, :, 3:] = _cross(_sum(sets, self._moment)) + _across(first[0], self.gravity)
             if self._pushed is not None:
-                out[0, :, 3:] += _summed(sets, self._pushed)
-            out[1, :, 3:] = _summed(sets, self._inertia_d) + _crossed(_summed(sets, self._spin))
-            out[2, :, 3:] = _summed(sets, self._inertia)
+                out[0, :, 3:] += _sum(sets, self._pushed)
+            out[1, :, 3:] = _sum(sets, self._inertia_d) + _cross(_sum(sets, self._spin))
+            out[2, :, 3:] = _sum(sets, self._inertia)
         return out
 
     def by_turned_shifts(self, sets: Array, s: Array) -> Array:
         """Return the changes of sets of links (n, L) by shifts φ × s, with s and two derivatives (3, 3, n, S)."""
         out = self._empty(len(sets))
-        mass, first, force = sets @ self.mass, _summed(sets, self.first[0]), _summed(sets, self.internal_force)
+        mass, first, force = sets @ self.mass, _sum(sets, self.first[0]), _sum(sets, self.internal_force)
         _add_force(out, mass * s)
         if self.has_moment:
             for order, factor in enumerate(PRODUCT):
@@ -204,8 +204,8 @@ class _Links:
         out = self._empty(len(sets))
         out[2, range(3), range(3)] = sets @ self.mass
         if self.has_moment:
-            out[0, :, 3:] = _crossed(_summed(sets, self.internal_force))
-            out[2, :, 3:] = -_crossed(_summed(sets, self.first[0]))
+            out[0, :, 3:] = _cross(_sum(sets, self.internal_force))
+            out[2, :, 3:] = -_cross(_sum(sets, self.first[0]))
         return out
 
     def to_place(self, change: Array, place: Array) -> None:
@@ -224,7 +224,7 @@ class _Links:
         """Return the same for shifts ψ."""
         change, mass, lever = self._empty(joint.size), *self._levers(joint)
         change[2, range(3), range(3)] = mass
-        change[2, :, 3:] = -_crossed(lever)
+        change[2, :, 3:] = -_cross(lever)
         return change
 
     def _levers(self, joint: Index) -> tuple[Array, Array]:
@@ -329,7 +329,7 @@ def _anchors(motion: LinkMotion) -> Array:
     return places
 
 
-def _summed(sets: Array, part: Array) -> Array:
+def _sum(sets: Array, part: Array) -> Array:
     """Return sums over sets of links (n, L): (..., L, S) -> (..., n, S)."""
     if np.all(sets.sum(axis=1) == 1):
         return part[..., np.argmax(sets, axis=1), :]
@@ -339,10 +339,10 @@ def _summed(sets: Array, part: Array) -> Array:
 def _add_force(change: Array, first: Array) -> None:
     """Add δF = (φ × p)'' to changes, with p and two derivatives (3, 3, n, S)."""
     for order, factor in enumerate(PRODUCT):
-        change[order, :, :3] += factor * _crossed(first[2 - order])
+        change[order, :, :3] += factor * _cross(first[2 - order])
 
 
-def _crossed(v: Array) -> Array:
+def _cross(v: Array) -> Array:
     """Return φ × v by components of φ and of the product: (3, n, S) -> (3, 3, n, S)."""
     out, (x, y, z) = np.zeros((3, *v.shape)), v
     out[1, 0], out[2, 1], out[0, 2] = z, x, y

@@ -273,7 +273,7 @@ class LinkMotion:
         value = self.states.columns(tables.slide_columns, order)
         return value - tables.reference[tables.slide_links][:, None] if order == 0 else value
 
-    def _summed(self, steps: Array, order: int) -> Array:
+    def _sum(self, steps: Array, order: int) -> Array:
         """Return sums along the chains from the root, including the free roots' positions."""
         tables = self.figure.tables
         if tables.free_links.size:
@@ -286,7 +286,7 @@ class LinkMotion:
         slides = self.figure.tables.slide_links
         if slides.size:
             steps[:, slides] += self.slide(0) * self.slide_axis
-        return self._summed(steps, 0)
+        return self._sum(steps, 0)
 
     @cached_property
     def x_d(self) -> Array:
@@ -297,7 +297,7 @@ class LinkMotion:
         if slides.size:
             e = self.slide_axis
             steps[:, slides] += self.slide(1) * e + self.slide(0) * cross(self.omega[:, slides], e)
-        return self._summed(steps, 1)
+        return self._sum(steps, 1)
 
     @cached_property
     def x_dd(self) -> Array:
@@ -310,7 +310,7 @@ class LinkMotion:
             steps[:, slides] += (
                 self.slide(2) * e + 2 * self.slide(1) * cross(omega, e) + self.slide(0) * applied(swing, e)
             )
-        return self._summed(steps, 2)
+        return self._sum(steps, 2)
 
 
 # C = A ⊗ c and two derivatives are sums of products of these derivatives of A and of c

@@ -27,7 +27,7 @@ def names_of_joints(model_names: Sequence[str], bodies: Sequence[tuple[str, int]
         model_names: The joints' names in the model, "" for none.
         bodies: Each body's name and number of joints, in order.
     """
-    return _completed(model_names, bodies, "_", "joint")
+    return _complete(model_names, bodies, "_", "joint")
 
 
 def geom_name(model: mujoco.MjModel, geom: int) -> str:
@@ -42,10 +42,10 @@ def geom_name(model: mujoco.MjModel, geom: int) -> str:
 @lru_cache(maxsize=8)
 def _geom_names(model: mujoco.MjModel) -> list[str]:
     bodies = [(model.body(i).name if i else "", int(model.body_geomnum[i])) for i in range(model.nbody)]
-    return _completed([model.geom(i).name for i in range(model.ngeom)], bodies, " ", "geom")
+    return _complete([model.geom(i).name for i in range(model.ngeom)], bodies, " ", "geom")
 
 
-def _completed(model_names: Sequence[str], bodies: Sequence[tuple[str, int]], separator: str, kind: str) -> list[str]:
+def _complete(model_names: Sequence[str], bodies: Sequence[tuple[str, int]], separator: str, kind: str) -> list[str]:
     """Return unique names of the joints or geoms of bodies; a separator precedes their numbers."""
     names, used, first = list(model_names), set(model_names), 0
     for called, count in bodies:

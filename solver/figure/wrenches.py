@@ -249,12 +249,12 @@ def _chains(figure: Figure) -> _Chains:
     tables, path = figure.tables, figure.tables.path > 0
     in_world = tables.quaternion_links[tables.in_world[tables.quaternion_links]]
     kinds = tables.free_links, tables.slide_links, tables.hinge_links, in_world, relatives(figure)
-    free, slides, hinges, world, relative = (_padded(path, links) for links in kinds)
+    free, slides, hinges, world, relative = (_pad(path, links) for links in kinds)
     after = followers(figure)[np.arange(len(path)), world]
     return _Chains(free, slides, hinges, world, after, relative)
 
 
-def _padded(path: Mask, links: Index) -> Index:
+def _pad(path: Mask, links: Index) -> Index:
     """Return those of some links that are on the chain to every link, (depth, L)."""
     chains = [links[path[link, links]] for link in range(len(path))]
     out = np.zeros((max(chain.size for chain in chains), len(path)), np.intp)

@@ -172,7 +172,7 @@ class Bends:
         turned = np.einsum("nij,nbi->bnj", quat.matrices(qpos[self.columns]), parent)  # in the child's frame
         (x, z, y), (a, b, q) = np.einsum("bnj,cnj->cbn", turned, child)
         # derivatives with respect to rotations about the child's axes, (6, k, 3): dx, dz, dy, da, db, dq
-        slopes = _crossed(child[:, None], turned).reshape(6, x.size, 3)
+        slopes = _cross(child[:, None], turned).reshape(6, x.size, 3)
         planar = np.maximum(np.hypot(x, z), ALONG)
         p = (x * b - z * a) / planar
         both = np.maximum(p**2 + q**2, FLAT)
@@ -195,6 +195,6 @@ class Bends:
         return bent(self.figure, self.limits.joints, q)
 
 
-def _crossed(a: Array, b: Array) -> Array:
+def _cross(a: Array, b: Array) -> Array:
     """Return a × b, (..., 3)."""
     return a[..., [1, 2, 0]] * b[..., [2, 0, 1]] - a[..., [2, 0, 1]] * b[..., [1, 2, 0]]

@@ -64,10 +64,10 @@ def _known(
     goal_key = reached(figure, goals)
     home, free = np.where(goal_key, home, figure.model.qpos0), free & goal_key
     key = cache_key((figure.digest, home, free, goals, bends, starts, preferred))
-    return _poses.get(key, lambda: _posed(PoseSearch(figure, home, free, goals, bends, preferred=preferred), starts))
+    return _poses.get(key, lambda: _pose(PoseSearch(figure, home, free, goals, bends, preferred=preferred), starts))
 
 
-def _posed(search: PoseSearch, starts: int) -> Posed:
+def _pose(search: PoseSearch, starts: int) -> Posed:
     """Return the pose for goals that share free joints."""
     best = search.result(search.home)
     if best.is_met or not search.dofs.size:

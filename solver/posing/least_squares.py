@@ -96,7 +96,7 @@ class LeastSquares:
         """Return a step (n,) from a pose with these residuals."""
         active, step = here.active(here.values), np.zeros(self.weights.size)
         for _ in range(ACTIVE_SETS):
-            step = self._solved(here.rows[active], here.values[active], damping)
+            step = self._solve(here.rows[active], here.values[active], damping)
             step *= min(1.0, self.longest / max(float(np.abs(step).max(initial=0.0)), TINY))
             predicted = here.active(here.values + here.rows @ step)
             if np.array_equal(predicted, active):
@@ -104,7 +104,7 @@ class LeastSquares:
             active = predicted
         return step
 
-    def _solved(self, rows: Array, values: Array, damping: float) -> Array:
+    def _solve(self, rows: Array, values: Array, damping: float) -> Array:
         """Return the step (n,) that minimises |values + rows · step|² + damping |weights · step|²."""
         squares = damping * self.weights**2
         if np.abs(rows).max(initial=0.0) <= SQUARED * self.weights.min(initial=np.inf):

@@ -48,7 +48,7 @@ Spheres = tuple[Array, Array]
 @cached_by_content(16)  # editing a clip needs them repeatedly
 def covering_points(figure: Figure) -> tuple[Point, ...]:
     """Return spheres that fill the solid geoms of the figure's links, without those inside others of their link."""
-    return _filled(figure, movers(figure.model))
+    return _fill(figure, movers(figure.model))
 
 
 @cached_by_content(16)
@@ -59,8 +59,8 @@ def wide_points(figure: Figure) -> tuple[Point, ...]:
     """
     length = Size.of(figure).length
     sizes = {geom: _face_size(figure.model, geom) / length for geom in movers(figure.model)}
-    wide = _filled(figure, [geom for geom, size in sizes.items() if size > WIDE])
-    small = _filled(figure, [geom for geom, size in sizes.items() if NARROW < size <= WIDE], STEP_GAP)
+    wide = _fill(figure, [geom for geom, size in sizes.items() if size > WIDE])
+    small = _fill(figure, [geom for geom, size in sizes.items() if NARROW < size <= WIDE], STEP_GAP)
     return (*wide, *(point for point in small if point.radius >= THIN * length))
 
 
@@ -78,7 +78,7 @@ def _face_size(model: mujoco.MjModel, geom: int) -> float:
     return float(np.sort(extents)[1:].sum())
 
 
-def _filled(figure: Figure, geoms: Sequence[int], gap: float = GAP) -> tuple[Point, ...]:
+def _fill(figure: Figure, geoms: Sequence[int], gap: float = GAP) -> tuple[Point, ...]:
     """Return spheres that fill geoms, without those inside others of their link."""
     model = figure.model
     out: list[Point] = []

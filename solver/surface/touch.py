@@ -48,7 +48,7 @@ def _on_mocap(model: mujoco.MjModel) -> Mask:
     return np.asarray(model.body_mocapid[model.body_weldid[model.geom_bodyid]] >= 0)
 
 
-def _attached(model: mujoco.MjModel) -> Mask:
+def _attach(model: mujoco.MjModel) -> Mask:
     """Return which geoms are of bodies that an equality constraint connects or welds to another body, (ngeom,)."""
     attached = np.zeros(model.nbody, bool)
     for kind in (mujoco.mjtEq.mjEQ_CONNECT, mujoco.mjtEq.mjEQ_WELD):
@@ -79,7 +79,7 @@ def movers(model: mujoco.MjModel) -> list[int]:
 
 def solids(model: mujoco.MjModel) -> list[int]:
     """Return the static geoms that count."""
-    still = ~moves(model) & ~(_on_mocap(model) & (~collides(model) | _attached(model)))
+    still = ~moves(model) & ~(_on_mocap(model) & (~collides(model) | _attach(model)))
     if counts_all(model):
         return np.flatnonzero(still).tolist()
     ground = (model.geom_type == int(mujoco.mjtGeom.mjGEOM_PLANE)) & (model.geom_bodyid == 0)

@@ -101,7 +101,7 @@ class Grounding:
                 drops = self._drops(centres[..., k], radii, beyond)
                 there = self._shallowest(centres[..., k], radii, [*drops, down])
                 stay, down = (None, down) if there is None or there is down else (stay, there)
-            moved[k] = self._placed(key, timeline.states[k], down, is_across=stay is not None)
+            moved[k] = self._place(key, timeline.states[k], down, is_across=stay is not None)
         return moved
 
     @property
@@ -170,11 +170,11 @@ class Grounding:
         all."""
         for start in starts:
             for count in (len(self.soles), radii.size):
-                moved = self._dropped(centres[:, :count], radii[:count], start)
+                moved = self._drop(centres[:, :count], radii[:count], start)
                 if moved is not None:
                     yield moved
 
-    def _dropped(self, centres: Array, radii: Array, by: Array) -> Array | None:
+    def _drop(self, centres: Array, radii: Array, by: Array) -> Array | None:
         """Return the displacement for one start, onto the ground below all spheres; None without ground."""
         by = np.array(by)
         for _ in range(30):  # a few suffice unless surfaces are steep
@@ -211,7 +211,7 @@ class Grounding:
         spread = float(np.linalg.norm(away - mean[:, None], axis=0).max())
         return np.array([*mean, 0.0]) if spread < self._limits.same_spot else None
 
-    def _placed(self, key: Frame, there: Array, by: Array, *, is_across: bool) -> Frame:
+    def _place(self, key: Frame, there: Array, by: Array, *, is_across: bool) -> Frame:
         """Return a keyframe with the root moved from a state (N,) by (3,) [m] along z, or all unspecified axes."""
         state, posed = np.array(key.state), np.zeros(key.fixed.shape, bool) if key.posed is None else key.posed.copy()
         posed[self._columns] |= np.array([is_across, is_across, True]) & ~key.fixed[self._columns]

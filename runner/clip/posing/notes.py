@@ -178,12 +178,12 @@ def _rotations(figure: Figure, row: KeyframeTable) -> dict[str, tuple[int | None
         if name in named and isinstance(value, RotationTable):
             out[f"joints.{name}"] = named[name], value
     for name, table in row.bodies.items():
-        if _written(table) is not None:
+        if _notation(table) is not None:
             out[f"bodies.{name}"] = None, table
     return out
 
 
-def _written(table: RotationTable) -> tuple[str, Array] | None:
+def _notation(table: RotationTable) -> tuple[str, Array] | None:
     """Return the notation of a rotation, and its angles [degrees]; None for a quaternion, which has no whole turns."""
     if table.heading is not None and {"rotvec", "euler", "quat"}.isdisjoint(table.model_fields_set):
         return "heading", np.array([table.heading])
@@ -200,7 +200,7 @@ def _lost(figure: Figure, name: str, rows: Sequence[KeyframeTable], keys: Timeli
     last: tuple[int, str | None, Array] | None = None  # no notation at rest, which matches all
     for k, row in enumerate(rows):
         link, table = _rotations(figure, row).get(name, (None, None))
-        written = None if table is None else _written(table)
+        written = None if table is None else _notation(table)
         if table is None:
             if row.others == "rest":
                 last = (k, None, np.zeros(1))

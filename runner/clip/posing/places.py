@@ -170,7 +170,7 @@ def sole_points(figure: Figure, qpos: Array) -> tuple[Point, ...]:
     """Return the points on which feet stand; qpos (K, nq) are poses other than the rest pose in which it may stand."""
     names = posable_sites(figure.model)  # no points of the muscles that bend toes
     named = site_points(figure, [name for name in names if any(word in name.lower() for word in SOLES)])
-    named = tuple(_grown(figure, point) for point in named if point.link)
+    named = tuple(_grow(figure, point) for point in named if point.link)
     rest = figure.model.qpos0[None]
     if named and (_near_ground(figure, named, rest) or _near_ground(figure, named, qpos)):
         return named
@@ -205,7 +205,7 @@ def _near_ground(figure: Figure, points: Sequence[Point], qpos: Array) -> bool:
     return bool(np.any(low[: len(points)] <= ground + share * tall))
 
 
-def _grown(figure: Figure, point: Point) -> Point:
+def _grow(figure: Figure, point: Point) -> Point:
     """Return a site in the middle of a sphere of its link with that radius, as it marks a foot; others unchanged."""
     for (centre, _), radius in _round(figure, point.link, ROUND[:1]):
         if np.linalg.norm(point.position - centre) < 0.5 * radius:
@@ -308,7 +308,7 @@ def _corners(figure: Figure, points: Sequence[Point], some: Index, places: Array
     angle = np.pi * (0.25 + 0.5 * np.arange(4)) + 0.05
     reach = places[:2, some].T @ np.array([np.cos(angle), np.sin(angle)])
     corners = sorted({int(some[i]) for i in reach.argmax(axis=0)})
-    names = [_called(figure, points[i]) for i in corners]
+    names = [_foot_name(figure, points[i]) for i in corners]
     if len(corners) == 1:
         return [replace(points[corners[0]], name=names[0])]
     return [
@@ -317,7 +317,7 @@ def _corners(figure: Figure, points: Sequence[Point], some: Index, places: Array
     ]
 
 
-def _called(figure: Figure, point: Point) -> str:
+def _foot_name(figure: Figure, point: Point) -> str:
     """Return a foot's name: that of its geom, body or joint."""
     model, kinds = figure.model, mujoco.mjtObj
     if mujoco.mj_name2id(model, int(kinds.mjOBJ_GEOM), point.name) >= 0:

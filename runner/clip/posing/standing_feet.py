@@ -143,7 +143,7 @@ class Stander:
             return list(keys)
         count = len(keys) - (self.solve.ends == "periodic")  # the last keyframe of a loop is the first
         posed_keys = [
-            self._posed(keys[k], inferred, k, left) if k < count and not keys[k].is_key else keys[k]
+            self._pose(keys[k], inferred, k, left) if k < count and not keys[k].is_key else keys[k]
             for k in range(len(keys))
         ]
         grounding = Grounding.of(self.figure, inferred.soles, self.surfaces, self.aloft)
@@ -181,7 +181,7 @@ class Stander:
         tables = list(_during(self.contact_tables, *timeline.times[[0, -1]].tolist()))
         return _KnownPositions(schedule_of(self.figure, timeline, self.surfaces, self.where, tables, self.grasp_tables))
 
-    def _posed(self, key: Frame, known: _KnownPositions, k: int, left: Sequence[Contact]) -> Frame:
+    def _pose(self, key: Frame, known: _KnownPositions, k: int, left: Sequence[Contact]) -> Frame:
         """Return keyframe k posed for its feet and goals; feet that cannot keep their stance are released."""
         figure = self.figure
         frame = known.timeline.frames[k]
@@ -241,9 +241,9 @@ class _KnownPositions:
             self.points += () if any(point.coincides(other) for other in self.points) else (point,)
         self.at_keys = KeyframePoints.of(self.figure, self.timeline, self.points, schedule.surfaces)
         self.told = self.at_keys.is_known
-        self.times, self.centres, self.low = self._unrolled()
+        self.times, self.centres, self.low = self._unroll()
 
-    def _unrolled(self) -> tuple[Array, Array, Mask]:
+    def _unroll(self) -> tuple[Array, Array, Mask]:
         """Return times (T,), positions of the points (n, T, 3), and whether they are on a surface (n, T)."""
         times, centres = self.timeline.times, np.moveaxis(self.at_keys.centres, 0, 2)
         low = np.abs(self.at_keys.heights) < self.limits.near_surface

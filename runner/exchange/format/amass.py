@@ -56,7 +56,7 @@ COUNTS = (22, 24, 52, 55)  # joints of SMPL's body, SMPL, SMPL-H and SMPL-X
 HIGHEST, FASTEST = 10.0, 15.0  # [m], [m/s] median height and mean speed above which positions are not in metres
 
 
-def _mirrored(table: dict[str, tuple[float, float, float]]) -> dict[str, Array]:
+def _mirror(table: dict[str, tuple[float, float, float]]) -> dict[str, Array]:
     """Return a table with the right side added, whose x is opposite."""
     return {
         name: np.array(table[name] if name in table else table[f"left{name[5:]}"]) * [1 - 2 * (name not in table), 1, 1]
@@ -65,8 +65,8 @@ def _mirrored(table: dict[str, tuple[float, float, float]]) -> dict[str, Array]:
     }
 
 
-OFFSET = np.array([_mirrored(OFFSET_OF)[name] for name in NAMES])
-ENDS = {NAMES.index(name): end for name, end in _mirrored(END_OF).items()}
+OFFSET = np.array([_mirror(OFFSET_OF)[name] for name in NAMES])
+ENDS = {NAMES.index(name): end for name, end in _mirror(END_OF).items()}
 
 
 def recognises(path: Path) -> bool:

@@ -64,7 +64,7 @@ def skeleton(sampled: Sampled) -> Skeleton:
     tops = [body for body in bodies if model.body_weldid[model.body_parentid[body]] == 0]
     at_rest = hierarchy.rest(model)
     place = y_up(sampled.bodies.position)
-    turn = _turned(quat.product(sampled.bodies.rotation, quat.conjugate(at_rest.rotation)))
+    turn = _turn(quat.product(sampled.bodies.rotation, quat.conjugate(at_rest.rotation)))
     place_at_rest = y_up(at_rest.position[0])
     rows = ([0] if len(tops) > 1 else []) + bodies
     joints, columns = [], []
@@ -96,6 +96,6 @@ def y_up(vector: Array) -> Array:
     return np.roll(vector, -1, axis=-1)
 
 
-def _turned(q: Array) -> Array:
+def _turn(q: Array) -> Array:
     """Return rotations (..., 4) converted from z up to y up."""
     return np.concatenate([q[..., :1], y_up(q[..., 1:])], axis=-1)

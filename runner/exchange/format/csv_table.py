@@ -98,7 +98,7 @@ def _by_name(headings: Sequence[str], numbers: Array, wanted: set[str], path: Pa
     Raises UserError for unknown units, and for columns of one name with different numbers.
     """
     out: dict[str, Array] = {}
-    for heading, column in zip(map(_named, headings), numbers.T, strict=True):
+    for heading, column in zip(map(_name_of, headings), numbers.T, strict=True):
         name, unit = (heading, "") if heading in wanted else _with_unit(heading)
         if name not in wanted:
             continue
@@ -141,7 +141,7 @@ def _inert(name: str) -> str:
     return QUOTE + name if name.startswith(tuple(FORMULA + QUOTE)) else name
 
 
-def _named(cell: str) -> str:
+def _name_of(cell: str) -> str:
     """Return the name in a heading of `_inert`."""
     return cell[1:] if cell.startswith(QUOTE) and cell[1:].startswith(tuple(FORMULA + QUOTE)) else cell
 

@@ -119,13 +119,13 @@ def _meshes(document: _Document, model: mujoco.MjModel, names: list[str], reach:
             look = (*piece.colour.tolist(), piece.gloss, piece.picture)
             if look not in materials:
                 materials[look] = _material(document, model, piece)
-            alike.setdefault(materials[look], []).append(_placed(piece, triangles(model, piece, reach)))
+            alike.setdefault(materials[look], []).append(_place(piece, triangles(model, piece, reach)))
         primitives = [_primitive(document, joined(parts), look) for look, parts in alike.items()]
         meshes[body] = document.add("meshes", name=names[body], primitives=primitives)
     return meshes
 
 
-def _placed(piece: MeshPiece, part: Triangles) -> Triangles:
+def _place(piece: MeshPiece, part: Triangles) -> Triangles:
     """Transform from the geom's axes to its body's."""
     points = quat.rotated(piece.rotation, part.points) + piece.position
     return Triangles(points, quat.rotated(piece.rotation, part.normals), part.faces, part.texture)

@@ -80,7 +80,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     """
     model = needs_figure(model, path)
     arrays = read_npz(path)
-    declared = _declared(arrays, path)
+    declared = _count(arrays, path)
     names, kinds = arrays.texts("joint_names"), arrays.numbers("jnt_type", "joints").astype(int).tolist()
     fits = set(kinds) <= {JointKind.FREE, JointKind.SLIDE, JointKind.HINGE} and kinds.count(JointKind.FREE) == 1
     if len(kinds) != len(names) or not fits:
@@ -99,7 +99,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     return layouts.recording(model, path, time, qpos, bodies, scalar_last=False, fps=rate)
 
 
-def _declared(reader: ArrayReader, path: Path) -> int:
+def _count(reader: ArrayReader, path: Path) -> int:
     """Return the number of samples that the file declares; raises UserError for several motions."""
     splits = reader.numbers("split_points", "splits")
     if len(splits) > 2:

@@ -38,15 +38,15 @@ def write_keys(root: ElementTree.Element, sampled: Sampled, path: Path, control:
     keyframes = ElementTree.SubElement(root, "keyframe")
     stem = re.sub(r"\W+", "_", sampled.name) or "key"
     for i, time in enumerate(sampled.time.tolist()):
-        qpos, qvel = _written(sampled.qpos[i]), _written(sampled.qvel[i])
+        qpos, qvel = _text(sampled.qpos[i]), _text(sampled.qvel[i])
         key = ElementTree.SubElement(keyframes, "key", name=f"{stem}_{i}", time=repr(time), qpos=qpos, qvel=qvel)
         if control is not None:
-            key.set("ctrl", _written(control[i]))
+            key.set("ctrl", _text(control[i]))
     ElementTree.indent(root)
     ElementTree.ElementTree(root).write(path, encoding="unicode")
 
 
-def _written(row: Array) -> str:
+def _text(row: Array) -> str:
     return " ".join(map(repr, row.tolist()))
 
 

@@ -169,7 +169,7 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
     scale = _leg({role: _line_of(standing, role, standing.bracketed) for role in shared}) / leg
     qpos, columns = _at_root(standing, root, turns)
     qpos = followed(model, qpos, RecordedPoses(turns, list(_limbs(captured, standing, turns, scale))), columns)
-    qpos = _placed(captured, standing, root, qpos, scale)
+    qpos = _place(captured, standing, root, qpos, scale)
     qpos, lift = _on_ground(standing, root, qpos)
     notes = [*standing.notes, f"scaled by {scale:.3f}, the ratio of the legs"]
     notes += notes_on_lift(lift)
@@ -324,7 +324,7 @@ def _bone(captured: CapturedSkeleton, role: str) -> Array:
     return captured.at_zero[tip] + end - captured.at_zero[joint]
 
 
-def _seen(captured: CapturedSkeleton, role: str, vector: Array) -> Array:
+def _local(captured: CapturedSkeleton, role: str, vector: Array) -> Array:
     """Return the mean (3,) of world directions (T, 3) in a joint's axes."""
     return quat.rotated(quat.conjugate(captured.rotation[:, captured.roles[role]]), vector).mean(axis=0)
 
@@ -344,7 +344,7 @@ def _by_bends(captured: CapturedSkeleton, standing: _Standing, shared: list[str]
             up = (place[:, above] if above is not None else middle) - place[:, captured.roles[role]]
         else:
             up = place[:, above] - middle if above is not None else np.tile([0.0, 0, 1], (len(place), 1))
-        theirs = _frame(_seen(captured, role, across), _seen(captured, role, up))
+        theirs = _frame(_local(captured, role, across), _local(captured, role, up))
         mine = _frame(np.array([0.0, 1, 0]), np.array([0.0, 0, 1]))
         out[role], lateral[limb] = quat.from_matrix(theirs @ mine.T), across
     for side in SIDES:
@@ -360,7 +360,7 @@ def _by_bends(captured: CapturedSkeleton, standing: _Standing, shared: list[str]
             for role, direction in zip(pair, along, strict=True):
                 axis = bend if is_bent else lateral.get(upper, np.tile([0.0, 1, 0], (len(bend), 1)))
                 axis = axis - direction * np.sum(axis * direction, axis=1, keepdims=True)
-                theirs = _frame(_bone(captured, role), _seen(captured, role, axis))
+                theirs = _frame(_bone(captured, role), _local(captured, role, axis))
                 out[role] = quat.from_matrix(theirs @ _frame(standing.bone(role), np.array([0.0, 1, 0])).T)
         if f"{side}_foot" in shared and side in captured.feet:
             out[f"{side}_foot"] = _flat(captured, standing, side)
@@ -402,7 +402,7 @@ def _at_root(standing: _Standing, root: Root, turns: Mapping[int, Array]) -> tup
     return qpos, slice(start, start + 7)
 
 
-def _placed(captured: CapturedSkeleton, standing: _Standing, root: Root, qpos: Array, scale: float) -> Array:
+def _place(captured: CapturedSkeleton, standing: _Standing, root: Root, qpos: Array, scale: float) -> Array:
     """Return qpos with the middle of the hips at the captured one's, scaled about the world's origin."""
     model = standing.model
     hips = captured.position[:, [captured.start_of(f"{side}_thigh") for side in SIDES]].mean(axis=1)
@@ -411,7 +411,7 @@ def _placed(captured: CapturedSkeleton, standing: _Standing, root: Root, qpos: A
     offset = quat.rotated(quat.conjugate(standing.turn[pelvis]), middle - standing.at_zero[pelvis])
 
     places = [data.xpos[pelvis] + quat.rotated(data.xquat[pelvis], offset) for data in posed(model, qpos)]
-    return _shifted(model, root, qpos, scale * hips - np.array(places))
+    return _shift(model, root, qpos, scale * hips - np.array(places))
 
 
 def _on_ground(standing: _Standing, root: Root, qpos: Array) -> tuple[Array, float]:
@@ -426,7 +426,7 @@ def _on_ground(standing: _Standing, root: Root, qpos: Array) -> tuple[Array, flo
         centre, reach = boxes(model, data, feet)
         lowest.append((data.site_xpos[soles] if soles else centre - reach)[:, 2].min())
     lift = -float(np.percentile(lowest, LOWEST))
-    return _shifted(model, root, qpos, np.tile([0, 0, lift], (len(qpos), 1))), lift
+    return _shift(model, root, qpos, np.tile([0, 0, lift], (len(qpos), 1))), lift
 
 
 def notes_on_lift(lift: float) -> tuple[str, ...]:
@@ -435,7 +435,7 @@ def notes_on_lift(lift: float) -> tuple[str, ...]:
     return (f"{direction} by {abs(lift):.3f} m, so that feet meet the ground",) if abs(lift) > LEVEL else ()
 
 
-def _shifted(model: mujoco.MjModel, root: Root, qpos: Array, by: Array) -> Array:
+def _shift(model: mujoco.MjModel, root: Root, qpos: Array, by: Array) -> Array:
     """Return qpos (T, nq) with the root translated by vectors (T, 3) [m] in world axes."""
     out, start = qpos.copy(), int(model.jnt_qposadr[root.joint])
     out[:, start : start + 3] += by
