@@ -11,6 +11,8 @@ from gradients import clip, every_penalty, taylor_slope
 from random_models import TIMES, evenly
 from scipy.interpolate import CubicSpline
 
+from dynsplines.solver import objective as objectives
+from dynsplines.solver import penalty
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -22,24 +24,6 @@ from dynsplines.solver.figure.dynamics import Size
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.objective import (
-    LEAST_TYPICAL,
-    MOST_OF_TIME,
-    RUN,
-    SMALL_SHARE,
-    VIOLENT,
-    Objective,
-    segment_integrals,
-)
-from dynsplines.solver.penalty import (
-    Collision,
-    CovariantAcceleration,
-    Normalization,
-    Penalty,
-    Posture,
-    RootAcceleration,
-    UnitMagnitude,
-)
 from dynsplines.solver.penalty.block import Dense
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane
@@ -52,11 +36,14 @@ def test_the_renormalised_raw_spline_costs_the_sum_of_the_weights(figure, rng):
     raw = path_of(clip(figure, rng))
     length, spacing = TIMES[-1] - TIMES[0], np.mean(np.diff(TIMES))
     every = [(p, weight) for p, weight in every_penalty(figure) if not p.role.is_violation]
-    integrals = Objective.of(figure, every).integrals(raw)
-    floors = [p.normalization.reference * SMALL_SHARE * length / spacing**p.normalization.time_power for p, _ in every]
+    integrals = objectives.Objective.of(figure, every).integrals(raw)
+    floors = [
+        p.normalization.reference * objectives.SMALL_SHARE * length / spacing**p.normalization.time_power
+        for p, _ in every
+    ]
     penalties = [pair for pair, integral, floor in zip(every, integrals, floors, strict=True) if integral > floor]
     assert len(penalties) >= 3
-    objective = Objective.of(figure, penalties)
+    objective = objectives.Objective.of(figure, penalties)
     renormalised = objective.renormalised(raw)
     np.testing.assert_allclose(renormalised.value(raw), sum(weight for _, weight in penalties), rtol=1e-12)
     np.testing.assert_allclose([t.weight for t in renormalised.terms], [weight for _, weight in penalties])
@@ -72,16 +59,16 @@ def test_a_violation_is_divided_by_no_more_than_its_reference_over_the_whole_cli
     length = TIMES[-1] - TIMES[0]
     for height, share in ((50.0, 1.0), (-50.0, 0.01)):
         floor = Plane("floor", np.array([0.0, 0, height]), np.array([0.0, 0, 1]))
-        contact = Collision((Point("p", 1, np.zeros(3)),), (floor,))
-        (term,) = Objective.of(figure, [(contact, 3.0)]).renormalised(raw).terms
+        contact = penalty.Collision((Point("p", 1, np.zeros(3)),), (floor,))
+        (term,) = objectives.Objective.of(figure, [(contact, 3.0)]).renormalised(raw).terms
         np.testing.assert_allclose(term.factor, 3.0 / (little(figure) * share * length), rtol=1e-12)
 
 
-def hinge_path(times: np.ndarray, angles: np.ndarray) -> tuple[Objective, Path]:
+def hinge_path(times: np.ndarray, angles: np.ndarray) -> tuple[objectives.Objective, Path]:
     """One hinge, whose covariant acceleration is its angle's own, and the natural spline through angles [rad]."""
     figure = figure_of(ONE_HINGE)
     raw = raw_timeline(figure, [Frame.key(t, [angle]) for t, angle in zip(times, angles, strict=True)])
-    return Objective.of(figure, [(CovariantAcceleration(), 2.0)]), path_of(raw)
+    return objectives.Objective.of(figure, [(penalty.CovariantAcceleration(), 2.0)]), path_of(raw)
 
 
 def violent_parts(times: np.ndarray, angles: np.ndarray) -> tuple[float, float]:
@@ -93,8 +80,8 @@ def violent_parts(times: np.ndarray, angles: np.ndarray) -> tuple[float, float]:
     passed = 0.0
     for mean, span in sorted(zip(means, spans, strict=True)):
         passed += span
-        if passed >= MOST_OF_TIME * spans.sum():
-            return float(means @ spans), float(np.minimum(means, VIOLENT * mean) @ spans)
+        if passed >= objectives.MOST_OF_TIME * spans.sum():
+            return float(means @ spans), float(np.minimum(means, objectives.VIOLENT * mean) @ spans)
     raise AssertionError
 
 
@@ -110,16 +97,18 @@ def test_violent_segments_count_as_four_times_what_most_of_the_time_stays_below_
         angles[rng.integers(20, 40)] += rng.uniform(20, 60)
     objective, path = hinge_path(times, angles)
     whole, typical = violent_parts(times, angles)
-    assert (typical < LEAST_TYPICAL * whole) == (seed is None) and typical < whole
+    assert (typical < objectives.LEAST_TYPICAL * whole) == (seed is None) and typical < whole
     (term,) = objective.renormalised(path).terms
-    expected = whole / max(typical, LEAST_TYPICAL * whole)
+    expected = whole / max(typical, objectives.LEAST_TYPICAL * whole)
     np.testing.assert_allclose(term.factor * objective.integrals(path)[0] / term.weight, expected, rtol=1e-9)
 
 
 @pytest.mark.parametrize(("ends", "kind"), [("free", "gauss"), ("clamped start", "uniform"), ("periodic", "gauss")])
 def test_the_gradient_of_a_whole_clip_with_partial_keyframes_has_taylor_slope_two(figure, rng, ends, kind):
     timeline = clip(figure, rng, ends)
-    objective = Objective.of(figure, every_penalty(figure), quadrature=Quadrature(kind)).renormalised(path_of(timeline))
+    objective = objectives.Objective.of(figure, every_penalty(figure), quadrature=Quadrature(kind)).renormalised(
+        path_of(timeline)
+    )
     objective = replace(objective, key_times=np.array([0.0, 0.3, TIMES[-1]]))
     problem = objective.on(evenly(timeline, 1))
     x = problem.unknowns.start + 0.02 * rng.normal(size=problem.unknowns.size)
@@ -128,7 +117,7 @@ def test_the_gradient_of_a_whole_clip_with_partial_keyframes_has_taylor_slope_tw
 
 def test_the_parts_add_up_to_the_value_and_the_value_is_that_of_the_path(figure, rng):
     timeline = clip(figure, rng)
-    objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(timeline))
+    objective = objectives.Objective.of(figure, every_penalty(figure)).renormalised(path_of(timeline))
     problem = objective.on(timeline)
     found = problem(problem.unknowns.start)
     np.testing.assert_allclose(sum(found.parts.values()), found.value, rtol=1e-14)
@@ -138,10 +127,10 @@ def test_the_parts_add_up_to_the_value_and_the_value_is_that_of_the_path(figure,
 
 def test_a_long_clip_in_runs_of_samples_has_the_value_and_gradient_of_one_piece(figure, rng):
     timeline = clip(figure, rng)
-    objective = Objective.of(figure, every_penalty(figure), quadrature=Quadrature("uniform", 1203))
+    objective = objectives.Objective.of(figure, every_penalty(figure), quadrature=Quadrature("uniform", 1203))
     problem = objective.on(timeline)
     x = problem.unknowns.start + 0.02 * rng.normal(size=problem.unknowns.size)
-    assert problem.weights.size > 2 * RUN
+    assert problem.weights.size > 2 * objectives.RUN
     found = problem(x)
     assert problem.evaluated_runs(x) is problem.evaluated_runs(x)
     samples = Samples(figure, *problem.sampling.samples(problem.unknowns.rows(x)), t=problem.sampling.t)
@@ -163,7 +152,7 @@ def test_what_costs_more_on_a_path_that_leads_is_divided_by_that_and_violations_
     raw = path_of(timeline)
     rows = timeline.rows + 0.3 * rng.normal(size=timeline.rows.shape)
     initial_guess = path_of(timeline.with_rows(rows))
-    objective = Objective.of(figure, every_penalty(figure))
+    objective = objectives.Objective.of(figure, every_penalty(figure))
     plain, other, found = (
         o.terms
         for o in (
@@ -185,11 +174,11 @@ def test_what_costs_more_on_a_path_that_leads_is_divided_by_that_and_violations_
 @pytest.mark.parametrize("weight", [-1.0, np.nan, np.inf])
 def test_a_weight_that_is_none_is_refused_by_name(weight, figure):
     with pytest.raises(ValueError, match=r"the weight of 'acceleration.linear' is .*; it must be a number, at least 0"):
-        Objective.of(figure, [(RootAcceleration(), weight)])
-    assert Objective.of(figure, [(RootAcceleration(), 0)]).terms[0].weight == 0
+        objectives.Objective.of(figure, [(penalty.RootAcceleration(), weight)])
+    assert objectives.Objective.of(figure, [(penalty.RootAcceleration(), 0)]).terms[0].weight == 0
 
 
-class Clock(Penalty):
+class Clock(penalty.Penalty):
     """t⁵, whatever the figure does."""
 
     @property
@@ -197,14 +186,14 @@ class Clock(Penalty):
         return "clock"
 
     @property
-    def normalization(self) -> Normalization:
-        return Normalization(1.0)
+    def normalization(self) -> penalty.Normalization:
+        return penalty.Normalization(1.0)
 
     def residuals(self, samples: Samples) -> list[Dense]:
         return [Dense(samples.t[None] ** 2.5, lambda cotangent, bar: None)]
 
 
-class Bell(Penalty):
+class Bell(penalty.Penalty):
     """1 + t at some instants."""
 
     @property
@@ -212,8 +201,8 @@ class Bell(Penalty):
         return "bell"
 
     @property
-    def normalization(self) -> Normalization:
-        return Normalization(1.0)
+    def normalization(self) -> penalty.Normalization:
+        return penalty.Normalization(1.0)
 
     @property
     def instants(self) -> np.ndarray:
@@ -224,9 +213,9 @@ class Bell(Penalty):
         return [Dense(np.sqrt(np.where(rings, 1 + samples.t, 0.0))[None], lambda cotangent, bar: None)]
 
 
-def clock_and_bell(quadrature: Quadrature) -> tuple[Objective, Path]:
+def clock_and_bell(quadrature: Quadrature) -> tuple[objectives.Objective, Path]:
     figure = figure_of(ONE_HINGE)
-    objective = Objective.of(figure, [(Bell(), 2.0), (Clock(), 3.0)], quadrature=quadrature)
+    objective = objectives.Objective.of(figure, [(Bell(), 2.0), (Clock(), 3.0)], quadrature=quadrature)
     return objective, path_of(raw_timeline(figure, [Frame.key(t, [t]) for t in (0.0, 0.7, 1.1, 2.0)]))
 
 
@@ -249,18 +238,23 @@ def test_momentary_terms_count_at_their_instants_once_and_in_no_integral(quadrat
 def test_shares_of_segments_are_exact_and_an_instant_between_two_belongs_to_the_later():
     objective, path = clock_and_bell(Quadrature())
     edges = np.array([0.2, 0.5, 1.1, 1.2, 2.0])  # the spline has knots at 0, 0.7, 1.1 and 2
-    shares = segment_integrals(objective, path, edges)
+    shares = objectives.segment_integrals(objective, path, edges)
     np.testing.assert_allclose(shares[:, 1], 3 * np.diff(edges**6) / 6, rtol=1e-12)
     np.testing.assert_allclose(shares[:, 0], 2 * np.array([1.25, 1.5, 2.1, 3.0]), rtol=1e-13)
-    whole = segment_integrals(objective, path, np.array([0.0, 0.7, 1.1, 2.0])).sum(axis=0)
+    whole = objectives.segment_integrals(objective, path, np.array([0.0, 0.7, 1.1, 2.0])).sum(axis=0)
     np.testing.assert_allclose(whole, [2 * (1 + 1.25 + 1.5 + 2.1 + 3), 3 * 2.0**6 / 6], rtol=1e-12)
 
 
-PENALTIES = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 0.5), (UnitMagnitude(), 2.0), (Posture(), 0.7)]
+PENALTIES = [
+    (penalty.CovariantAcceleration(), 1.0),
+    (penalty.RootAcceleration(), 0.5),
+    (penalty.UnitMagnitude(), 2.0),
+    (penalty.Posture(), 0.7),
+]
 
 
-def objective_of(timeline: Timeline, figure: Figure, key_times: Array | None) -> Objective:
-    return replace(Objective.of(figure, PENALTIES), key_times=key_times)
+def objective_of(timeline: Timeline, figure: Figure, key_times: Array | None) -> objectives.Objective:
+    return replace(objectives.Objective.of(figure, PENALTIES), key_times=key_times)
 
 
 @pytest.mark.parametrize(("gap", "tension"), [(0.1, 1.0), (0.25, 1.0), (0.3, 1.2**4), (0.4, 1.6**4), (2.0, 8.0)])
@@ -282,7 +276,7 @@ def test_joints_overshoot_less_between_keyframes_that_are_farther_apart():
 
     def overshoot(gap: float, weight: float) -> float:
         keys = swing_keys(figure, np.linspace(0, 3 * gap, 4))
-        penalties = [*PENALTIES[:3], (Posture(), weight)]
+        penalties = [*PENALTIES[:3], (penalty.Posture(), weight)]
         motion = inbetween(Problem(figure, keys, penalties, Settings(tolerance=1e-6)))
         q = motion.at(np.linspace(gap, 2 * gap, 101))[:, 4:]
         return float(np.degrees(quat.angle_between(np.array([1.0, 0, 0, 0]), q)).max()) - 60

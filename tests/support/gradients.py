@@ -8,6 +8,7 @@ import numpy as np
 from figures import TINY, figure_of, stance_of
 from random_models import at_times, closed, evenly, mask_without, partial_keys, random_keys, random_samples
 
+from dynsplines.solver import penalty as kinds
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.quadrature import gauss_nodes
@@ -18,17 +19,6 @@ from dynsplines.solver.figure.dynamics import generalised_forces
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Discretised, Objective
-from dynsplines.solver.penalty import (
-    Attachment,
-    Bend,
-    BendLimits,
-    Collision,
-    CovariantAcceleration,
-    Penalty,
-    RootAcceleration,
-    Torque,
-    UnitMagnitude,
-)
 from dynsplines.solver.penalty.block import one_sided_residuals
 from dynsplines.solver.penalty.curvature import Curvature, OneSidedResiduals
 from dynsplines.solver.search.quadratic import POINTS, Layout, QuadraticModel
@@ -40,7 +30,7 @@ from dynsplines.solver.surface.points import Point, places_of
 SMOOTH = ("covariant", "unit", "root", "torque")
 
 
-def discretised(timeline: Timeline, figure: Figure, penalties: list[Penalty], variable: int = 1) -> Discretised:
+def discretised(timeline: Timeline, figure: Figure, penalties: list[kinds.Penalty], variable: int = 1) -> Discretised:
     objective = Objective.of(figure, [(penalty, 1.0) for penalty in penalties]).renormalised(path_of(timeline))
     return objective.on(evenly(timeline, variable))
 
@@ -137,7 +127,9 @@ def taylor_slope(fun: Callable[[Array], float], x: Array, gradient: Array, rng: 
 # The Taylor test of a soft constraint, whose value does not depend on the length of quaternions.
 
 
-def penalty_slope(penalty: Penalty, samples: Samples, rng: np.random.Generator, *, any_length: bool = True) -> float:
+def penalty_slope(
+    penalty: kinds.Penalty, samples: Samples, rng: np.random.Generator, *, any_length: bool = True
+) -> float:
     """The Taylor slope of Σ_s scale_s f(y_s, y'_s, y''_s) along a random direction of all three; with any_length, f is
     also that of quaternions of any length."""
     scale = rng.uniform(0.5, 2, samples.count)
@@ -179,19 +171,19 @@ SURFACES = (
 )
 
 
-def every_penalty(figure: Figure) -> list[tuple[Penalty, float]]:
+def every_penalty(figure: Figure) -> list[tuple[kinds.Penalty, float]]:
     balls = [i for i, link in enumerate(figure.links) if i and link.kind is link.kind.BALL]
-    joints = tuple(Bend(f"{i}", i, np.array([0.0, 1, 0]), np.array([0.0, 0, -1])) for i in balls)
+    joints = tuple(kinds.Bend(f"{i}", i, np.array([0.0, 1, 0]), np.array([0.0, 0, -1])) for i in balls)
     points = tuple(Point(f"{i}", i, np.array([0.05, 0.1, -0.2]), 0.1) for i in range(1, len(figure.links)))
     return [
-        (CovariantAcceleration(), 2.0),
-        (CovariantAcceleration(), 0.5),
-        (UnitMagnitude(), 5.0),
-        (UnitMagnitude(most=0.1), 1.0),
-        (RootAcceleration(), 1.5),
-        (Torque(), 0.3),
-        (BendLimits(joints), 2.5),
-        (Collision(points, SURFACES), 4.0),
+        (kinds.CovariantAcceleration(), 2.0),
+        (kinds.CovariantAcceleration(), 0.5),
+        (kinds.UnitMagnitude(), 5.0),
+        (kinds.UnitMagnitude(most=0.1), 1.0),
+        (kinds.RootAcceleration(), 1.5),
+        (kinds.Torque(), 0.3),
+        (kinds.BendLimits(joints), 2.5),
+        (kinds.Collision(points, SURFACES), 4.0),
     ]
 
 
@@ -214,7 +206,7 @@ def tiny_clip(rng: np.random.Generator, ends: str, coordinates: str, *, partial:
 # Residuals of soft constraints, written independently, and Gauss-Newton matrices by their differences.
 
 STEP_SIZE = 1e-5
-PLANTED = Attachment((stance_of(1, 0.2, 1.0), stance_of(2, 0.5, 2.0), stance_of(2, 0.0, 0.6)))
+PLANTED = kinds.Attachment((stance_of(1, 0.2, 1.0), stance_of(2, 0.5, 2.0), stance_of(2, 0.0, 0.6)))
 
 
 def _blocks(samples: Samples) -> tuple[Array, Array, Array]:
@@ -269,11 +261,11 @@ def _displacement(samples: Samples) -> Array:
     return np.hstack(away)
 
 
-RESIDUALS: dict[str, tuple[Penalty, Callable[[Samples], Array]]] = {
-    "covariant": (CovariantAcceleration(), _intrinsic),
-    "unit": (UnitMagnitude(), _unit),
-    "root": (RootAcceleration(), _root),
-    "torque": (Torque(), _efforts),
+RESIDUALS: dict[str, tuple[kinds.Penalty, Callable[[Samples], Array]]] = {
+    "covariant": (kinds.CovariantAcceleration(), _intrinsic),
+    "unit": (kinds.UnitMagnitude(), _unit),
+    "root": (kinds.RootAcceleration(), _root),
+    "torque": (kinds.Torque(), _efforts),
     "planted": (PLANTED, _displacement),
 }
 
@@ -307,7 +299,7 @@ def jacobian(samples: Samples, at: Index, seeded: Callable[[Samples, Cotangent, 
     return np.stack(cotangent.gradients(), axis=1)
 
 
-def curvature_of(penalty: Penalty, samples: Samples, scale: Array) -> Curvature:
+def curvature_of(penalty: kinds.Penalty, samples: Samples, scale: Array) -> Curvature:
     curvature = Curvature(samples)
     for block in penalty.residuals(samples):
         block.add_to(curvature, scale)
@@ -339,7 +331,9 @@ def some_samples(figure: Figure, rng: np.random.Generator, count: int = 4) -> Sa
     return at_times(random_samples(figure, rng, count), np.linspace(0.1, 1.3, count))
 
 
-def assert_squares(penalty: Penalty, residuals: Callable[[Samples], Array], samples: Samples, rng: np.random.Generator):
+def assert_squares(
+    penalty: kinds.Penalty, residuals: Callable[[Samples], Array], samples: Samples, rng: np.random.Generator
+):
     """That a penalty is the sum of squared residuals (S, r), and its matrices are 2 JᵀJ, J by differences."""
     np.testing.assert_allclose(np.sum(residuals(samples) ** 2, axis=1), penalty.evaluate(samples), rtol=1e-9)
     scale, phi = rng.uniform(0.5, 2, samples.count), rng.normal(size=(samples.count, 3, 2))
@@ -349,14 +343,7 @@ def assert_squares(penalty: Penalty, residuals: Callable[[Samples], Array], samp
     assert_near(assembled(curvature_of(penalty, samples, scale), phi), expected)
 
 
-def low_samples(figure: Figure, rng: np.random.Generator, count: int = 40) -> Samples:
-    """Samples about the floor."""
-    samples = random_samples(figure, rng, count)
-    samples.y[:, 2] = rng.uniform(-0.5, 0.5, count)
-    return samples
-
-
-def sides_of(penalty: Penalty, samples: Samples) -> OneSidedResiduals:
+def sides_of(penalty: kinds.Penalty, samples: Samples) -> OneSidedResiduals:
     sides = one_sided_residuals(penalty.residuals(samples), samples)
     assert sides is not None
     assert sides.at.shape == sides.value.shape == sides.rows.shape[:1]

@@ -24,18 +24,7 @@ from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import Unknowns
-from dynsplines.solver.edit.timelines import (
-    Placement,
-    bridge,
-    following,
-    heading,
-    joined,
-    repeated,
-    retimed,
-    signed_like,
-    trimmed,
-    trunk,
-)
+from dynsplines.solver.edit import timelines
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
@@ -68,7 +57,7 @@ def assert_close(got: np.ndarray, wanted: np.ndarray) -> None:
 @given(st.integers(0, 1000), st.sampled_from(ENDS), st.floats(0.02, 50))
 def test_a_retimed_motion_is_the_motion_at_other_times(seed, ends, speed):
     timeline = random_timeline(seed, ends)
-    fast = retimed(timeline, speed)
+    fast = timelines.retimed(timeline, speed)
     t = np.linspace(FIRST, LAST, 37)
     at = np.clip(FIRST + (t - FIRST) / speed, *path_of(fast).span)
     for order in range(3):
@@ -77,7 +66,7 @@ def test_a_retimed_motion_is_the_motion_at_other_times(seed, ends, speed):
     np.testing.assert_allclose(np.diff(fast.times) * speed, np.diff(timeline.times), rtol=1e-12)
     np.testing.assert_array_equal(fast.fixed, timeline.fixed)
     assert fast.ends == ends
-    assert_close(retimed(fast, 1 / speed).rows, timeline.rows)
+    assert_close(timelines.retimed(fast, 1 / speed).rows, timeline.rows)
 
 
 @settings(deadline=None, max_examples=40)
@@ -88,7 +77,7 @@ def test_a_trimmed_motion_is_the_same_inside(seed, ends, a, b):
     if last - first < 1e-3:
         last = first + 1e-3 if first < 1 else last
         first = last - 1e-3
-    part = trimmed(timeline, first, last)
+    part = timelines.trimmed(timeline, first, last)
     t = np.linspace(*path_of(part).span, 37)
     np.testing.assert_allclose(path_of(part).span, [first, last], rtol=0, atol=2e-9)
     assert_close(path_of(part).at(t), path_of(timeline).at(t))
@@ -107,7 +96,7 @@ def test_a_repeated_loop_continues_period_by_period(rng, way, count):
     timeline = evenly(loop(figure, way), 1)
     unknowns = Unknowns.of(figure, timeline)
     timeline = timeline.with_rows(unknowns.rows(unknowns.start + 0.05 * rng.normal(size=unknowns.size)))
-    many, seam = repeated(figure, timeline, count), Seam.of(figure, timeline)
+    many, seam = timelines.repeated(figure, timeline, count), Seam.of(figure, timeline)
     t = np.linspace(0, PERIOD, 41)
     for number in range(count):
         at = np.clip(t + PERIOD * number, 0, path_of(many).span[1])
@@ -125,15 +114,21 @@ def test_a_repeated_loop_continues_period_by_period(rng, way, count):
 @pytest.mark.parametrize(
     ("edit", "words"),
     [
-        (lambda: retimed(random_timeline(0, "free"), 0.0), "speed must be a number above 0"),
-        (lambda: retimed(random_timeline(0, "free"), np.nan), "speed must be a number above 0"),
-        (lambda: trimmed(random_timeline(0, "free"), 0.5, 0.5), "ends after it begins"),
-        (lambda: trimmed(random_timeline(0, "free"), 0.9, 0.3), "ends after it begins, not from 0.9 to 0.3 s"),
-        (lambda: trimmed(random_timeline(0, "free"), np.nan, 1.0), "ends after it begins"),
-        (lambda: trimmed(random_timeline(0, "free"), -0.1, 0.5), "not inside 0 to 1.3 s"),
-        (lambda: trimmed(random_timeline(0, "free"), 0.5, 1.31), "not inside"),
-        (lambda: repeated(FIGURE, random_timeline(0, "clamped"), 2), "only a loop, .* can be repeated; these are 'cla"),
-        (lambda: repeated(FIGURE, random_timeline(0, "periodic"), 0), "at least once, not 0 times"),
+        (lambda: timelines.retimed(random_timeline(0, "free"), 0.0), "speed must be a number above 0"),
+        (lambda: timelines.retimed(random_timeline(0, "free"), np.nan), "speed must be a number above 0"),
+        (lambda: timelines.trimmed(random_timeline(0, "free"), 0.5, 0.5), "ends after it begins"),
+        (
+            lambda: timelines.trimmed(random_timeline(0, "free"), 0.9, 0.3),
+            "ends after it begins, not from 0.9 to 0.3 s",
+        ),
+        (lambda: timelines.trimmed(random_timeline(0, "free"), np.nan, 1.0), "ends after it begins"),
+        (lambda: timelines.trimmed(random_timeline(0, "free"), -0.1, 0.5), "not inside 0 to 1.3 s"),
+        (lambda: timelines.trimmed(random_timeline(0, "free"), 0.5, 1.31), "not inside"),
+        (
+            lambda: timelines.repeated(FIGURE, random_timeline(0, "clamped"), 2),
+            "only a loop, .* can be repeated; these are 'cla",
+        ),
+        (lambda: timelines.repeated(FIGURE, random_timeline(0, "periodic"), 0), "at least once, not 0 times"),
     ],
 )
 def test_wrong_speeds_intervals_and_counts_are_refused(edit, words):
@@ -149,7 +144,9 @@ def sides(figure: Figure, rng: np.random.Generator) -> tuple[Timeline, Timeline]
     settings = Settings(variable=2, frames=0)
     before = inbetween(Problem(figure, hop(2), TERMS, settings)).timeline
     after = inbetween(Problem(figure, random_keys(figure, rng), TERMS, settings)).timeline
-    after = signed_like(figure, before, following(figure, before, after, LENGTH).timeline(figure, after))
+    after = timelines.signed_like(
+        figure, before, timelines.following(figure, before, after, LENGTH).timeline(figure, after)
+    )
     shift = before.times[-1] + LENGTH - after.times[0]
     frames = tuple(replace(frame, time=frame.time + shift) for frame in after.frames)
     return before, Timeline(frames, after.end_slope)
@@ -159,11 +156,11 @@ def sides(figure: Figure, rng: np.random.Generator) -> tuple[Timeline, Timeline]
 def test_both_motions_keep_their_curves_and_the_whole_is_smooth_to_the_second_derivative(rng, coordinates):
     figure = figure_of(TINY, coordinates)
     before, after = sides(figure, rng)
-    begin = bridge(figure, before, after, variable=5)
+    begin = timelines.bridge(figure, before, after, variable=5)
     objective = Objective.of(figure, TERMS).renormalised(path_of(begin))
     between = optimised(objective, begin)
     assert objective.value(path_of(between)) < 0.9 * objective.value(path_of(begin))
-    whole = path_of(joined(before, between, after))
+    whole = path_of(timelines.joined(before, between, after))
     for part in (before, between, after):
         t = np.linspace(*path_of(part).span, 150)
         for order in range(3):
@@ -176,7 +173,7 @@ def test_both_motions_keep_their_curves_and_the_whole_is_smooth_to_the_second_de
 
 def test_the_gradient_and_the_step_under_held_ends_are_exact(rng):
     figure = figure_of(TINY)
-    begin = bridge(figure, *sides(figure, rng), variable=5)
+    begin = timelines.bridge(figure, *sides(figure, rng), variable=5)
     assert begin.variable_count == 5
     objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(begin))
     problem = objective.on(begin)
@@ -190,7 +187,7 @@ def test_the_gradient_and_the_step_under_held_ends_are_exact(rng):
 def test_a_placed_figure_is_turned_and_shifted_as_a_whole(rng, coordinates):
     model = mujoco.MjModel.from_xml_string(BALL_TREE)
     figure = Figure(model, coordinates)
-    place = Placement(quat.from_rotation_vector([0, 0, 0.7]), np.array([1.0, -2, 0]))
+    place = timelines.Placement(quat.from_rotation_vector([0, 0, 0.7]), np.array([1.0, -2, 0]))
     qpos = random_qpos(figure, rng)
     turn = np.stack([quat.rotated(place.turn, e) for e in np.eye(3)], axis=1)
     before = kinematics(model, qpos)
@@ -212,12 +209,12 @@ def axes(q: Array) -> Array:
 def test_a_walk_continues_the_way_that_its_trunk_faces_whichever_foot_is_ahead():
     """At a step the pelvis turns 4 degrees one way and the chest as much the other: the walk goes straight on."""
     figure = Figure(figure_spec("human").compile())
-    assert [figure.links[i].name for i in trunk(figure)] == ["root", "spine"]
+    assert [figure.links[i].name for i in timelines.trunk(figure)] == ["root", "spine"]
     for way in (0.0, 1.2, -2.9):
         still = np.zeros((2, figure.width))
         before, after = Timeline(step(figure, 4.0, way), still), Timeline(step(figure, -4.0, 0.0), still)
-        place = following(figure, before, after, LENGTH)
-        np.testing.assert_allclose(heading(axes(place.turn)), way, atol=1e-9)
+        place = timelines.following(figure, before, after, LENGTH)
+        np.testing.assert_allclose(timelines.heading(axes(place.turn)), way, atol=1e-9)
 
 
 def step(figure: Figure, pelvis: float, way: float) -> tuple[Frame, Frame]:

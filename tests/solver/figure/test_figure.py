@@ -4,25 +4,10 @@ from __future__ import annotations
 
 import itertools
 
+import figures
 import mujoco
 import numpy as np
 import pytest
-from figures import (
-    BALL_TREE,
-    BOX,
-    CART,
-    DOOR,
-    DRAWER,
-    EVERY_JOINT,
-    LEG,
-    MIXED,
-    TINY,
-    biped,
-    figure_of,
-    joints,
-    link_named,
-    scene,
-)
 from figures import OBJECT_BALL as BALL
 from oracles import kinematics, mujoco_forces
 from random_models import random_figure, random_qpos, random_samples
@@ -33,11 +18,11 @@ from dynsplines.solver.figure.model import geom_name, names_of_joints
 from dynsplines.solver.figure.root import has_fixed_base, root_of, sliding_joints
 
 
-@pytest.mark.parametrize("text", [BALL_TREE, EVERY_JOINT, MIXED, TINY, LEG])
+@pytest.mark.parametrize("text", [figures.BALL_TREE, figures.EVERY_JOINT, figures.MIXED, figures.TINY, figures.LEG])
 def test_a_quaternion_in_world_coordinates_is_its_bodys_orientation_by_mujoco_and_any_length_of_it_the_same_pose(
     text, rng
 ):
-    figure = figure_of(text, "auto")
+    figure = figures.figure_of(text, "auto")
     model = figure.model
     assert figure.coordinates == "world"
     qpos = random_qpos(figure, rng)
@@ -59,14 +44,14 @@ def test_a_quaternion_in_world_coordinates_is_its_bodys_orientation_by_mujoco_an
 
 
 def test_a_link_is_called_by_its_joint_or_by_the_body_that_it_moves():
-    figure = figure_of(EVERY_JOINT)
+    figure = figures.figure_of(figures.EVERY_JOINT)
     names = [link.name for link in figure.links]
     for name in ("root", "yaw", "pitch", "reach", "wrist", "swing", "turn"):
-        assert link_named(figure, name) == names.index(name)
-    assert link_named(figure, "arm") == names.index("pitch")  # the last of its joints
-    assert link_named(figure, "trunk") == 1
-    assert link_named(figure, "world") is None
-    assert link_named(figure, "nobody") is None
+        assert figures.link_named(figure, name) == names.index(name)
+    assert figures.link_named(figure, "arm") == names.index("pitch")  # the last of its joints
+    assert figures.link_named(figure, "trunk") == 1
+    assert figures.link_named(figure, "world") is None
+    assert figures.link_named(figure, "nobody") is None
 
 
 @pytest.mark.parametrize(
@@ -87,9 +72,9 @@ def test_joints_without_a_name_have_one_all_the_same_and_no_two_the_same(given, 
 def test_gravity_is_the_models_unless_it_is_switched_off():
     text = """<mujoco><option gravity="0 1 -3">{}</option><worldbody><body><joint/><geom size=".1"/></body></worldbody>
         </mujoco>"""
-    np.testing.assert_array_equal(figure_of(text.format("")).gravity, [0, 1, -3])
-    np.testing.assert_array_equal(figure_of(text.format('<flag gravity="disable"/>')).gravity, [0, 0, 0])
-    np.testing.assert_array_equal(figure_of(text.format('<flag contact="disable"/>')).gravity, [0, 1, -3])
+    np.testing.assert_array_equal(figures.figure_of(text.format("")).gravity, [0, 1, -3])
+    np.testing.assert_array_equal(figures.figure_of(text.format('<flag gravity="disable"/>')).gravity, [0, 0, 0])
+    np.testing.assert_array_equal(figures.figure_of(text.format('<flag contact="disable"/>')).gravity, [0, 1, -3])
 
 
 UNNAMED = """
@@ -106,7 +91,7 @@ def test_a_geom_without_a_name_is_called_after_its_body_and_no_two_alike():
     assert found == ["geom 0", "sole", "foot", "leg 1", "geom 4", "leg 2", "geom 6"]
 
 
-PLANAR = biped(joints(("tx", "tz", "ry")))
+PLANAR = figures.biped(figures.joints(("tx", "tz", "ry")))
 
 
 ARM = '<body><joint axis="0 0 1"/><geom size=".1"/><body pos=".2 0 0"><joint/><geom size=".1"/></body></body>'
@@ -125,28 +110,33 @@ def root_bodies(xml: str) -> tuple[str, str] | None:
 
 
 @pytest.mark.parametrize("order", list(itertools.permutations(range(3))))
-@pytest.mark.parametrize("objects", [(BOX, BALL), (CART, DOOR), (BOX, DRAWER)])
+@pytest.mark.parametrize("objects", [(figures.BOX, BALL), (figures.CART, figures.DOOR), (figures.BOX, figures.DRAWER)])
 def test_objects_may_be_listed_before_and_after_the_robot(objects: tuple[str, str], order: tuple[int, ...]) -> None:
-    bodies = (biped(), *objects)
-    assert root_bodies(scene(*(bodies[i] for i in order))) == ("pelvis", "root")
+    bodies = (figures.biped(), *objects)
+    assert root_bodies(figures.scene(*(bodies[i] for i in order))) == ("pelvis", "root")
 
 
 @pytest.mark.parametrize(
     ("bodies", "root", "sliding", "is_fixed"),
     [
-        ((PLANAR, BOX), None, 3, False),
-        ((PLANAR, DRAWER, biped(prefix="b_", root='<freejoint name="b"/>')), ("b_pelvis", "b"), 3, False),
+        ((PLANAR, figures.BOX), None, 3, False),
+        (
+            (PLANAR, figures.DRAWER, figures.biped(prefix="b_", root='<freejoint name="b"/>')),
+            ("b_pelvis", "b"),
+            3,
+            False,
+        ),
         ((ARM,), None, 0, True),
-        ((ARM, RAIL, BOX), ("box", "box_free"), 0, True),
+        ((ARM, RAIL, figures.BOX), ("box", "box_free"), 0, True),
         ((RAIL,), None, 0, False),
-        ((BOX,), ("box", "box_free"), 0, False),
+        ((figures.BOX,), ("box", "box_free"), 0, False),
     ],
 )
 def test_slides_and_hinges_are_no_root(
     bodies: tuple[str, ...], root: tuple[str, str] | None, sliding: int, is_fixed: bool
 ) -> None:
-    assert root_bodies(scene(*bodies)) == root
-    model = mujoco.MjModel.from_xml_string(scene(*bodies))
+    assert root_bodies(figures.scene(*bodies)) == root
+    model = mujoco.MjModel.from_xml_string(figures.scene(*bodies))
     assert (len(sliding_joints(model)), has_fixed_base(model)) == (sliding, is_fixed)
 
 

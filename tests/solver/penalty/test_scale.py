@@ -10,6 +10,7 @@ import pytest
 from figures import BALL, BALL_TREE, CHAIN, FLOOR, figure_of
 
 from dynsplines import models
+from dynsplines.solver import penalty as kinds
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Contact
@@ -17,20 +18,6 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import (
-    Attachment,
-    Bend,
-    BendLimits,
-    Collision,
-    Coupling,
-    CouplingPenalty,
-    HoverPenalty,
-    JointRange,
-    Normalization,
-    Penalty,
-    Range,
-    Sum,
-)
 from dynsplines.solver.penalty.block import Block, Dense, Entries
 from dynsplines.solver.penalty.check import check
 from dynsplines.solver.penalty.joints.self_contact import Bar, SelfContact
@@ -43,12 +30,12 @@ ORIGIN = Point("middle", 1, np.zeros(3))
 
 
 CENTIMETRE = {
-    "contact": Collision((ORIGIN,), (FLOOR,)),
-    "grounded": HoverPenalty((ORIGIN,), (FLOOR,), reach=10.0),
-    "planted": Attachment((Contact.at(ORIGIN, -1, 1, np.zeros(3)),)),
-    "resting": Attachment((Contact(ORIGIN, -1, 1),), (FLOOR,)),
-    "placement": Attachment((Contact.at(ORIGIN, 0, 0, np.zeros(3)),)),
-    "closed": Attachment((Contact.at(ORIGIN, -np.inf, np.inf, np.zeros(3)),), name="closed"),
+    "contact": kinds.Collision((ORIGIN,), (FLOOR,)),
+    "grounded": kinds.HoverPenalty((ORIGIN,), (FLOOR,), reach=10.0),
+    "planted": kinds.Attachment((Contact.at(ORIGIN, -1, 1, np.zeros(3)),)),
+    "resting": kinds.Attachment((Contact(ORIGIN, -1, 1),), (FLOOR,)),
+    "placement": kinds.Attachment((Contact.at(ORIGIN, 0, 0, np.zeros(3)),)),
+    "closed": kinds.Attachment((Contact.at(ORIGIN, -np.inf, np.inf, np.zeros(3)),), name="closed"),
     "self": SelfContact((Bar(0, 1, 0 * UP, UP, 0.0, 0.1), Bar(1, 0, 0.19 * UP, UP, 0.0, 0.1)), np.array([[0], [1]])),
 }  # fmt: skip
 
@@ -62,7 +49,7 @@ def test_a_centimetre_counts_as_the_reference_specifies(name):
     assert penalty.role.is_violation
     assert penalty.normalization.time_power == 0
     np.testing.assert_allclose(penalty.evaluate(still), penalty.normalization.reference, rtol=1e-5)
-    assert Sum((penalty,), "both").normalization == penalty.normalization
+    assert kinds.Sum((penalty,), "both").normalization == penalty.normalization
 
 
 @pytest.mark.parametrize("degrees", [-1.0, 1.0])
@@ -72,15 +59,17 @@ def test_a_degree_beyond_a_joints_range_a_bends_bound_or_a_couplings_line_counts
     y = np.array([[1.0, 0, 0, 0, 0.4 + angle]])
     still = Samples(hinge, y, 0 * y, 0 * y)
     kind = hinge.links[2].kind
-    of_range = JointRange((Range("hinge", 2, kind, *((0.4, 9.0) if degrees < 0 else (-9.0, 0.4))),))
-    of_coupling = CouplingPenalty((Coupling("hinge", 4, -1, (0.3, 0.0), np.array([0.1, 0, 0, 0, 0]), "degrees"),))
+    of_range = kinds.JointRange((kinds.Range("hinge", 2, kind, *((0.4, 9.0) if degrees < 0 else (-9.0, 0.4))),))
+    of_coupling = kinds.CouplingPenalty(
+        (kinds.Coupling("hinge", 4, -1, (0.3, 0.0), np.array([0.1, 0, 0, 0, 0]), "degrees"),)
+    )
     for penalty in (of_range, of_coupling):
         np.testing.assert_allclose(penalty.evaluate(still), penalty.normalization.reference)
         assert penalty.role.is_violation
     balls = figure_of(CHAIN.format("ball"), "joint")
     straight = quat.from_rotation_vector(np.array([0, 0.2 - np.radians(1), 0]))
     y = np.concatenate([[1.0, 0, 0, 0], straight])[None]
-    knee = BendLimits((Bend("knee", 2, np.array([0.0, 1, 0]), -UP),), 0.2, 1.0, 1.0)
+    knee = kinds.BendLimits((kinds.Bend("knee", 2, np.array([0.0, 1, 0]), -UP),), 0.2, 1.0, 1.0)
     np.testing.assert_allclose(knee.evaluate(Samples(balls, y, 0 * y, 0 * y)), knee.normalization.reference)
 
 
@@ -94,22 +83,22 @@ def test_a_knee_that_a_keyframe_bends_backward_may_do_so_near_it_and_nowhere_els
         keys.append(Frame.key(float(i), qpos))
     timeline = raw_timeline(figure, keys)
     link = figure.links.index(knee)
-    bend = Bend("left_knee", link, np.array([0.0, 1, 0]), np.array([0.0, 0, -1]))
-    limits = BendLimits((bend,)).allowing(figure, timeline)
+    bend = kinds.Bend("left_knee", link, np.array([0.0, 1, 0]), np.array([0.0, 0, -1]))
+    limits = kinds.BendLimits((bend,)).allowing(figure, timeline)
     assert limits.allowed is not None
     np.testing.assert_allclose(np.degrees(limits.allowed.excess[0]), [[0, 6, 0]], atol=1e-9)
     np.testing.assert_allclose(np.degrees(limits.allowed.at(np.array([0.5, 1.5]))[0]), [[3, 3]], atol=1e-9)
     fixed = np.ones(figure.width, bool)
     fixed[knee.qpos : knee.qpos + 4] = False
     partial = [keys[0], Frame(keys[1].time, keys[1].state, fixed), keys[2]]
-    assert BendLimits((bend,)).allowing(figure, raw_timeline(figure, partial)).allowed is None
+    assert kinds.BendLimits((bend,)).allowing(figure, raw_timeline(figure, partial)).allowed is None
 
 
 FIGURE = figure_of(BALL_TREE)
 
 
 @dataclass(frozen=True)
-class Power(Penalty):
+class Power(kinds.Penalty):
     """Height to a power of the root's x', its gradient too large by a share."""
 
     power: int
@@ -121,8 +110,8 @@ class Power(Penalty):
         return "power"
 
     @property
-    def normalization(self) -> Normalization:
-        return Normalization(1.0)
+    def normalization(self) -> kinds.Normalization:
+        return kinds.Normalization(1.0)
 
     def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         x = samples.y_d[:, 0]

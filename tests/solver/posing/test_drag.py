@@ -12,16 +12,8 @@ from scipy.spatial import ConvexHull
 from texts import read_data
 
 from dynsplines import models
+from dynsplines.solver import posing
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.posing import (
-    Balance,
-    Constraints,
-    FloorClearance,
-    PointGoal,
-    PoseSearch,
-    SupportPolygon,
-    dragged,
-)
 from dynsplines.solver.posing.drag import MAX_MISS, TARGET_WEIGHT
 
 ARM = read_data("dragged_arm.xml")
@@ -39,8 +31,8 @@ def arm() -> Figure:
     return figure_of(ARM)
 
 
-def hand(figure: Figure, place) -> PointGoal:
-    return PointGoal("hand", figure.model.body("lower").id, TIP[None], np.array([place], float))
+def hand(figure: Figure, place) -> posing.PointGoal:
+    return posing.PointGoal("hand", figure.model.body("lower").id, TIP[None], np.array([place], float))
 
 
 def tip(figure: Figure, qpos) -> np.ndarray:
@@ -56,12 +48,12 @@ def test_the_pose_is_the_least_of_its_cost(arm, far):
     def cost(qpos):
         missed = np.linalg.norm(tip(arm, qpos) - place)
         pull = missed**2 if missed < MAX_MISS else 2 * MAX_MISS * missed - MAX_MISS**2
-        search = PoseSearch(arm, home, np.ones(3, bool), (hand(arm, place),), None)
+        search = posing.PoseSearch(arm, home, np.ones(3, bool), (hand(arm, place),), None)
         return float(np.sum((search.weights * (qpos - home)) ** 2) + TARGET_WEIGHT**2 * pull)
 
     last = begin
     for _ in range(4):
-        last = dragged(arm, home, np.ones(3, bool), hand(arm, place), Constraints(), begin=last).qpos
+        last = posing.dragged(arm, home, np.ones(3, bool), hand(arm, place), posing.Constraints(), begin=last).qpos
     assert cost(last) <= 1.002 * minimize(cost, last, method="BFGS").fun
 
 
@@ -70,7 +62,7 @@ def test_a_joint_uses_only_its_share_of_its_range_unless_home_is_beyond_it(home,
     arm, start = figure_of(ARM.replace('type="hinge"', 'type="hinge" range="-1 1"')), np.array([0.0, 0.2, home])
     free, goal = np.array([False, False, True]), hand(arm, tip(arm, [0.0, 0.2, 1.6]))
     shares = dict.fromkeys((1, 2, 3), share)
-    found = dragged(arm, start, free, goal, Constraints(), begin=start, range_shares=shares).qpos
+    found = posing.dragged(arm, start, free, goal, posing.Constraints(), begin=start, range_shares=shares).qpos
     np.testing.assert_allclose(found, [0, 0.2, end], atol=0.02)
 
 
@@ -80,15 +72,17 @@ def test_derivatives_are_differences(human, rng):
     mujoco.mj_integratePos(model, qpos, 0.2 * rng.normal(size=model.nv), 1.0)
     places = rng.normal(size=(3, 3))
     places[1, 0] = np.nan
-    pins = PointGoal("foot", foot, 0.1 * rng.normal(size=(3, 3)), places)
+    pins = posing.PointGoal("foot", foot, 0.1 * rng.normal(size=(3, 3)), places)
     polygon = rng.normal(size=(6, 3))
-    balance = SupportPolygon.of(1, polygon)
+    balance = posing.SupportPolygon.of(1, polygon)
     assert balance is not None
     chest, offsets = model.body("chest").id, 0.1 * rng.normal(size=(4, 3))
-    above = FloorClearance(
+    above = posing.FloorClearance(
         np.array([chest, chest, foot, foot]), offsets, np.full(4, 0.1), np.zeros(4), np.eye(3)[2], 3.0
     )
-    feet = Balance("feet", 1, tuple(PointGoal("foot", 0, place[None], np.zeros((1, 3))) for place in polygon + 5.0))
+    feet = posing.Balance(
+        "feet", 1, tuple(posing.PointGoal("foot", 0, place[None], np.zeros((1, 3))) for place in polygon + 5.0)
+    )
     terms = [
         (lambda data: feet.missed(model, data), lambda data: feet.rows(model, data)),
         (lambda data: pins.missed(model, data), lambda data: pins.rows(model, data)),
@@ -110,14 +104,14 @@ def test_derivatives_are_differences(human, rng):
 def test_a_support_polygon_is_the_convex_hull_made_smaller(rng):
     for count, digits in [(3, 9), (8, 9), (30, 9), (30, 1)]:  # with one digit, many are equal or in line
         points = (0.2 * rng.normal(size=(count, 3))).round(digits)
-        polygon, hull = SupportPolygon.of(1, points, share=0.7), ConvexHull(points[:, :2])
+        polygon, hull = posing.SupportPolygon.of(1, points, share=0.7), ConvexHull(points[:, :2])
         assert polygon is not None
         corners = points[hull.vertices, :2]
         smaller = ConvexHull(corners.mean(axis=0) + 0.7 * (corners - corners.mean(axis=0)))
         found = np.column_stack([polygon.normals, -polygon.distances])
         np.testing.assert_allclose(sorted(found.tolist()), sorted(smaller.equations.tolist()), atol=1e-12)
     line = np.linspace(0, 1, 5)[:, None] * [1, 2, 0]
-    assert SupportPolygon.of(1, line) is None and SupportPolygon.of(1, points[:2]) is None
+    assert posing.SupportPolygon.of(1, line) is None and posing.SupportPolygon.of(1, points[:2]) is None
 
 
 def test_a_restart_that_gains_little_leaves_the_pose_where_it_is(arm, rng):
@@ -125,7 +119,8 @@ def test_a_restart_that_gains_little_leaves_the_pose_where_it_is(arm, rng):
     home, free, everything = 0.5 * rng.normal(size=3), np.ones(3, bool), np.ones(3, bool)
     begin, goal = 0.5 * rng.normal(size=3), hand(arm, 2.5 * tip(arm, home))
     without, restarted = (
-        dragged(arm, home, free, goal, Constraints(), begin=begin, limb=limb).qpos for limb in (None, everything)
+        posing.dragged(arm, home, free, goal, posing.Constraints(), begin=begin, limb=limb).qpos
+        for limb in (None, everything)
     )
     np.testing.assert_array_equal(restarted, without)
 
@@ -138,5 +133,5 @@ def test_a_pull_out_of_a_corner_of_the_ranges_restarts_the_limb_from_home(begin,
         text = text.replace(f'name="{name}" type="hinge"', f'name="{name}" type="hinge" range="{limits}"')
     arm, home, free = figure_of(text), np.array([0, 0, 0.3]), np.ones(3, bool)
     goal, start = hand(arm, tip(arm, there)), np.array(begin, float)
-    assert dragged(arm, home, free, goal, Constraints(), begin=start).missed[0] > 0.5
-    assert dragged(arm, home, free, goal, Constraints(), begin=start, limb=free).missed[0] < 0.01
+    assert posing.dragged(arm, home, free, goal, posing.Constraints(), begin=start).missed[0] > 0.5
+    assert posing.dragged(arm, home, free, goal, posing.Constraints(), begin=start, limb=free).missed[0] < 0.01

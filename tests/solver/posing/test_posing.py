@@ -19,20 +19,11 @@ from texts import read_data
 from dynsplines import models
 from dynsplines.clip.kinds import Options, posing_limits
 from dynsplines.clip.posing.places import sole_points
+from dynsplines.solver import posing
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.penalty.joints.bend import bent
-from dynsplines.solver.posing import (
-    MET,
-    BodyGoal,
-    Goal,
-    LeastSquares,
-    PointGoal,
-    Residuals,
-    bounds,
-    find_pose,
-)
 from dynsplines.solver.surface.points import Point, site_points
 
 
@@ -53,7 +44,7 @@ def differences(model: mujoco.MjModel, qpos: Array, values: Callable[[Array], Ar
     return np.array(columns).T
 
 
-def assert_rows(goal: Goal, model: mujoco.MjModel, qpos: Array, atol: float = 1e-7) -> None:
+def assert_rows(goal: posing.Goal, model: mujoco.MjModel, qpos: Array, atol: float = 1e-7) -> None:
     expected = differences(model, qpos, lambda at: np.array(goal.missed(model, kinematics(model, at))))
     np.testing.assert_allclose(goal.rows(model, kinematics(model, qpos)), expected, atol=atol)
 
@@ -68,10 +59,10 @@ def test_points_and_sites_miss_what_mujoco_has_between_them_and_their_place_alon
         qpos = somewhere(model, rng)
         data, (point,) = kinematics(model, qpos), site_points(figure, [name])
         expected = (data.site(name).xpos - position)[given]
-        for goal in (SiteGoal(name, position), PointGoal.of(figure, point, position)):
+        for goal in (SiteGoal(name, position), posing.PointGoal.of(figure, point, position)):
             np.testing.assert_allclose(goal.missed(model, data), expected, atol=1e-12)
             assert_rows(goal, model, qpos)
-        plain = PointGoal.of(figure, point)
+        plain = posing.PointGoal.of(figure, point)
         np.testing.assert_allclose(plain.missed(model, data), data.site(name).xpos, atol=1e-12)
         np.testing.assert_allclose(plain.places(data)[0], data.site(name).xpos, atol=1e-12)
         assert plain.bodies(model) == [figure.links[point.link].body]
@@ -83,10 +74,10 @@ def test_a_body_misses_its_rotation_by_scipys_rotation_vector_which_changes_as_i
     qpos, body = somewhere(model, rng), model.nbody - 1
     data, turn = kinematics(model, qpos), Rotation.random(None, np.random.default_rng(3))
     x, y, z, w = turn.as_quat()
-    goal = BodyGoal(model.body(body).name, np.array([w, x, y, z]))
+    goal = posing.BodyGoal(model.body(body).name, np.array([w, x, y, z]))
     here = Rotation.from_matrix(data.xmat[body].reshape(3, 3))
     np.testing.assert_allclose(goal.missed(model, data), (here * turn.inv()).as_rotvec(), atol=1e-9)
-    there = BodyGoal("by number", np.array(data.xquat[body]), body)
+    there = posing.BodyGoal("by number", np.array(data.xquat[body]), body)
     assert there.bodies(model) == goal.bodies(model) == [body]
     np.testing.assert_allclose(there.missed(model, data), 0, atol=1e-9)
     assert_rows(there, model, qpos)
@@ -98,7 +89,7 @@ def test_a_body_that_leans_misses_upright_by_its_lean_about_the_axis_that_it_lea
     qpos = np.array(model.qpos0)
     x, y, z, w = (Rotation.from_rotvec(lean) * heading).as_quat()
     qpos[3:7] = w, x, y, z
-    goal = BodyGoal("foot")  # turned at rest already
+    goal = posing.BodyGoal("foot")  # turned at rest already
     np.testing.assert_allclose(goal.missed(model, kinematics(model, qpos)), lean[:2], atol=1e-12)
     x, y, z, w = heading.as_quat()
     qpos[3:7] = w, x, y, z
@@ -120,9 +111,9 @@ def linear(rows, wanted, two_sided, steps=200):
     """|rows x - wanted|², of which all after the first `two_sided` residuals are one-sided."""
 
     def residuals(pose):
-        return Residuals(rows @ pose - wanted, rows, two_sided)
+        return posing.Residuals(rows @ pose - wanted, rows, two_sided)
 
-    return LeastSquares(residuals, moved, np.ones(rows.shape[1]), steps)
+    return posing.LeastSquares(residuals, moved, np.ones(rows.shape[1]), steps)
 
 
 @pytest.mark.parametrize("size", [1.0, 1e5])  # the larger by an orthogonal factorisation
@@ -207,11 +198,11 @@ def test_only_what_is_free_moves_and_what_is_missed_is_told(seed, side, limb):
         free[figure.links[link].columns] = True
     name = f"{side}_{limb}"
     target = seen(figure, home).site(name).xpos + rng.uniform(-0.4, 0.4, 3)
-    found = find_pose(figure, home, free, [SiteGoal(name, target)], BENDS)
+    found = posing.find_pose(figure, home, free, [SiteGoal(name, target)], BENDS)
     np.testing.assert_array_equal(found.qpos[~free], home[~free])
     off = np.linalg.norm(seen(figure, found.qpos).site(name).xpos - target)
     assert found.missed[0] == pytest.approx(off, abs=1e-9)
-    assert found.is_met == (off <= MET)
+    assert found.is_met == (off <= posing.MET)
     before = np.linalg.norm(seen(figure, home).site(name).xpos - target)
     assert off <= before
 
@@ -221,7 +212,7 @@ def test_a_pose_that_is_there_already_stays_to_the_bit(coordinates):
     figure = HUMAN[coordinates]
     home = human_pose(np.random.default_rng(3))
     goals = [SiteGoal(name, seen(figure, home).site(name).xpos.copy()) for name in SITES]
-    found = find_pose(figure, home, everything(figure), goals, BENDS)
+    found = posing.find_pose(figure, home, everything(figure), goals, BENDS)
     np.testing.assert_array_equal(found.qpos, home)
     assert found.is_met
 
@@ -231,7 +222,9 @@ def test_a_straight_leg_shortens_forward_at_the_knee():
     target = seen(figure, figure.model.qpos0).site("right_heel").xpos + np.array([0.0, 0, 0.15])
     free = everything(figure)
     free[:7] = False
-    found = find_pose(figure, figure.model.qpos0, free, [SiteGoal("right_heel", target), BodyGoal("right_foot")], BENDS)
+    found = posing.find_pose(
+        figure, figure.model.qpos0, free, [SiteGoal("right_heel", target), posing.BodyGoal("right_foot")], BENDS
+    )
     assert found.is_met
     knee = link_named(figure, "right_knee")
     assert knee is not None
@@ -249,7 +242,7 @@ def test_flat_is_upright_as_at_rest_with_the_heading_free(rest):
         "</worldbody></mujoco>"
     )
     home = quat.from_rotation_vector(np.array([2.0, -1.0, 0.7]))
-    found = find_pose(figure, home, np.ones(4, bool), [BodyGoal("sole")])
+    found = posing.find_pose(figure, home, np.ones(4, bool), [posing.BodyGoal("sole")])
     up = quat.rotated(quat.product(seen(figure, found.qpos).body("sole").xquat, quat.inverse(rest)), [0.0, 0, 1])
     np.testing.assert_allclose(up, [0, 0, 1], atol=1e-6)
     assert found.is_met
@@ -272,7 +265,7 @@ def test_places_that_need_joints_at_the_very_ends_of_their_ranges_are_met(rng):
     for _ in range(8):
         qpos = np.where(rng.random(3) < 0.6, ends[np.arange(3), rng.integers(2, size=3)], rng.uniform(*ends.T))
         target = seen(figure, qpos).site("tip").xpos.copy()
-        assert find_pose(figure, np.radians([0, 30, 0]), np.ones(3, bool), [SiteGoal("tip", target)]).is_met
+        assert posing.find_pose(figure, np.radians([0, 30, 0]), np.ones(3, bool), [SiteGoal("tip", target)]).is_met
 
 
 @pytest.mark.parametrize("reach", [2.6, 2.8])
@@ -285,9 +278,9 @@ def test_with_joints_at_their_ranges_it_is_as_near_as_scipys(reach, side):
     def cost(qpos: Array) -> float:
         return float(np.sum((weights * (qpos - home)) ** 2))
 
-    found = find_pose(figure, home, np.ones(4, bool), [SiteGoal("tip", target)])
+    found = posing.find_pose(figure, home, np.ones(4, bool), [SiteGoal("tip", target)])
     assert found.is_met
-    hinge, low, high = np.radians(10) - bounds.INSIDE, -0.02 + bounds.INSIDE, 0.01 - bounds.INSIDE
+    hinge, low, high = np.radians(10) - posing.bounds.INSIDE, -0.02 + posing.bounds.INSIDE, 0.01 - posing.bounds.INSIDE
     np.testing.assert_allclose([abs(found.qpos[1]), found.qpos[3]], [hinge, low], atol=1e-8)
     best = minimize(
         cost,
@@ -306,7 +299,7 @@ HOLDING = read_data("holding.xml")
 def test_a_hold_misses_what_mujoco_has_between_its_places_and_changes_as_both_bodies_move(rng):
     figure = figure_of(HOLDING)
     palm, grip = site_points(figure, ["palm", "grip"])
-    goal = PointGoal.of(figure, palm, grip.position, grip.link)
+    goal = posing.PointGoal.of(figure, palm, grip.position, grip.link)
     qpos = np.array(figure.model.qpos0)
     mujoco.mj_integratePos(figure.model, qpos, rng.normal(size=figure.model.nv), 1.0)
 
@@ -318,14 +311,16 @@ def test_a_hold_misses_what_mujoco_has_between_its_places_and_changes_as_both_bo
     mujoco.mj_comPos(figure.model, data)
     np.testing.assert_allclose(goal.missed(figure.model, data), missed(qpos), atol=1e-12)
     assert_rows(goal, figure.model, qpos)
-    found = find_pose(figure, qpos, everything(figure), [goal])
+    found = posing.find_pose(figure, qpos, everything(figure), [goal])
     assert found.is_met
-    np.testing.assert_allclose(missed(found.qpos), 0, atol=MET)
+    np.testing.assert_allclose(missed(found.qpos), 0, atol=posing.MET)
 
 
 def test_what_is_out_of_reach_is_missed_by_the_gap():
     figure = figure_of(ARM)
-    found = find_pose(figure, np.array([0.5, 0.5, 0.5, 0]), np.ones(4, bool), [SiteGoal("tip", np.array([4.0, 0, 1]))])
+    found = posing.find_pose(
+        figure, np.array([0.5, 0.5, 0.5, 0]), np.ones(4, bool), [SiteGoal("tip", np.array([4.0, 0, 1]))]
+    )
     assert not found.is_met
     assert found.missed[0] == pytest.approx(4 - 3.2, abs=1e-3)
     np.testing.assert_allclose(found.qpos, [0, 0, 0, 0.2], atol=1e-2)
@@ -345,11 +340,11 @@ def drawn(figure: Figure, rng: np.random.Generator) -> Array:
     return qpos
 
 
-def asked_again(figure: Figure, points: Sequence[Point], wanted: Array, rng: np.random.Generator) -> list[Goal]:
+def asked_again(figure: Figure, points: Sequence[Point], wanted: Array, rng: np.random.Generator) -> list[posing.Goal]:
     """One or two of some points, where they are in a pose."""
     data = seen(figure, wanted)
     some = [points[i] for i in rng.choice(len(points), rng.integers(1, 3), replace=False)]
-    return [PointGoal.of(figure, point, PointGoal.of(figure, point).places(data)[0]) for point in some]
+    return [posing.PointGoal.of(figure, point, posing.PointGoal.of(figure, point).places(data)[0]) for point in some]
 
 
 @pytest.mark.slow
@@ -368,7 +363,7 @@ def test_hands_and_feet_of_poses_inside_the_ranges_are_found_from_the_rest_pose(
         if number % 2:  # with the limbs alone
             free[:7] = False
             wanted[:7] = figure.model.qpos0[:7]
-        found = find_pose(figure, figure.model.qpos0, free, asked_again(figure, points, wanted, rng), bends)
+        found = posing.find_pose(figure, figure.model.qpos0, free, asked_again(figure, points, wanted, rng), bends)
         assert found.is_met, number
         np.testing.assert_array_equal(found.qpos[~free], figure.model.qpos0[~free])
         if human:

@@ -11,6 +11,7 @@ import pytest
 from figures import FLOOR, TINY, figure_of
 from random_models import distance_from_key, evenly, mask_without
 
+from dynsplines.solver import penalty
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.quadrature import Quadrature
@@ -19,15 +20,6 @@ from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective, segment_integrals
-from dynsplines.solver.penalty import (
-    Block,
-    Collision,
-    CovariantAcceleration,
-    Dense,
-    Penalty,
-    RootAcceleration,
-    UnitMagnitude,
-)
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.parts import AHEAD, BEHIND, KEPT, SearchPart, Window, windows
 from dynsplines.solver.search.minimum import Stop
@@ -43,9 +35,14 @@ FIGURE = figure_of(TINY)
 FINE = Quadrature(points=12)
 
 
-def penalties() -> list[tuple[Penalty, float]]:
-    contact = Collision((Point("foot", 2, np.array([0.01, 0, -0.3]), 0.06),), (FLOOR,))
-    return [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 0.5), (RootAcceleration(), 1.0), (contact, 1.0)]
+def penalties() -> list[tuple[penalty.Penalty, float]]:
+    contact = penalty.Collision((Point("foot", 2, np.array([0.01, 0, -0.3]), 0.06),), (FLOOR,))
+    return [
+        (penalty.CovariantAcceleration(), 1.0),
+        (penalty.UnitMagnitude(), 0.5),
+        (penalty.RootAcceleration(), 1.0),
+        (contact, 1.0),
+    ]
 
 
 def long_keys(*, partial: bool = False) -> list[Frame]:
@@ -118,12 +115,12 @@ def test_a_clip_in_windows_costs_no_more_than_the_whole_and_meets_its_keyframes(
         np.testing.assert_array_equal(each.path.rows, path.rows)
 
 
-class Counted(CovariantAcceleration):
+class Counted(penalty.CovariantAcceleration):
     """Counts its calls; at number `stop_at` Ctrl-C is pressed."""
 
     calls, stop_at = 0, 0
 
-    def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
+    def residuals(self, samples: Samples) -> Iterator[penalty.Block | penalty.Dense]:
         Counted.calls += 1
         if Counted.calls == Counted.stop_at:
             raise KeyboardInterrupt

@@ -3,21 +3,10 @@
 from collections.abc import Iterator
 from dataclasses import replace
 
+import gradients
 import numpy as np
 import pytest
 from figures import FLOOR, TINY, figure_of, limits_of
-from gradients import (
-    RESIDUALS,
-    SMOOTH,
-    assert_dense,
-    dense_hessian,
-    discretised,
-    flat_energy,
-    moved_by,
-    sides_of,
-    smooth_problem,
-    tiny_clip,
-)
 from random_models import TIMES, masks_by_name, random_keys
 from scipy.optimize import minimize
 
@@ -38,9 +27,9 @@ ENDS = ["free", "clamped", "clamped end", "periodic"]
 @pytest.mark.parametrize(("ends", "coordinates"), list(zip(ENDS, ["world", "joint"] * 2, strict=True)))
 def test_the_step_is_the_dense_gauss_newton_step_in_the_unknowns(rng, ends, coordinates):
     figure = figure_of(TINY, coordinates)
-    timeline = tiny_clip(rng, ends, coordinates, partial=True)
-    problem, x = smooth_problem(timeline, figure, rng)
-    assert_dense(problem, SMOOTH, x)
+    timeline = gradients.tiny_clip(rng, ends, coordinates, partial=True)
+    problem, x = gradients.smooth_problem(timeline, figure, rng)
+    gradients.assert_dense(problem, gradients.SMOOTH, x)
 
 
 @pytest.mark.slow
@@ -51,17 +40,19 @@ def test_so_it_is_with_anything_left_free_in_any_keyframe(figure):
     if ends == "periodic":
         keys[-1] = Frame.key(TIMES[-1], keys[0].state, keys[0].fixed & keys[-1].fixed)
     slope = rng.normal(size=(2, figure.width)) if ends.startswith("clamped") else None
-    problem = discretised(raw_timeline(figure, keys, ends, slope), figure, [RESIDUALS[name][0] for name in SMOOTH[:3]])
+    problem = gradients.discretised(
+        raw_timeline(figure, keys, ends, slope), figure, [gradients.RESIDUALS[name][0] for name in gradients.SMOOTH[:3]]
+    )
     x = problem.unknowns.start + 0.02 * rng.normal(size=problem.unknowns.size)
     # an entry fixed once at most may drift for nothing; springs of places are as stiff as those of angles, but metres
     # count more in a small figure
-    assert_dense(problem, SMOOTH[:3], x, 1e-4 / Size.of(figure).length ** 2, share=0.1)
+    gradients.assert_dense(problem, gradients.SMOOTH[:3], x, 1e-4 / Size.of(figure).length ** 2, share=0.1)
 
 
 @pytest.mark.parametrize("ends", ["clamped", "periodic"])
 def test_a_model_made_of_few_spans_at_once_is_the_same(rng, ends, monkeypatch):
     figure = figure_of(TINY)
-    problem, x = smooth_problem(tiny_clip(rng, ends, "world"), figure, rng)
+    problem, x = gradients.smooth_problem(gradients.tiny_clip(rng, ends, "world"), figure, rng)
     gradient, spans = problem(x).gradient, problem.spline.times.size - 1
     step, promised, _ = QuadraticModel(Layout(problem), x, gradient).minimise(0.1)
     monkeypatch.setattr("dynsplines.solver.search.quadratic.SPAN_ENTRIES", 0)
@@ -77,9 +68,9 @@ def test_a_model_made_of_few_spans_at_once_is_the_same(rng, ends, monkeypatch):
 @pytest.mark.parametrize("ends", ["free", "periodic"])
 def test_damping_adds_the_flat_energy_of_the_step(rng, ends):
     figure = figure_of(TINY)
-    problem, x = smooth_problem(tiny_clip(rng, ends, "world"), figure, rng)
-    gradient, flat = problem(x).gradient, flat_energy(problem)
-    hessian, model = dense_hessian(problem, SMOOTH, x), QuadraticModel(Layout(problem), x, gradient)
+    problem, x = gradients.smooth_problem(gradients.tiny_clip(rng, ends, "world"), figure, rng)
+    gradient, flat = problem(x).gradient, gradients.flat_energy(problem)
+    hessian, model = gradients.dense_hessian(problem, gradients.SMOOTH, x), QuadraticModel(Layout(problem), x, gradient)
     promises = [np.inf]
     for damping in np.array([0.0, 0.01, 0.1, 1, 10]) * model.scale:
         step, promised, _ = model.minimise(damping)
@@ -92,7 +83,7 @@ def test_damping_adds_the_flat_energy_of_the_step(rng, ends):
 
 def test_a_model_that_has_no_minimum_promises_nothing(rng):
     figure = figure_of(TINY)
-    problem, x = smooth_problem(tiny_clip(rng, "free", "world"), figure, rng)
+    problem, x = gradients.smooth_problem(gradients.tiny_clip(rng, "free", "world"), figure, rng)
     model = QuadraticModel(Layout(problem), x, problem(x).gradient)
     model.curvature *= -1
     step, promised, _ = model.minimise(0.0)
@@ -114,7 +105,7 @@ def one_sided_problem(
 ) -> tuple[Discretised, Array]:
     """Two bodies whose points lie in a floor and just over it, and whose knee bends too far or nearly so."""
     figure = figure_of(TINY)
-    timeline = tiny_clip(rng, ends, "world")
+    timeline = gradients.tiny_clip(rng, ends, "world")
     rows = np.array(timeline.rows)
     rows[:-2, 2] *= 0.1
     timeline = timeline.with_rows(rows)
@@ -122,7 +113,9 @@ def one_sided_problem(
     points = tuple(Point(f"{i}", 1 + i % 2, position, 0.02) for i, position in enumerate(positions))
     contact, bend = kind(points, (FLOOR,)), limits_of(figure)
     more: list[Penalty] = [contact, bend] if floor else [bend]
-    problem = discretised(timeline, figure, [*(RESIDUALS[name][0] for name in SMOOTH), *more])
+    problem = gradients.discretised(
+        timeline, figure, [*(gradients.RESIDUALS[name][0] for name in gradients.SMOOTH), *more]
+    )
     start = problem.unknowns.start
     return problem, start + 0.05 * rng.normal(size=start.size)
 
@@ -131,13 +124,13 @@ class Dense:
     """m(δ) of the module's text on dense matrices, in the unknowns."""
 
     def __init__(self, problem: Discretised, x: Array) -> None:
-        two_sided = Objective(problem.objective.figure, problem.objective.terms[: len(SMOOTH)])
-        self.hessian = dense_hessian(two_sided.on(problem.timeline), SMOOTH, x)
+        two_sided = Objective(problem.objective.figure, problem.objective.terms[: len(gradients.SMOOTH)])
+        self.hessian = gradients.dense_hessian(two_sided.on(problem.timeline), gradients.SMOOTH, x)
         samples = problem.objective.samples(problem.path(x), problem.sampling.t)
-        moved = moved_by(problem, problem.sampling.t)[:, 0]
+        moved = gradients.moved_by(problem, problem.sampling.t)[:, 0]
         values, weights, rows = [], [], []
-        for term in problem.objective.terms[len(SMOOTH) :]:
-            sides = sides_of(term.penalty, samples)
+        for term in problem.objective.terms[len(gradients.SMOOTH) :]:
+            sides = gradients.sides_of(term.penalty, samples)
             values.append(sides.value)
             weights.append(term.factor * problem.weights[sides.at])
             rows.append(np.einsum("pn,pnx->px", sides.rows, moved[sides.at]))

@@ -19,18 +19,7 @@ from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
-from dynsplines.solver.search.restarts import (
-    MAX_DEVIATION,
-    MAX_QUATERNION_LENGTH,
-    OFFSETS,
-    SAMPLES_PER_SEGMENT,
-    SUBDIVISIONS,
-    common_grid,
-    is_poor_minimum,
-    largest_deviation,
-    longest_quaternion,
-    violation_dominates,
-)
+from dynsplines.solver.search import restarts
 from dynsplines.solver.tolerances import ROUNDING
 
 VERB = sys.modules["dynsplines.solver.inbetween"]  # the package has the verb under the module's name
@@ -96,12 +85,12 @@ def test_the_deviation_of_a_joint_from_the_straight_path_is_what_mujoco_computes
     rows = np.array(timeline.rows)
     rows[[1, 3, 5]] += 0.3 * rng.normal(size=(3, figure.width))
     timeline, times = timeline.with_rows(rows), np.array([key.time for key in keys])
-    share = (np.arange(SAMPLES_PER_SEGMENT) + 0.5) / SAMPLES_PER_SEGMENT
+    share = (np.arange(restarts.SAMPLES_PER_SEGMENT) + 0.5) / restarts.SAMPLES_PER_SEGMENT
     t = (times[:-1, None] + share * np.diff(times)[:, None]).ravel()
     ways = by_scipy(figure, times, figure.to_qpos(timeline.states[::2]), t)
     apart = places(figure, figure.to_qpos(path_of(timeline).at(t))) - places(figure, ways)
     size = np.linalg.norm(places(figure, figure.model.qpos0[None]), axis=2).max()
-    found = largest_deviation(figure, timeline)
+    found = restarts.largest_deviation(figure, timeline)
     np.testing.assert_allclose(found, np.linalg.norm(apart, axis=2).max() / size, rtol=1e-9)
     assert found > 0.1
 
@@ -110,14 +99,14 @@ def test_the_deviation_of_a_joint_from_the_straight_path_is_what_mujoco_computes
 def test_a_limb_that_began_behind_its_knee_is_out_of_there_by_the_straight_way():
     keys, before = swinging(HEAP), first_search(HEAP)
     after = inbetween(Problem(LIMB, keys, TERMS))
-    assert is_poor_minimum(before.objective, before.timeline, before.trace[-1][3])
+    assert restarts.is_poor_minimum(before.objective, before.timeline, before.trace[-1][3])
     assert np.all(np.diff([entry[2] for entry in after.trace]) < 0)
     assert least_flexion(before) < -20
     assert least_flexion(after) > -1.5
-    assert not violation_dominates(after.objective, after.trace[-1][3])
+    assert not restarts.violation_dominates(after.objective, after.trace[-1][3])
     assert value(after) < 0.1 * value(before)
     raw = evenly(raw_timeline(LIMB, keys), 2)
-    assert largest_deviation(LIMB, raw) > MAX_DEVIATION
+    assert restarts.largest_deviation(LIMB, raw) > restarts.MAX_DEVIATION
     assert after.trace[0][2] < 0.1 * after.objective.value(path_of(raw))
     fine = np.linspace(*after.path.span, 2000)
     assert after.objective.value(after.path, fine) < 0.5 * after.objective.value(path_of(after.raw), fine)
@@ -130,10 +119,10 @@ def test_keyframes_up_to_10_000_times_as_far_apart_as_their_neighbours_end_with_
     for apart in np.geomspace(1e-3, 0.1, 3):
         keys = [Frame.key(t, np.concatenate([root, q])) for t, q in zip((0, apart, 10 - apart), knees, strict=True)]
         motion = inbetween(Problem(LIMB, keys, TERMS))
-        raw.append(longest_quaternion(LIMB, motion.raw))
-        ours.append(longest_quaternion(LIMB, motion.timeline))
+        raw.append(restarts.longest_quaternion(LIMB, motion.raw))
+        ours.append(restarts.longest_quaternion(LIMB, motion.timeline))
         assert motion.trace[-1][2] < 1e3
-    assert raw[0] > MAX_QUATERNION_LENGTH
+    assert raw[0] > restarts.MAX_QUATERNION_LENGTH
     assert np.median(ours) < 1.25 and max(ours) < 2
 
 
@@ -155,14 +144,14 @@ def test_about_the_moment_at_which_a_quaternion_passes_zero_are_samples_as_close
     aside = np.array([0, short, 0, 0])
     way = np.array([2.0, 0, 0, 0])
     timeline = line(np.array([1.0, 1.5, 3.0]), aside - where * way, aside + (1 - where) * way)
-    edges = common_grid([timeline], QUATERNIONS)
+    edges = restarts.common_grid([timeline], QUATERNIONS)
     moment = 2.0 * short / 2.0  # [s] of a line that makes 2 in 2 s
     middle = 1.0 + 2.0 * where
-    for about in OFFSETS:
+    for about in restarts.OFFSETS:
         assert np.abs(edges - (middle + about * moment)).min() < 1e-9
-    assert np.all(np.diff(edges) > ROUNDING / SUBDIVISIONS)
+    assert np.all(np.diff(edges) > ROUNDING / restarts.SUBDIVISIONS)
     assert edges[0] == 1.0
     assert edges[-1] == 3.0
-    alone = common_grid([timeline])
+    alone = restarts.common_grid([timeline])
     assert alone.size < edges.size
-    np.testing.assert_allclose(alone[::SUBDIVISIONS], [1, 1.5, 3])
+    np.testing.assert_allclose(alone[:: restarts.SUBDIVISIONS], [1, 1.5, 3])

@@ -23,14 +23,7 @@ from dynsplines.solver.surface import (
     hull_of,
     static_surfaces,
 )
-from dynsplines.solver.surface.heights import (
-    clearance_gradients,
-    clearances,
-    ground_at,
-    height_over,
-    heights,
-    heights_nearby,
-)
+from dynsplines.solver.surface import heights as terrain
 from dynsplines.solver.surface.static import DOWN
 from dynsplines.solver.surface.surface import DEEP, GROUNDED
 from dynsplines.solver.surface.touch import SCENERY, bolted, counts_all, grounds, movers, solids
@@ -232,7 +225,7 @@ def test_what_just_touches_is_not_in_it_and_what_is_any_nearer_is(name):
 def test_of_two_surfaces_as_high_as_each_other_the_first_is_the_nearest_and_a_floor_is_below_at_any_depth():
     floors = [Plane(name, np.zeros(3), np.array([0.0, 0, 1])) for name in ("one", "other")]
     for z in (0.5, -3.0):
-        found, which = heights(floors, np.array([[[0.0]], [[0.0]], [[z]]]), np.array([0.25]))
+        found, which = terrain.heights(floors, np.array([[[0.0]], [[0.0]], [[z]]]), np.array([0.25]))
         assert (found.item(), which.item()) == (z - 0.25, 0)
 
 
@@ -240,7 +233,7 @@ def test_a_point_deep_in_a_box_came_from_beside_it_and_is_above_what_the_box_sta
     half = np.array([0.5, 0.5, 0.5])
     floor, block = Plane("floor", -half, np.array([0.0, 0, 1])), Box("block", np.zeros(3), np.eye(3), half)
     for deep, height, nearest in ((DEEP - 0.01, 0.01 - DEEP, 1), (DEEP + 0.01, 1 - DEEP - 0.01, 0)):
-        found, which = heights([floor, block], np.array([[[0.0]], [[0.0]], [[0.5 - deep]]]), np.zeros(1))
+        found, which = terrain.heights([floor, block], np.array([[[0.0]], [[0.0]], [[0.5 - deep]]]), np.zeros(1))
         assert which.item() == nearest and found.item() == pytest.approx(height, abs=1e-12)
 
 
@@ -351,7 +344,7 @@ def test_within_reach_of_an_edge_it_is_the_nearer_of_both(rng):
     """Over a box and its floor: the top's where a point is over it or within 7 cm of it, in any direction; what lies
     between that and 10 cm depends on the direction."""
     points = np.vstack([rng.uniform(-0.8, 0.8, (2, 1, 400)), rng.uniform(0.0, 0.7, (1, 1, 400))])
-    found, where = heights_nearby([FLOOR, BOX], points, np.array([0.05]), REACH)
+    found, where = terrain.heights_nearby([FLOOR, BOX], points, np.array([0.05]), REACH)
     beyond = np.maximum(np.abs(points[:2]) - 0.5, 0).max(axis=0)[0]
     z = points[2, 0] - 0.05
     top_is_nearer, on_top, on_floor = np.abs(z - 0.4) + 0.05 < np.abs(z), beyond == 0, beyond > REACH
@@ -361,7 +354,7 @@ def test_within_reach_of_an_edge_it_is_the_nearer_of_both(rng):
     np.testing.assert_allclose(found[0, on_floor], z[on_floor], atol=1e-12)
     high = on_top & (beyond == 0) & (np.abs(points[:2]).max(axis=0)[0] < 0.5 - REACH) & (z > 0.26)
     np.testing.assert_allclose(found[0, high], z[high] - 0.4, atol=1e-12)
-    np.testing.assert_allclose(height_over([FLOOR, BOX], where, np.array([0.05]))[0], found, atol=1e-12)
+    np.testing.assert_allclose(terrain.height_over([FLOOR, BOX], where, np.array([0.05]))[0], found, atol=1e-12)
     np.testing.assert_array_less(np.linalg.norm((where - points)[:, 0], axis=0), REACH + 1e-12)
 
 
@@ -369,7 +362,7 @@ def test_within_reach_of_an_edge_it_is_the_nearer_of_both(rng):
 def test_the_ground_of_a_point_is_the_plane_below_it(normal, rng):
     plane = Plane("plane", rng.normal(size=3), normal)
     point = plane.point + 0.04 * normal + np.cross(normal, rng.normal(size=3))
-    found = ground_at([plane], point, 0.03, REACH)
+    found = terrain.ground_at([plane], point, 0.03, REACH)
     assert found is not None
     np.testing.assert_allclose(found.normal, normal, atol=1e-12)
     elsewhere = rng.normal(size=(3, 5))
@@ -393,9 +386,9 @@ def test_clearances_are_distances_by_mujoco_for_points_above_the_top_of_a_box(rn
         mujoco.mj_kinematics(model, data)
         expected[i] = min(mujoco.mj_geomDistance(model, data, 0, 1, 9.0, None) + 1e-6, place[2])
     points = (bottoms + 0.05 * UP).T[:, None]
-    found, origin = clearances([FLOOR, box], points, np.array([0.05]))
-    gradient = clearance_gradients([FLOOR, box], origin[0], points[:, 0], np.full(200, 0.05))
+    found, origin = terrain.clearances([FLOOR, box], points, np.array([0.05]))
+    gradient = terrain.clearance_gradients([FLOOR, box], origin[0], points[:, 0], np.full(200, 0.05))
     np.testing.assert_allclose(found[0], expected, atol=1e-9)
     step, h = rng.normal(size=points.shape), 1e-6
-    rise = [clearances([FLOOR, box], points + s * step, np.array([0.05]))[0] for s in (-h, h)]
+    rise = [terrain.clearances([FLOOR, box], points + s * step, np.array([0.05]))[0] for s in (-h, h)]
     np.testing.assert_allclose((rise[1] - rise[0]) / (2 * h), np.einsum("is,ins->ns", gradient, step), atol=1e-4)

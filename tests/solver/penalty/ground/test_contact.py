@@ -9,6 +9,7 @@ from figures import BALL, FLOOR, figure_of, random_points, stance_of
 from oracles import kinematics
 from random_models import at_times, random_samples
 
+from dynsplines.solver import penalty
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Contact, resting_objects, stances
@@ -19,15 +20,6 @@ from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import (
-    Attachment,
-    Collision,
-    CovariantAcceleration,
-    Rolling,
-    RootAcceleration,
-    UnitMagnitude,
-    slipped,
-)
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
@@ -48,7 +40,7 @@ def test_it_is_the_sum_of_squared_depths_of_points_placed_by_mujoco(figure, rng)
                 height = (data.xpos[body] + data.xmat[body].reshape(3, 3) @ point.position)[2]
                 total += max(point.radius + 0.05 - height, 0) ** 2
         expected.append(total)
-    np.testing.assert_allclose(Collision(points, (FLOOR,), margin=0.05).evaluate(samples), expected, rtol=1e-10)
+    np.testing.assert_allclose(penalty.Collision(points, (FLOOR,), margin=0.05).evaluate(samples), expected, rtol=1e-10)
     assert np.count_nonzero(expected) > 4
 
 
@@ -63,7 +55,7 @@ def test_it_is_the_squared_distance_from_the_drifting_spot_while_the_stance_last
     away = samples.links.x[:, 1] + offset - np.array([0.1, 0.2, 0])[:, None]
     away -= np.array([0.03, 0, 0.01])[:, None] * (t - 0.5) / 0.5
     expected = np.where((t >= 0.5) & (t <= 1.0), np.sum(away**2, axis=0), 0)
-    np.testing.assert_allclose(Attachment((stance,)).evaluate(samples), expected, rtol=1e-12)
+    np.testing.assert_allclose(penalty.Attachment((stance,)).evaluate(samples), expected, rtol=1e-12)
     assert np.count_nonzero(expected) == 3
 
 
@@ -130,11 +122,11 @@ def placed(link: int, time: float, target: Array = TARGET) -> Contact:
     return Contact.at(Point("p", link, np.array([0.1, 0.2, -0.3])), time, time, target)
 
 
-def placement_of(figure: Figure, *times: float) -> Attachment:
+def placement_of(figure: Figure, *times: float) -> penalty.Attachment:
     """Points of the first and the last link at every time, one of them with a free axis."""
     last = len(figure.links) - 1
     loose = np.array([0.4, np.nan, 0.2])
-    return Attachment(tuple(point for t in times for point in (placed(1, t, loose), placed(last, t))))
+    return penalty.Attachment(tuple(point for t in times for point in (placed(1, t, loose), placed(last, t))))
 
 
 def some(figure: Figure, rng: np.random.Generator) -> Samples:
@@ -168,8 +160,8 @@ def test_a_reachable_place_is_reached_within_a_millimetre(coordinates, which):
     free = np.zeros(7, bool)
     keys = [Frame.key(float(i), [0.1 * i, 0, 1, 1, 0, 0, 0]) for i in range(3)]
     keys[which] = Frame.key(float(which), keys[which].state, free)
-    placement = Attachment((placed(1, float(which)),))
-    penalties = [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 1.0), (placement, 30.0)]
+    placement = penalty.Attachment((placed(1, float(which)),))
+    penalties = [(penalty.CovariantAcceleration(), 1.0), (penalty.UnitMagnitude(), 1.0), (placement, 30.0)]
     motion = inbetween(Problem(figure, keys, penalties))
     data = kinematics(figure.model, motion.at(float(which))[0])
     assert np.linalg.norm(data.site_xpos[0] - TARGET) < 1e-3
@@ -181,7 +173,7 @@ UP, TILT = np.array([0.0, 0, 1]), np.array([0.28, 0, 0.96])
 LOW_FLOOR = Plane("floor", -50 * UP, UP)
 
 
-def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, Attachment]:
+def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, penalty.Attachment]:
     samples = at_times(random_samples(figure, rng, 6), np.linspace(0, 1, 6))
     last, slope = len(figure.links) - 1, Plane("slope", -50 * UP + 3 * TILT, TILT)
     rests = (
@@ -191,7 +183,7 @@ def case(figure: Figure, rng: np.random.Generator) -> tuple[Samples, Attachment]
         Contact(Point("d", last, np.array([0.0, 0.1, 0.2]), 0.03), 0.2, 0.8),
         Contact(Point("c again", last, np.array([0.2, 0.1, 0.0]), 0.02), 0.5, 1.0, rolls=True),
     )
-    return samples, Attachment(rests, (LOW_FLOOR,))
+    return samples, penalty.Attachment(rests, (LOW_FLOOR,))
 
 
 def test_the_value_by_hand(figure, rng):
@@ -215,7 +207,7 @@ def test_a_sphere_that_rolls_goes_as_far_as_it_has_turned(angle):
     turned = quat.product(quat.from_rotation_vector([0, angle, 0]), start)[:, None]
     for rolls, ground, way in ((True, None, 1.0), (True, Plane("floor", np.zeros(3), UP), 1.0), (False, None, 0.0)):
         rest = Contact(Point("ball", 1, np.zeros(3), 0.05), 0.0, 1.0, surface=ground, rolls=rolls)
-        found = Rolling.of(rest, start).displacement(turned)
+        found = penalty.Rolling.of(rest, start).displacement(turned)
         np.testing.assert_allclose(found[:, 0], [way * 0.05 * angle, 0, 0], atol=1e-12)
 
 
@@ -258,7 +250,7 @@ def sliding(samples: Samples, grasp: Contact) -> Array:
     """(S, 3) how fast the hand moves on the body, in that link's axes, by differences along y', y''."""
     h = 1e-5
     there = [
-        slipped(Samples(samples.figure, samples.y + k * h * samples.y_d, samples.y_d, samples.y_dd), grasp)
+        penalty.slipped(Samples(samples.figure, samples.y + k * h * samples.y_d, samples.y_d, samples.y_dd), grasp)
         for k in (-1, 1)
     ]
     return ((there[1] - there[0]) / (2 * h)).T
@@ -272,7 +264,7 @@ def test_the_value_is_the_distance_from_the_spot_or_what_the_hand_slides_on_the_
     expected = ((t >= 0.1) & (t <= 0.8)) * np.sum(known(samples, first) ** 2, axis=1)
     settling = Thresholds.of(samples.figure).settling
     expected += ((t >= 0.3) & (t <= 1.0)) * settling**2 * np.sum(sliding(samples, second) ** 2, axis=1)
-    np.testing.assert_allclose(Attachment((first, second)).evaluate(samples), expected, rtol=1e-6)
+    np.testing.assert_allclose(penalty.Attachment((first, second)).evaluate(samples), expected, rtol=1e-6)
 
 
 @pytest.mark.slow
@@ -285,13 +277,13 @@ def test_a_hand_stays_on_a_box_that_turns_where_the_raw_spline_loses_it(is_known
         keys.append(Frame.key(float(i), [*(box + quat.rotated(turn, spot)), 1, 0, 0, 0, *box, *turn]))
     hand = Point("hand", 1, np.zeros(3))
     grasp = Contact.at(hand, 0.0, 1.0, spot, on=2) if is_known else Contact(hand, 0.0, 1.0, 2)
-    others = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
+    others = [(penalty.CovariantAcceleration(), 1.0), (penalty.RootAcceleration(), 1.0), (penalty.UnitMagnitude(), 1.0)]
 
     def worst(weight: float) -> float:
-        penalties = [*others, (Attachment((grasp,)), weight)]
+        penalties = [*others, (penalty.Attachment((grasp,)), weight)]
         motion = inbetween(Problem(figure, keys, penalties, Settings(tolerance=1e-5)))
         samples = Samples(figure, *(figure.to_state(motion.at(np.linspace(0, 1, 80))),) * 3)
-        return float(np.linalg.norm(slipped(samples, grasp) - spot[:, None], axis=0).max())
+        return float(np.linalg.norm(penalty.slipped(samples, grasp) - spot[:, None], axis=0).max())
 
     assert worst(0.0) > 0.1
     assert worst(300.0) < 0.003

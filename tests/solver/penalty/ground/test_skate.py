@@ -8,19 +8,12 @@ from figures import BALL, figure_of
 from gradients import assembled, curvature_of
 from random_models import at_times, random_samples
 
+from dynsplines.solver import penalty
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import (
-    Collision,
-    CovariantAcceleration,
-    HoverPenalty,
-    RootAcceleration,
-    Skate,
-    UnitMagnitude,
-)
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point, places_of
@@ -43,18 +36,18 @@ def test_the_value_is_the_velocity_by_differences_weighted_by_height(figure, rng
     samples, h = random_samples(figure, rng, 5), 1e-6
     points, floor = some_points(samples), below(samples)
     before, after = (Samples(figure, samples.y + s * samples.y_d, samples.y_d, samples.y_dd) for s in (-h, h))
-    contact = Collision(points, ())
+    contact = penalty.Collision(points, ())
     velocity = (contact.centres(after)[0] - contact.centres(before)[0]) / (2 * h)
     height = contact.centres(samples)[0][2] - floor.point[2] - np.array([0.05, 0])[:, None]
     u = height / 0.4
     expected = np.sum(np.exp(-u * (u + 0.5) / 1.5) * np.sum(velocity**2, axis=0), axis=0)
-    np.testing.assert_allclose(Skate(points, (floor,), 0.4).evaluate(samples), expected, rtol=1e-6)
+    np.testing.assert_allclose(penalty.Skate(points, (floor,), 0.4).evaluate(samples), expected, rtol=1e-6)
 
 
 def test_a_step_of_the_model_cannot_gain_without_limit(figure, rng):
     """The gradient is within the range of the matrices, and the model promises at most the squares of its residuals."""
     samples = random_samples(figure, rng, 3)
-    skate, cotangent = Skate(some_points(samples), (below(samples),), 1.0), Cotangent(samples)
+    skate, cotangent = penalty.Skate(some_points(samples), (below(samples),), 1.0), Cotangent(samples)
     values = skate.evaluate(samples, cotangent)
     matrices = assembled(curvature_of(skate, samples, np.ones(3)), np.tile(np.eye(3), (3, 1, 1)))
     for value, matrix, gradient in zip(values, matrices, np.hstack(cotangent.gradients()), strict=True):
@@ -64,7 +57,7 @@ def test_a_step_of_the_model_cannot_gain_without_limit(figure, rng):
 
 
 def test_the_value_is_continuous_where_a_point_passes_over_the_edge_of_a_step():
-    figure, skate = figure_of(BALL), Skate((FOOT,), (FLOOR, STEP))
+    figure, skate = figure_of(BALL), penalty.Skate((FOOT,), (FLOOR, STEP))
     for height in (0.0, 0.01, 0.05):
         y = np.array([[x, 0, 0.3 + height, 1, 0, 0, 0] for x in (-1e-9, 1e-9)])
         left, right = skate.evaluate(Samples(figure, y, np.eye(1, 7) + np.zeros((2, 1)), np.zeros((2, 7))))
@@ -86,9 +79,13 @@ def speed_on_the_ground(weight: float, clock: float = 1.0) -> float:
     figure = figure_of(BALL)
     places = [(0.0, 0.4), (0.4, 0.1), (0.5, 0.1), (0.9, 0.4)]
     keys = [Frame.key(0.3 * clock * i, [x, 0, z, 1, 0, 0, 0]) for i, (x, z) in enumerate(places)]
-    penalties = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
+    penalties = [
+        (penalty.CovariantAcceleration(), 1.0),
+        (penalty.RootAcceleration(), 1.0),
+        (penalty.UnitMagnitude(), 1.0),
+    ]
     motion = inbetween(
-        Problem(figure, keys, [*penalties, (Skate((FOOT,), (FLOOR,)), weight)], Settings(tolerance=1e-4))
+        Problem(figure, keys, [*penalties, (penalty.Skate((FOOT,), (FLOOR,)), weight)], Settings(tolerance=1e-4))
     )
     t = np.linspace(0, 0.9 * clock, 901)
     qpos = motion.at(t)
@@ -103,15 +100,15 @@ def test_a_point_that_comes_down_is_slow_there_and_without_the_penalty_it_is_not
     assert speed_on_the_ground(300.0) < 0.7 * speed_on_the_ground(0.0)
 
 
-def case(figure: Figure, rng: np.random.Generator, count: int = 6) -> tuple[Samples, HoverPenalty]:
+def case(figure: Figure, rng: np.random.Generator, count: int = 6) -> tuple[Samples, penalty.HoverPenalty]:
     samples = at_times(random_samples(figure, rng, count), np.linspace(0, 1, count))
     points = some_points(samples)
     centres, _ = places_of(points, samples)
     floor = Plane("floor", (centres[2].min() - 0.3) * UP, UP)
-    return samples, HoverPenalty(points, (floor,), reach=0.8, blend=0.2)
+    return samples, penalty.HoverPenalty(points, (floor,), reach=0.8, blend=0.2)
 
 
-def lowest(samples: Samples, grounded: HoverPenalty, blend: float | np.ndarray) -> np.ndarray:
+def lowest(samples: Samples, grounded: penalty.HoverPenalty, blend: float | np.ndarray) -> np.ndarray:
     """The smooth minimum of the heights of the two points, (S,)."""
     (floor,) = grounded.surfaces
     assert isinstance(floor, Plane)

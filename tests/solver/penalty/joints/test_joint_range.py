@@ -15,6 +15,7 @@ from oracles import kinematics
 from random_models import random_samples
 from scipy.spatial.transform import Rotation
 
+from dynsplines.solver import penalty as kinds
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -24,19 +25,6 @@ from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import (
-    CovariantAcceleration,
-    JointRange,
-    RootAcceleration,
-    Speed,
-    UnitMagnitude,
-    Upright,
-    holds,
-    joint_ranges,
-    leans,
-    overshoot,
-    root_ranges,
-)
 from dynsplines.solver.problem import Problem, Settings
 
 LIMITS = {"shoulder": 60, "elbow": 100, "hip": 20, "wrist": 50, "swing": 30}
@@ -72,7 +60,7 @@ def limited_figure(request: pytest.FixtureRequest) -> Figure:
 def by_mujoco(limited_figure: Figure, samples: Samples) -> Array:
     """How far joints are beyond their ranges by MuJoCo's limit constraints, (n, S); 0 for those within."""
     model = limited_figure.model
-    names = [r.name for r in joint_ranges(limited_figure)]
+    names = [r.name for r in kinds.joint_ranges(limited_figure)]
     out = np.zeros((len(names), samples.count))
     data = mujoco.MjData(model)
     for s, qpos in enumerate(limited_figure.to_qpos(samples.y)):
@@ -87,7 +75,7 @@ def by_mujoco(limited_figure: Figure, samples: Samples) -> Array:
 
 def test_how_far_joints_are_beyond_their_ranges_is_what_mujoco_computes(limited_figure, rng):
     samples = random_samples(limited_figure, rng, 20)
-    found = JointRange(joint_ranges(limited_figure)).beyond(samples)
+    found = kinds.JointRange(kinds.joint_ranges(limited_figure)).beyond(samples)
     assert len(found) == len(limited_figure.links) - 2
     np.testing.assert_allclose(np.maximum(found, 0), by_mujoco(limited_figure, samples), atol=1e-9)
     assert np.count_nonzero(found > 0) > 20
@@ -107,7 +95,7 @@ def turned_by(limited_figure: Figure, angles: list[float], axis: Array) -> Sampl
 def test_half_a_turn_is_smooth_and_no_turn_too(off, rng):
     limited_figure = figure_of(ONE.format(0.001))
     axis = np.array([0.6, 0, 0.8])
-    penalty = JointRange(joint_ranges(limited_figure))
+    penalty = kinds.JointRange(kinds.joint_ranges(limited_figure))
     samples = turned_by(limited_figure, [np.pi - off, np.pi + off, off, -off], axis)
     cotangent = Cotangent(samples)
     values = penalty.evaluate(samples, cotangent)
@@ -125,25 +113,25 @@ def test_half_a_turn_is_smooth_and_no_turn_too(off, rng):
 
 def test_only_limited_joints_that_can_pass_their_range_count():
     def ranges(text: str) -> list[str]:
-        return [r.name for r in joint_ranges(figure_of(text))]
+        return [r.name for r in kinds.joint_ranges(figure_of(text))]
 
     assert ranges(ONE.format(50)) == ["j"]
     assert ranges(ONE.format(180)) == []
     assert ranges(ONE.format(50).replace('limited="true"', 'limited="false"')) == []
     assert ranges(BALL_TREE) == []
     free = random_samples(figure_of(BALL_TREE), np.random.default_rng(1))
-    assert not list(JointRange(()).residuals(free))
-    assert not JointRange(()).evaluate(free, Cotangent(free)).any()
+    assert not list(kinds.JointRange(()).residuals(free))
+    assert not kinds.JointRange(()).evaluate(free, Cotangent(free)).any()
 
 
 def test_what_keyframes_violate_passes_along_the_line_to_the_next(limited_figure, rng):
     """Beyond by a keyframe: nothing to pay there, half of it to spare midway to one within."""
-    ranges = joint_ranges(limited_figure)
+    ranges = kinds.joint_ranges(limited_figure)
     states = limited_figure.to_state(
         np.vstack([limited_figure.model.qpos0, rng.normal(size=(1, limited_figure.width)), limited_figure.model.qpos0])
     )
     keys = Timeline(tuple(Frame.key(float(t), y) for t, y in enumerate(states)), np.zeros((2, limited_figure.width)))
-    plain, lenient = JointRange(ranges), JointRange(ranges).allowing(limited_figure, keys)
+    plain, lenient = kinds.JointRange(ranges), kinds.JointRange(ranges).allowing(limited_figure, keys)
     at_keys = Samples(limited_figure, states, 0 * states, 0 * states, t=keys.times)
     over = np.maximum(plain.beyond(at_keys), 0)
     assert np.count_nonzero(over[:, 1]) > 1
@@ -155,7 +143,7 @@ def test_what_keyframes_violate_passes_along_the_line_to_the_next(limited_figure
     timed = Samples(limited_figure, samples.y, samples.y_d, samples.y_dd, t=np.linspace(0.7, 1.3, 6))
     assert penalty_slope(lenient, timed, rng) > 1.9
     loose = Timeline(tuple(Frame.key(f.time, f.state, 0 * f.fixed) for f in keys.frames), keys.end_slope)
-    nothing = JointRange(ranges).allowing(limited_figure, loose)
+    nothing = kinds.JointRange(ranges).allowing(limited_figure, loose)
     np.testing.assert_array_equal(nothing.evaluate(timed), plain.evaluate(timed))
 
 
@@ -173,11 +161,11 @@ def test_a_joint_keyed_beyond_its_range_does_not_flick():
         samples = Samples(limited_figure, *(path.at(t, order) for order in range(3)), t=t)
         return float(np.linalg.norm(samples.links.alpha[:, 1], axis=0).max())
 
-    def solved(limits: JointRange) -> float:
-        terms = [(CovariantAcceleration(), 1.0), (limits, 1.0)]
+    def solved(limits: kinds.JointRange) -> float:
+        terms = [(kinds.CovariantAcceleration(), 1.0), (limits, 1.0)]
         return peak(inbetween(Problem(limited_figure, keys, terms, Settings(frames=8, tolerance=1e-4))).timeline)
 
-    strict = JointRange(joint_ranges(limited_figure))
+    strict = kinds.JointRange(kinds.joint_ranges(limited_figure))
     assert solved(strict.allowing(limited_figure, raw)) <= 2.5 * peak(raw)
     assert solved(strict) > 8 * peak(raw)
 
@@ -246,7 +234,7 @@ def test_it_is_about_keyframes_whose_roots_turn_was_posed_and_keeps_what_points_
     qpos[3:7] = [np.cos(0.2), 0, np.sin(0.2), 0]
     free[3:7] = True
     keys = [Frame.key(0.0, qpos), Frame(1.0, qpos, ~free, free), Frame.key(2.0, qpos, ~free), Frame.key(3.0, qpos)]
-    (lean,) = leans(figure, raw_timeline(figure, keys), figure.tables.free_links.tolist())
+    (lean,) = kinds.leans(figure, raw_timeline(figure, keys), figure.tables.free_links.tolist())
     assert (lean.link, lean.time) == (int(figure.tables.free_links[0]), 1.0)
     np.testing.assert_allclose(turned(figure, qpos, lean.link, lean.axis), UP, atol=1e-12)
 
@@ -261,7 +249,7 @@ def test_the_value_is_what_mujoco_computes_of_the_axis(figure, rng, axis):
         for body in bodies:
             own = rest.xmat[body].reshape(3, 3).T @ [0, 0, 1] if axis is None else np.array(axis) / np.linalg.norm(axis)
             expected[s] += np.sum((data.xmat[body].reshape(3, 3) @ own - [0, 0, 1]) ** 2)
-    np.testing.assert_allclose(Upright.of(figure, bodies, axis).evaluate(samples), expected, atol=1e-9)
+    np.testing.assert_allclose(kinds.Upright.of(figure, bodies, axis).evaluate(samples), expected, atol=1e-9)
 
 
 def unit_samples(figure, rng, count):
@@ -286,7 +274,7 @@ def test_joints_are_as_fast_as_mujoco_computes(figure, rng):
             joint = figure.links[i].joint
             at, size = int(model.jnt_dofadr[joint]), 3 if figure.links[i].kind is JointKind.BALL else 1
             expected[row, s] = np.linalg.norm(qvel[at : at + size])
-    speed = Speed(1.0)
+    speed = kinds.Speed(1.0)
     np.testing.assert_allclose(speed.excess(samples), expected - 1, rtol=1e-4, atol=1e-6)
     np.testing.assert_allclose(speed.evaluate(samples), np.sum(np.maximum(expected - 1, 0) ** 2, axis=0), rtol=1e-3)
 
@@ -308,7 +296,7 @@ def hinged(times: Sequence[float], degrees: Sequence[float], ends: str = "free")
 
 def held_from(times: Sequence[float], degrees: Sequence[float]) -> list[float]:
     """The times [s] at which holds of a hinge begin."""
-    penalty = overshoot(holds(*hinged(times, degrees)))
+    penalty = kinds.overshoot(kinds.holds(*hinged(times, degrees)))
     joints = penalty.joints if penalty is not None else ()
     np.testing.assert_allclose([np.degrees(joint.high - joint.low) for joint in joints], 2)
     return [joint.first for joint in joints]
@@ -328,7 +316,7 @@ def test_the_height_of_a_root_is_not_held_in_a_flight() -> None:
     states = [[0, 0, z, 1, 0, 0, 0] for z in (0.5, 1, 1, 0.5)]
     keys = raw_timeline(figure, [Frame.key(t, state) for t, state in enumerate(states)])
     for flights, columns in (((), {0, 1, 2}), (((1.0, 2.0),), set())):
-        joints = holds(figure, keys, flights)
+        joints = kinds.holds(figure, keys, flights)
         assert {joint.column for joint in joints if joint.first == 1.0 and joint.home is None} == columns
 
 
@@ -339,7 +327,7 @@ def leaning(turn: float, lean: float) -> Array:
     first, last, halfway = (np.array([0, 0, 1, *way, 0]) for way in ways)
     keys = raw_timeline(figure, [Frame.key(0.0, first), Frame.key(1.0, last)])
     y = figure.to_state(halfway[None])
-    return JointRange(tuple(root_ranges(figure, keys, (), ()))).evaluate(
+    return kinds.JointRange(tuple(kinds.root_ranges(figure, keys, (), ()))).evaluate(
         Samples(figure, y, 0 * y, 0 * y, t=np.array([0.5]))
     )
 
@@ -361,9 +349,9 @@ def swings(first: Array, last: Array) -> tuple[Array, Array]:
     figure = figure_of(CHAIN)
     keys = [Frame.key(t, q) for t, q in zip((0, 1, 1.3, 2.3), (first, first, last, last), strict=True)]
     raw = raw_timeline(figure, keys)
-    held = overshoot(holds(figure, raw))
+    held = kinds.overshoot(kinds.holds(figure, raw))
     assert held is not None
-    motion = [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0), (UnitMagnitude(), 1.0)]
+    motion = [(kinds.CovariantAcceleration(), 1.0), (kinds.RootAcceleration(), 1.0), (kinds.UnitMagnitude(), 1.0)]
     solution = inbetween(Problem(figure, keys, [*motion, (held, 10.0)], Settings(frames=20, tolerance=1e-3)))
 
     def off(timeline: Timeline) -> Array:

@@ -15,6 +15,7 @@ from scipy.spatial.transform import Rotation, Slerp
 
 from dynsplines.clip.build import constraints
 from dynsplines.clip.context import Context
+from dynsplines.solver import penalty
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Steps
@@ -29,17 +30,6 @@ from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
-from dynsplines.solver.penalty import (
-    Between,
-    CovariantAcceleration,
-    Cycle,
-    PeakAcceleration,
-    Posture,
-    RootAcceleration,
-    Torque,
-    TrackingPenalty,
-    UnitMagnitude,
-)
 from dynsplines.solver.penalty.motion.tracking import BACK, EASED, STRAYS
 from dynsplines.solver.problem import Problem, Settings
 
@@ -57,7 +47,9 @@ def angular_accelerations(samples: Samples) -> np.ndarray:
 
 def test_it_is_a_quarter_of_the_squared_angular_acceleration(figure, rng):
     samples = random_samples(figure, rng)
-    np.testing.assert_allclose(CovariantAcceleration().evaluate(samples), angular_accelerations(samples), rtol=1e-11)
+    np.testing.assert_allclose(
+        penalty.CovariantAcceleration().evaluate(samples), angular_accelerations(samples), rtol=1e-11
+    )
 
 
 def sizes(samples: Samples) -> Array:
@@ -71,7 +63,9 @@ def sizes(samples: Samples) -> Array:
 
 def test_it_is_the_sum_of_eighth_powers(figure, rng):
     samples = random_samples(figure, rng)
-    np.testing.assert_allclose(PeakAcceleration().evaluate(samples), np.sum(sizes(samples) ** 8, axis=1), rtol=1e-10)
+    np.testing.assert_allclose(
+        penalty.PeakAcceleration().evaluate(samples), np.sum(sizes(samples) ** 8, axis=1), rtol=1e-10
+    )
 
 
 def roots_of(figure: Figure) -> list[int]:
@@ -96,7 +90,7 @@ def test_the_value_is_the_speed_of_the_joints_by_differences(figure, rng):
         expected += np.sum(((after - before)[:, qpos : qpos + 2] / (2 * h)) ** 2, axis=1) / 2 / size**2
         a, b = (Rotation.from_quat(q[:, qpos + 3 : qpos + 7], scalar_first=True) for q in (before, after))
         expected += 3 * np.sum(((a.inv() * b).as_rotvec() / (2 * h)) ** 2, axis=1)
-    np.testing.assert_allclose(Posture().evaluate(samples), expected, rtol=1e-5)
+    np.testing.assert_allclose(penalty.Posture().evaluate(samples), expected, rtol=1e-5)
 
 
 def test_a_root_that_turns_and_travels_evenly_between_its_keyframes_costs_nothing(rng):
@@ -115,21 +109,21 @@ def test_a_root_that_turns_and_travels_evenly_between_its_keyframes_costs_nothin
     frames = [Frame.key(k, state) for k, state in zip(times.tolist(), states(times), strict=True)]
     y_d = (states(t + h) - states(t - h)) / (2 * h)
     samples = Samples(figure, states(t), y_d, 0 * y_d, t=t)
-    assert Posture().evaluate(samples).min() > 1
+    assert penalty.Posture().evaluate(samples).min() > 1
     none = np.zeros(len(figure.links), bool)
     no_steps = Steps(times, np.zeros((len(figure.links), 2), bool), none)
-    between = Between.of(figure, raw_timeline(figure, frames), no_steps)
-    np.testing.assert_allclose(Posture(between=between).evaluate(samples), 0, atol=1e-6)
+    between = penalty.Between.of(figure, raw_timeline(figure, frames), no_steps)
+    np.testing.assert_allclose(penalty.Posture(between=between).evaluate(samples), 0, atol=1e-6)
 
 
 def test_it_is_the_squared_acceleration_of_root_and_slides_and_feels_nothing_else(figure, rng):
     samples = random_samples(figure, rng)
     counted = [0, 1, 2] + [link.qpos for link in figure.links[1:] if link.kind is link.kind.SLIDE]
     np.testing.assert_allclose(
-        RootAcceleration().evaluate(samples), np.sum(samples.y_dd[:, counted] ** 2, axis=1), rtol=1e-14
+        penalty.RootAcceleration().evaluate(samples), np.sum(samples.y_dd[:, counted] ** 2, axis=1), rtol=1e-14
     )
     cotangent = Cotangent(samples)
-    RootAcceleration().evaluate(samples, cotangent)
+    penalty.RootAcceleration().evaluate(samples, cotangent)
     g0, g1, g2 = cotangent.gradients()
     assert not g0.any()
     assert not g1.any()
@@ -144,7 +138,7 @@ def test_it_is_the_sum_of_squares_of_mj_inverses_joint_entries(figure, rng, arma
     samples = random_samples(figure, rng)
     joints = np.array([figure.model.jnt_type[j] != mujoco.mjtJoint.mjJNT_FREE for j in figure.model.dof_jntid])
     expected = np.sum(mujoco_forces(samples)[:, joints] ** 2, axis=1)
-    np.testing.assert_allclose(Torque().evaluate(samples), expected, rtol=1e-9)
+    np.testing.assert_allclose(penalty.Torque().evaluate(samples), expected, rtol=1e-9)
 
 
 BALL = '<mujoco><worldbody><body><joint type="ball"/><geom size="0.1"/></body></worldbody></mujoco>'
@@ -155,14 +149,16 @@ def test_the_square_is_the_sum_of_squared_excess_lengths(figure, rng):
     expected = sum((samples.y[:, c] ** 2).sum(axis=1) - 1 for c in figure.tables.quaternion_columns.T[:1]) ** 2
     for columns in figure.tables.quaternion_columns.T[1:]:
         expected = expected + ((samples.y[:, columns] ** 2).sum(axis=1) - 1) ** 2
-    np.testing.assert_allclose(UnitMagnitude().evaluate(samples), expected, rtol=1e-12)
+    np.testing.assert_allclose(penalty.UnitMagnitude().evaluate(samples), expected, rtol=1e-12)
 
 
 def test_a_raw_spline_that_is_far_off_unit_length_does_not_make_it_soft():
     figure = figure_of(BALL)
     turns = [[1.0, 0, 0, 0], [0.1, 1, 0, 0], [1, 0.1, 0, 0]]
     raw = path_of(raw_timeline(figure, [Frame.key(t, q) for t, q in zip((0.0, 0.1, 3.0), turns, strict=True)]))
-    firm, soft = (Objective.of(figure, [(UnitMagnitude(most=m), 2.0)]).renormalised(raw).terms[0] for m in (0.01, 1e9))
+    firm, soft = (
+        Objective.of(figure, [(penalty.UnitMagnitude(most=m), 2.0)]).renormalised(raw).terms[0] for m in (0.01, 1e9)
+    )
     np.testing.assert_allclose(firm.factor, 2.0 / (0.01 * 3.0), rtol=1e-12)
     assert soft.factor < firm.factor / 2
 
@@ -178,16 +174,16 @@ LAIN = [(LYING, "world"), (LYING, "joint")]  # whose model has its root turned
 @pytest.fixture(
     params=[*CHAINS, *LAIN], ids=["free", "fixed balls", "fixed ball and hinge", "turned root", "turned root, joints"]
 )
-def cycled(request, rng) -> Cycle:
+def cycled(request, rng) -> penalty.Cycle:
     text, coordinates = request.param
     figure = figure_of(text, coordinates)
     keys = [Frame.key(0.3 * k, qpos) for k, qpos in enumerate(figure.to_qpos(random_samples(figure, rng, 6).y))]
     gait_cycle = Gait(figure, raw_timeline(figure, keys), (), ()).with_period(0.7)
     assert gait_cycle is not None and gait_cycle.trust.max() > 0
-    return Cycle(figure, gait_cycle)
+    return penalty.Cycle(figure, gait_cycle)
 
 
-def at_its_times(cycle: Cycle, rng: np.random.Generator, count: int) -> tuple[Samples, np.ndarray]:
+def at_its_times(cycle: penalty.Cycle, rng: np.random.Generator, count: int) -> tuple[Samples, np.ndarray]:
     """Random samples at some of the times that the gait cycle covers, and which."""
     some = rng.choice(cycle.gait_cycle.times.size, count, replace=False)
     seen = random_samples(cycle.figure, rng, count)
@@ -219,7 +215,7 @@ def test_the_path_to_begin_with_is_the_cycle_at_variable_frames_and_keeps_the_ke
     seen = gait(WALK, 0.7)
     gait_cycle = seen.infer()
     assert gait_cycle is not None and len(SOLES) == 4
-    cycle = Cycle(FIGURE, gait_cycle)
+    cycle = penalty.Cycle(FIGURE, gait_cycle)
     initial_guess = cycle.initial_guess(seen.keys, None)
     spacing = gait_cycle.period / 8
     needed = sum(int(np.ceil(span / spacing - 1e-9)) - 1 for span in np.diff(seen.keys.times))
@@ -241,12 +237,12 @@ def test_the_path_to_begin_with_is_the_cycle_at_variable_frames_and_keeps_the_ke
 TIMES = np.linspace(0, 2, 61)
 
 
-def near(figure: Figure, rng: np.random.Generator) -> TrackingPenalty:
+def near(figure: Figure, rng: np.random.Generator) -> penalty.TrackingPenalty:
     states = figure.to_state(figure.model.qpos0 + 0.3 * np.sin(3 * TIMES[:, None] + rng.uniform(0, 6, figure.width)))
-    return TrackingPenalty(Track(figure, TIMES, states, np.ones_like(states)))
+    return penalty.TrackingPenalty(Track(figure, TIMES, states, np.ones_like(states)))
 
 
-def around(figure: Figure, rng: np.random.Generator, count: int) -> tuple[TrackingPenalty, Samples]:
+def around(figure: Figure, rng: np.random.Generator, count: int) -> tuple[penalty.TrackingPenalty, Samples]:
     """A recording, and samples at times of it that are not its own."""
     found = near(figure, rng)
     return found, at_times(random_samples(figure, rng, count), rng.uniform(0.1, 1.9, count))
@@ -279,7 +275,7 @@ def test_the_value_is_that_of_differences_from_scipys_spline_and_mujocos_places(
 
 def test_next_to_an_edit_poses_hardly_count_and_smoothly_more_until_its_width_where_all_of_them_does(figure, rng):
     plain = near(figure, rng)
-    eased = TrackingPenalty(plain.recorded, ((1.0, 0.4),))
+    eased = penalty.TrackingPenalty(plain.recorded, ((1.0, 0.4),))
     t = np.linspace(0.5, 1.5, 101)
     whole, held = plain.weights(t), eased.weights(t)
     share = held[0] / whole[0]
