@@ -105,29 +105,18 @@ def import_recording(
 
 def _unwrap(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, tuple[str, ...]]:
     """Return qpos (T, nq) in which hinges without limits, whose angles wrap at ±180°, are continuous, and a note."""
-    out, names, first = qpos, [], np.inf
     if qpos.shape[1] != model.nq:  # reported where the keyframes are made
         return qpos, ()
-    for joint in range(model.njnt):
+    out, hinges = qpos.copy(), np.flatnonzero(model.jnt_type == JointKind.HINGE)
+    columns = model.jnt_qposadr[hinges]
+    for joint, column in zip(hinges, columns, strict=True):
         is_bounded = model.jnt_limited[joint] and np.ptp(model.jnt_range[joint]) < 2 * np.pi - EDGE
-        if model.jnt_type[joint] != JointKind.HINGE or is_bounded:
-            continue
-        column = int(model.jnt_qposadr[joint])
-        jumps = _whole_turns(qpos[:, column])
-        if not jumps.any():
-            continue
-        out = qpos.copy() if out is qpos else out
-        out[1:, column] -= 2 * np.pi * np.cumsum(jumps)
-        names.append(model.joint(joint).name or f"joint{joint}")
-        first = min(first, float(time[1 + np.flatnonzero(jumps)[0]]))
-    if not names:
+        low, high = qpos[:, column].min(), qpos[:, column].max()
+        if not is_bounded and any(start - EDGE <= low and high <= start + 2 * np.pi + EDGE for start in (-np.pi, 0.0)):
+            out[:, column] = np.unwrap(qpos[:, column])
+    is_other = out != qpos
+    if not is_other.any():
         return qpos, ()
-    whose = listed(f"'{name}'" for name in names)
+    names = [model.joint(j).name or f"joint{j}" for j in hinges[is_other[:, columns].any(axis=0)].tolist()]
+    whose, first = listed(f"'{name}'" for name in names), time[is_other.any(axis=1).argmax()]
     return out, (f"{whose}: angles wrap at a whole turn, first at {first:.3f} s: unwrapped",)
-
-
-def _whole_turns(angle: Array) -> Array:
-    """Return the number of whole turns (T - 1,) between samples, if all angles lie within one turn, from -180° or from
-    0°, and so may be wrapped."""
-    is_within = any(angle.min() >= low - EDGE and angle.max() <= low + 2 * np.pi + EDGE for low in (-np.pi, 0.0))
-    return np.round(np.diff(angle) / (2 * np.pi)) * is_within
