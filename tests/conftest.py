@@ -1,7 +1,5 @@
 """Figures and keyframes that many tests share, small enough to read."""
 
-from __future__ import annotations
-
 # isort: off
 import environment  # before all that is ours
 # isort: on

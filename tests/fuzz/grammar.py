@@ -3,8 +3,6 @@
 What is drawn comes from a `random.Random`, so that a seed makes it again, and hypothesis can make it smaller.
 """
 
-from __future__ import annotations
-
 import random
 from collections.abc import Callable, Sequence
 

@@ -3,8 +3,6 @@
 Most changes are small, so that what reads the file comes far before it notices; some are coarse.
 """
 
-from __future__ import annotations
-
 import io
 import re
 import struct

@@ -3,8 +3,6 @@
 A reading ends well or in a UserError. Whatever else it ends in is a mistake.
 """
 
-from __future__ import annotations
-
 import io
 import pickle
 import re

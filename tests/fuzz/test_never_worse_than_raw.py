@@ -5,8 +5,6 @@ A short run is part of the tests; DYNSPLINES_FUZZ=300 makes a long one: as many 
 together, and of those that ship, of which some take minutes each.
 """
 
-from __future__ import annotations
-
 import os
 from dataclasses import replace
 

@@ -3,8 +3,6 @@
 A few of each; `python benchmarks/strange_files.py` tries more, in processes of their own.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

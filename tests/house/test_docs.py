@@ -1,7 +1,5 @@
 """Code blocks of README and docs/ run from top to bottom and print the output shown; tables, links and site."""
 
-from __future__ import annotations
-
 import contextlib
 import dataclasses
 import doctest

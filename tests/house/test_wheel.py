@@ -1,7 +1,5 @@
 """The wheel holds the package with its data and nothing else, and works from an empty folder."""
 
-from __future__ import annotations
-
 import shutil
 import subprocess
 import sys

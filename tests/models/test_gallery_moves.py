@@ -5,8 +5,6 @@ Every figure is of the solved motion between its keyframes, beside that of the r
 good for.
 """
 
-from __future__ import annotations
-
 import numpy as np
 import perturbed
 import pytest

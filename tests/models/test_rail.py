@@ -1,7 +1,5 @@
 """A limb whose raw spline goes through an obstacle goes over it, measured by MuJoCo at 1 kHz."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

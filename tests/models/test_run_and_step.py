@@ -3,8 +3,6 @@
 The bounds are the product's promises. What the raw spline does shows that these tests can fail.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

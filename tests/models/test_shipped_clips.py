@@ -1,7 +1,5 @@
 """What shipped clips promise, measured by MuJoCo's own geometry: out of the scene, feet in their places."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Partial keyframes: a lowered pelvis bends the knees, feet that stand stay, and nothing is told that is in doubt."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from pathlib import Path
 

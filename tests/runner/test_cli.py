@@ -1,7 +1,5 @@
 """The command as a user meets it: what it writes, what it says where, and one clear line for every mistake."""
 
-from __future__ import annotations
-
 import contextlib
 import importlib
 import json

@@ -1,7 +1,5 @@
 """Whatever goes wrong, the command ends with one line that a person understands, and never with a traceback."""
 
-from __future__ import annotations
-
 import csv
 import os
 import re

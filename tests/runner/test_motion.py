@@ -1,7 +1,5 @@
 """MOTION.npz: plain arrays in MuJoCo's conventions, from which everything can be made again, written whole or not."""
 
-from __future__ import annotations
-
 import zipfile
 from pathlib import Path
 from typing import Any

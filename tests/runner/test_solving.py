@@ -1,7 +1,5 @@
 """The main job: solving is told as it goes, and whatever stops it, the best path is kept."""
 
-from __future__ import annotations
-
 import io
 
 import pytest

@@ -1,7 +1,5 @@
 """The solver against the exact covariant interpolation, and the Euler-Lagrange formulas against independent ones."""
 
-from __future__ import annotations
-
 from functools import cache
 
 import numpy as np

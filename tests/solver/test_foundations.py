@@ -1,7 +1,5 @@
 """Quaternions, cones, caches, the C kernel and threads."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import shipped

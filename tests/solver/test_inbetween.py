@@ -1,7 +1,5 @@
 """The main function of the solver: its inputs, its results, and what every callback guarantees."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import cycle, pairwise
 

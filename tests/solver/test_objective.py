@@ -1,7 +1,5 @@
 """The objective and its weights."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

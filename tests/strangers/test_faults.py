@@ -1,8 +1,6 @@
 """What surrounds a command breaks: disks, folders, streams, limits, clocks, signals at any moment. It ends in one line,
 what was there before stays, and nothing half-done is left."""
 
-from __future__ import annotations
-
 import json
 import os
 import signal

@@ -1,7 +1,5 @@
 """Files that strangers send: they write nowhere but where they are asked to, and read nothing that is not theirs."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import replace

@@ -4,8 +4,6 @@
 packages is imported.
 """
 
-from __future__ import annotations
-
 import importlib.util
 from collections.abc import Iterator
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Numbers that no motion has, in models, keyframes and motions: refused in a line that says where they are."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Ctrl-C, SIGTERM and a hangup end a command in one way, at any time, and what has been found by then is kept."""
 
-from __future__ import annotations
-
 import json
 import os
 import signal

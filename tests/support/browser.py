@@ -1,7 +1,5 @@
 """A browser without windows, and what a person does with it; tests that need it skip where there is none."""
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

@@ -1,7 +1,5 @@
 """What worker processes do in tests; in a file of its own, which they can import."""
 
-from __future__ import annotations
-
 import os
 import time
 from types import TracebackType

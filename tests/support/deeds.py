@@ -1,7 +1,5 @@
 """What the workers of a batch do in tests instead of solving; in a file of its own, which they can import."""
 
-from __future__ import annotations
-
 import os
 import signal
 import time

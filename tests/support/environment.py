@@ -1,7 +1,5 @@
 """The environment of the tests, imported before NumPy and MuJoCo: one thread, bytecode, signals, renderer."""
 
-from __future__ import annotations
-
 import json
 import os
 import signal

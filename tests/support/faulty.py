@@ -4,8 +4,6 @@ A line of JSON in, one out: `words` of the command, `before`, Python that makes 
 sends to itself `at` a call of one of our functions, or `calls`, to count them. Out come exit code, both streams, calls.
 """
 
-from __future__ import annotations
-
 import importlib
 import json
 import os

@@ -1,7 +1,5 @@
 """Figures as MJCF: small ones, robots, bipeds, limbs, chains, meshes and the ground below them."""
 
-from __future__ import annotations
-
 import struct
 from collections.abc import Sequence
 from copy import copy

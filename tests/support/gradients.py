@@ -1,7 +1,5 @@
 """Taylor tests of gradients and curvature, for every soft constraint."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np

@@ -1,10 +1,8 @@
 """Motions for tests: walks, hops, recordings with faults, motions without symmetry."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, Self
 
 import mujoco
 import numpy as np
@@ -148,7 +146,7 @@ class Take:
     qpos: np.ndarray
 
     @classmethod
-    def of(cls, solved: Solved, fps: float) -> Take:
+    def of(cls, solved: Solved, fps: float) -> Self:
         figure = solved.clip.figure
         samples = Sampled.of(solved.motion, fps)
         return cls(figure, samples.time, samples.qpos)

@@ -1,7 +1,5 @@
 """Independent references: MuJoCo, SciPy, exact paths, dense matrices."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Small problems and clips."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """What processes of tests do: workers, the command `dynsplines`, faults, full disks, progress."""
 
-from __future__ import annotations
-
 import asyncio
 import io
 import signal

@@ -1,7 +1,5 @@
 """Random models, motions, keyframes and samples."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import motions

@@ -1,7 +1,5 @@
 """Shipped clips, solved once a run, and measures of their motion by MuJoCo."""
 
-from __future__ import annotations
-
 import hashlib
 import os
 import pickle

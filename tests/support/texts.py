@@ -1,7 +1,5 @@
 """Models, clips and recordings that tests read as texts."""
 
-from __future__ import annotations
-
 import tomllib
 from pathlib import Path
 from typing import Any

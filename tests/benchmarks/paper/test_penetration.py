@@ -1,7 +1,5 @@
 """How deep geoms are in the scene, where the answer is known by hand."""
 
-from __future__ import annotations
-
 import mujoco
 import numpy as np
 import pytest

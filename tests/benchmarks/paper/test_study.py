@@ -1,7 +1,5 @@
 """The paper's claims that hold for every path, and its equations and derivatives against independent formulas."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

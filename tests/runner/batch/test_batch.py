@@ -1,7 +1,5 @@
 """Batches end to end: each clip once, whatever is killed; a clip that fails stops nothing."""
 
-from __future__ import annotations
-
 import os
 import signal
 import socket

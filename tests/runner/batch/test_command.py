@@ -1,7 +1,5 @@
 """The command `batch` refuses in one line what it cannot do, before anything begins."""
 
-from __future__ import annotations
-
 import gc
 import sys
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """What clips a command names, what their outputs are called, and which files go to a worker."""
 
-from __future__ import annotations
-
 import io
 import sys
 from dataclasses import replace

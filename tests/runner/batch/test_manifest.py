@@ -1,7 +1,5 @@
 """The manifest of a batch is right whatever ended the program, and decides what is left to do."""
 
-from __future__ import annotations
-
 import json
 import os
 from dataclasses import replace

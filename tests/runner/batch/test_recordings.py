@@ -1,7 +1,5 @@
 """A batch of recordings: each cleaned or brought on to a figure, measured, and the worst named."""
 
-from __future__ import annotations
-
 import shutil
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Contacts and grasps of a clip."""
 
-from __future__ import annotations
-
 import mujoco
 import numpy as np
 import pytest

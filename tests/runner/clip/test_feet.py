@@ -1,7 +1,5 @@
 """The points on which figures stand, and keyframes that are put down on the ground."""
 
-from __future__ import annotations
-
 import mujoco
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """Half a gait cycle: its mirror image makes the other half."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 

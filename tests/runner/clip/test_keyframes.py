@@ -1,7 +1,5 @@
 """Keyframes that place roots, turn by whole turns, and hold joints."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import mujoco

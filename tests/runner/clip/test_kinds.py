@@ -1,7 +1,5 @@
 """Penalties by name, joint ranges and obstacles."""
 
-from __future__ import annotations
-
 import io
 import json
 import warnings

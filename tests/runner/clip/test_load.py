@@ -1,7 +1,5 @@
 """Loading of clips: keys of the model, ends, notes and errors."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

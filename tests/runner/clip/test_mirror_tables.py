@@ -1,7 +1,5 @@
 """A mirrored clip means the mirrored motion, whatever frames the figure's bodies have and whatever they are called."""
 
-from __future__ import annotations
-
 import re
 
 import mujoco

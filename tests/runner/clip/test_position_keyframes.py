@@ -1,7 +1,5 @@
 """Keyframes by position, and the names of points and bodies."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import mujoco

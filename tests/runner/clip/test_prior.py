@@ -1,7 +1,5 @@
 """The soft constraint `prior` in clips: which figures have it, exact keyframes, and the shipped networks."""
 
-from __future__ import annotations
-
 import hashlib
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """`dynsplines new`: its clips load and solve without an edit, for models of every kind of joint."""
 
-from __future__ import annotations
-
 import tomllib
 from pathlib import Path
 

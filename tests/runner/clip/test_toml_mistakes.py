@@ -1,7 +1,5 @@
 """Mistakes in clips are reported in one line with their place and what to write instead, before meshes are read."""
 
-from __future__ import annotations
-
 import tomllib
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Edits of motions and of files of clips; what they do to curves is tested in tests/solver/edit."""
 
-from __future__ import annotations
-
 import io
 import tomllib
 from collections.abc import Callable

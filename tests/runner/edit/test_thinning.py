@@ -1,7 +1,5 @@
 """`dynsplines thin`: from motions and recordings to clips that give the same motion, measured on what was written."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

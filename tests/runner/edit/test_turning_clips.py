@@ -1,7 +1,5 @@
 """Clips that turn: headings beside rotations, loops that come back turned, what edits and files make of them."""
 
-from __future__ import annotations
-
 import pickle
 from pathlib import Path
 

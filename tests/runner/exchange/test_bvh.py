@@ -1,7 +1,5 @@
 """BVH: other readers find every joint where MuJoCo has it; other makers' skeletons and files that are cut are read."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace

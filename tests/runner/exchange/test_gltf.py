@@ -1,7 +1,5 @@
 """glTF: what readers of others see is where MuJoCo has it, and Khronos' validator has nothing to say."""
 
-from __future__ import annotations
-
 import io
 import json
 import shutil

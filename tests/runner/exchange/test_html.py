@@ -1,7 +1,5 @@
 """The page that plays a motion: what it holds is MuJoCo's, it asks for nothing from outside, and its slider moves."""
 
-from __future__ import annotations
-
 import base64
 import json
 import re

@@ -1,7 +1,5 @@
 """Robots through export, import and simulation, each compared with MuJoCo's results on the user's own file."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import motions

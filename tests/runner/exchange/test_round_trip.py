@@ -1,7 +1,5 @@
 """A motion that is written and read again is the same: formats times figures, and files of other programs."""
 
-from __future__ import annotations
-
 import pickle
 from functools import cache
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Samples without numbers are refused or left out, and unlimited hinges that wrap at ±180° are unwrapped."""
 
-from __future__ import annotations
-
 import io
 import re
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What formats hold, read by numpy, pickle and MuJoCo by their own conventions, and what bad files and figures get."""
 
-from __future__ import annotations
-
 import pickle
 from collections.abc import Mapping
 from pathlib import Path

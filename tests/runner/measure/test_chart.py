@@ -1,7 +1,5 @@
 """The chart shows the amounts of violations in the kinds of file that it says, whole or not at all."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 import matplotlib.pyplot as plt

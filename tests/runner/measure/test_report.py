@@ -1,7 +1,5 @@
 """The report's numbers against what is known by hand or from MuJoCo."""
 
-from __future__ import annotations
-
 import io
 import json
 import math

@@ -1,7 +1,5 @@
 """Violations of a motion are reported: every kind on a motion that has it and nothing else, worst first."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from dataclasses import replace

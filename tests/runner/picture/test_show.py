@@ -1,7 +1,5 @@
 """A motion as images: before | after, one of them, the keyframes, figure 6; drawn by the CPU alone."""
 
-from __future__ import annotations
-
 import pickle
 from dataclasses import replace
 

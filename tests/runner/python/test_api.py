@@ -1,7 +1,5 @@
 """`from dynsplines import ...`: what users of Python get, as they would use it."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from pathlib import Path

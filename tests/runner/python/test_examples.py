@@ -1,7 +1,5 @@
 """The examples in the docstrings of the API run and print the output shown."""
 
-from __future__ import annotations
-
 import doctest
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Models with files of meshes, images and height fields: a motion file holds all it takes to show them again."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import environment

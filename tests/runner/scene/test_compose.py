@@ -1,7 +1,5 @@
 """Figure and stage become one MJCF text, which needs nothing else and moves as the figure did."""
 
-from __future__ import annotations
-
 import mujoco
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """Whatever holds a model makes the same clip; notes on the direction of gravity and on floors that are added."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Parts of the body by the names of other programs."""
 
-from __future__ import annotations
-
 import pytest
 
 from dynsplines.scene.roles import roles

@@ -1,7 +1,5 @@
 """What a page does to keyframes whose feet are given by place, and to free bodies beside the figure."""
 
-from __future__ import annotations
-
 import asyncio
 import json
 import tomllib

@@ -1,7 +1,5 @@
 """The built page is what its sources build, asks for nothing outside, and is small."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import re

@@ -1,7 +1,5 @@
 """The command `studio`: what it refuses, what it prints, and how it ends."""
 
-from __future__ import annotations
-
 import sys
 
 import browser as browsers

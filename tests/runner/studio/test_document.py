@@ -1,7 +1,5 @@
 """A clip's text while it is edited: undo gives the first bytes again, comments stay, nonsense changes nothing."""
 
-from __future__ import annotations
-
 import tomllib
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """The studio in a browser, driven as a person would: edits, live paths, files; tabs, losses, keys that cross."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from time import monotonic, sleep
 

@@ -1,7 +1,5 @@
 """The pose that follows a drag: limbs bend, soles stay flat on the ground, ankles in range, balance is kept."""
 
-from __future__ import annotations
-
 import time
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Who may speak to the studio: the token, Host and Origin; files of the clip's folder and no others."""
 
-from __future__ import annotations
-
 import asyncio
 import json
 import socket

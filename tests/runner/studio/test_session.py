@@ -1,7 +1,5 @@
 """One clip in the studio: its edits, unsaved work of earlier sessions, and crashes of the solver process."""
 
-from __future__ import annotations
-
 import asyncio
 import json
 import tomllib

@@ -1,7 +1,5 @@
 """The loop of the solver process: texts in; keyframes, paths and violations out."""
 
-from __future__ import annotations
-
 import itertools
 import json
 import pickle

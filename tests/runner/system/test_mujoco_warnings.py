@@ -1,7 +1,5 @@
 """MuJoCo's warnings are notes of a command and Python warnings of the API, and never a MUJOCO_LOG.TXT."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import crew

@@ -1,7 +1,5 @@
 """Every file is written one way: whole or not at all, through links, to plain files alone, with the right mode."""
 
-from __future__ import annotations
-
 import os
 import signal
 import stat

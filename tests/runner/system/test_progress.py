@@ -1,7 +1,5 @@
 """Progress: a bar where there is a terminal, plain lines elsewhere, and nothing on stdout."""
 
-from __future__ import annotations
-
 import io
 
 import pytest

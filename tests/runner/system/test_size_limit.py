@@ -1,7 +1,5 @@
 """Small files that ask for all the memory there is are refused before they get it."""
 
-from __future__ import annotations
-
 import io
 import struct
 import zipfile

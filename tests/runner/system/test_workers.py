@@ -1,7 +1,5 @@
 """Several processes give what one gives, in order, and however it ends none of them is left."""
 
-from __future__ import annotations
-
 import multiprocessing
 import os
 import signal

@@ -1,7 +1,5 @@
 """Footings, stances and the thresholds that decide them."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import cache
 

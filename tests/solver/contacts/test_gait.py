@@ -1,7 +1,5 @@
 """Gait cycles, their periods, and steps."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import figures

@@ -1,7 +1,5 @@
 """Grasps and flights, inferred from keyframes."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from figures import figure_of

@@ -1,7 +1,5 @@
 """Stances and the ground in recordings."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 import shipped

@@ -1,7 +1,5 @@
 """Left and right exchanged: what MuJoCo's kinematics make of the mirrored figure is the mirror image."""
 
-from __future__ import annotations
-
 import mujoco
 import numpy as np
 import pytest

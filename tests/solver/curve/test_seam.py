@@ -1,7 +1,5 @@
 """Seams of loops, and the signs and turns of quaternions."""
 
-from __future__ import annotations
-
 import itertools
 
 import numpy as np

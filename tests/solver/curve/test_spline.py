@@ -1,7 +1,5 @@
 """Splines, quadrature and banded matrices, against SciPy and NumPy."""
 
-from __future__ import annotations
-
 from itertools import pairwise
 from typing import Any
 

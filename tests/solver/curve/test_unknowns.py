@@ -1,7 +1,5 @@
 """Frames, timelines and their unknowns."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from figures import BALL, TINY, figure_of

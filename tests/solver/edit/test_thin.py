@@ -1,7 +1,5 @@
 """Thinning: the bound holds whatever the motion, and hardly any choice of fewer keyframes would keep it."""
 
-from __future__ import annotations
-
 import itertools
 
 import mujoco

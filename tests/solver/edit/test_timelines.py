@@ -1,7 +1,5 @@
 """Edits that keep the curve, and a second motion after a first, with a transition that takes over y, y' and y''."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import mujoco

@@ -1,7 +1,5 @@
 """Figures of any model, and their roots."""
 
-from __future__ import annotations
-
 import itertools
 
 import figures

@@ -1,7 +1,5 @@
 """Kinematics, wrenches and torques against MuJoCo and differences."""
 
-from __future__ import annotations
-
 from unittest import mock
 
 import mujoco

@@ -1,7 +1,5 @@
 """The curvature of a residual without one of its own, and predictions of the weak form."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 

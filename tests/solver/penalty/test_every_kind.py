@@ -1,7 +1,5 @@
 """Every kind of soft constraint on every figure: exact derivatives, residuals whose squares add up, and invariance."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from typing import Any

@@ -1,7 +1,5 @@
 """References, tolerances and the check of custom penalties."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """The pose that follows a pulled point: the least of its cost, soles and balance first, derivatives as they are."""
 
-from __future__ import annotations
-
 import mujoco
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """Poses by position: least squares, round trips through MuJoCo's kinematics, what stays, ranges, bends, misses."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 
 import figures

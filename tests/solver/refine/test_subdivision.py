@@ -1,7 +1,5 @@
 """Subdivision, the Euler-Lagrange residual, and warm starts."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """Windows of long clips and of edits."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise

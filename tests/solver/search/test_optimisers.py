@@ -1,7 +1,5 @@
 """What every optimiser guarantees: its budget, the best x however it ends, and errors of the caller."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial

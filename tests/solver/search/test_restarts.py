@@ -1,7 +1,5 @@
 """Searches that end in a poor local minimum are found, and the best of several paths is selected."""
 
-from __future__ import annotations
-
 import sys
 from functools import cache
 

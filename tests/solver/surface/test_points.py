@@ -1,7 +1,5 @@
 """Points of a figure, and the spheres that fill its geoms: inside them, as far out as they are, and close."""
 
-from __future__ import annotations
-
 import mujoco
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """Spheres, capsules, cylinders, ellipsoids, boxes, meshes and height fields against MuJoCo's distances and rays."""
 
-from __future__ import annotations
-
 import mujoco
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """Signed distances to surfaces, static geoms, and what touches them."""
 
-from __future__ import annotations
-
 import mujoco
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """A recording on robots whose root is listed behind objects: the same motion, by MuJoCo."""
 
-from __future__ import annotations
-
 import mujoco
 import numpy as np
 import pytest

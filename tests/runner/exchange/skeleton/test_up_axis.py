@@ -1,7 +1,5 @@
 """Which axis is up: of recordings the one along which the person is upright; figures that lie are stood up."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import mujoco

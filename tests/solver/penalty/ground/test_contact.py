@@ -1,7 +1,5 @@
 """Contacts, stances, targets, grasps and resting points: values, and motions that obey them."""
 
-from __future__ import annotations
-
 import mujoco
 import numpy as np
 import pytest

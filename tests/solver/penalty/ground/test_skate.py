@@ -1,7 +1,5 @@
 """Skating and hovering: values, and motions that obey them."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from figures import BALL, figure_of

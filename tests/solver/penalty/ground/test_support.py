@@ -1,7 +1,5 @@
 """Support and flight: values against MuJoCo and SciPy, and motions that obey them."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import mujoco

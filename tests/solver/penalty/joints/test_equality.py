@@ -1,7 +1,5 @@
 """Equality constraints: coupled joints and closed loops, kept by default and told where keyframes break them."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import mujoco

@@ -1,7 +1,5 @@
 """Joint ranges, holds, bends, tilts and speeds: values against MuJoCo and SciPy, and motions that obey them."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import mujoco

@@ -1,7 +1,5 @@
 """Limbs in the trunk and in each other: depths against MuJoCo's distances, gradients, what is left out, and a clip."""
 
-from __future__ import annotations
-
 import io
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Accelerations, velocities, torques, cycles and recordings: values, and motions that obey them."""
 
-from __future__ import annotations
-
 import mujoco
 import numpy as np
 import pytest

@@ -1,7 +1,5 @@
 """The prior meets keyframes, does not depend on place, heading and rest pose, and has no weight where it is unsure."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import pairwise
 
