@@ -175,6 +175,8 @@ def constraints(
     options = {kind.name: Options() for kind in KINDS.values() if kind.is_default} | dict(listed)
     if "prior" not in listed and context.person is not None and context.person.is_robot:
         del options["prior"]
+    if context.is_free_sideways:
+        options.setdefault("support", Options())
     notes = [*context.missing_features, *context.drifting_objects]
     context = _with_options(context, options, listed.keys())
     if context.schedule.has_cycle and context.schedule.gait_cycle is None:

@@ -19,7 +19,7 @@ from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import Attachment, BendLimits, JointRange, joint_ranges
+from dynsplines.solver.penalty import Attachment, BendLimits, JointRange, Support, joint_ranges
 from dynsplines.solver.surface.points import places_of
 
 KNEES = ("left_knee", "right_knee")
@@ -73,6 +73,11 @@ def squat(height: float, figure: str = "human") -> Clip:
     return read(text)
 
 
+def is_supported(problem: Clip) -> bool:
+    """Whether forces that feet cannot supply cost anything."""
+    return any(isinstance(penalty, Support) for penalty, _ in problem.penalties)
+
+
 def assert_squat(problem: Clip, timeline: Timeline, sunk: float, moved: float, within_range: Sequence[str]) -> None:
     """That soles sink and slide by no more [m], joints are in their ranges, and no link whips, at 1 kHz."""
     path, figure = path_of(timeline), problem.figure
@@ -95,6 +100,7 @@ def assert_squat(problem: Clip, timeline: Timeline, sunk: float, moved: float, w
 @pytest.mark.slow
 def test_a_lowered_pelvis_is_a_squat():
     problem = squat(height := 0.7)
+    assert not is_supported(problem)
     timeline = inbetween(problem.problem).timeline
     assert_squat(problem, timeline, 1e-3, 5e-3, KNEES)
     qpos = problem.figure.to_qpos(timeline.states[list(timeline.times).index(1.0)])
@@ -108,6 +114,7 @@ def test_who_leans_aside_stays_in_balance_where_the_root_may_move_ahead():
     first, last = (f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in (0, 2))
     aside = '[[keyframe]]\ntime = 1\nroot.position = ["free", 0.08, 0.9]\n'
     problem = read(f'figure = "human"\n{first}{aside}{last}')
+    assert is_supported(problem)
     path, model = path_of(inbetween(problem.problem).timeline), problem.figure.model
     for qpos in problem.figure.to_qpos(path.at(np.linspace(0, 2, 41))):
         data = kinematics(model, qpos)
