@@ -173,16 +173,22 @@ def caption(image: Picture, text: str, *, place: Literal["top", "bottom right"] 
 
     The height of the letters is 1/30 of the picture's, and less for long text.
     """
-    out = Image.fromarray(image)
-    draw = ImageDraw.Draw(out)
-    margin, letters = out.height / 40, max(9, out.height / 30)
-    width = draw.textlength(text, ImageFont.load_default(letters))
-    letters = max(1, letters * min(1, (out.width - 4 * margin) / max(width, 1)))
-    middle, corner = (out.width / 2, 2 * margin), (out.width - margin, out.height - margin)
+    if not text:
+        return image
+    height, width = image.shape[:2]
+    margin, letters = height / 40, max(9, height / 30)
+    high = min(height, round(2 * margin + 2 * letters))  # the rows of the picture that are drawn on
+    rows, out = slice(high) if place == "top" else slice(height - high, height), image.copy()
+    strip = Image.fromarray(out[rows])
+    draw = ImageDraw.Draw(strip)
+    long = draw.textlength(text, ImageFont.load_default(letters))
+    letters = max(1, letters * min(1, (width - 4 * margin) / max(long, 1)))
+    middle, corner = (width / 2, 2 * margin), (width - margin, high - margin)
     at, anchor = (middle, "mm") if place == "top" else (corner, "rd")
     font = ImageFont.load_default(letters)
     draw.text(at, text, INK, font, anchor, stroke_width=round(letters / 6), stroke_fill=PAPER)
-    return np.asarray(out)
+    out[rows] = np.asarray(strip)
+    return out
 
 
 def _key_shots(saved: Saved, look: Look) -> list[Shot]:
