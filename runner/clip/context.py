@@ -125,12 +125,15 @@ class Context:
     @property
     def is_free_sideways(self) -> bool:
         """Whether a keyframe leaves the horizontal position free of a figure that stands and does not travel."""
-        if self.support is None or self.is_tracking or not self.figure.gravity.any():
+        root, keys = self.schedule.root, self.keys
+        if root is None or self.is_tracking or not self.figure.gravity.any():
             return False
-        keys, columns = self.keys, self.figure.links[self.support.root].qpos + np.arange(2)
+        columns = self.figure.links[root].qpos + np.arange(2)
+        if keys.fixed[:, columns].all():
+            return False
         moves = np.linalg.norm(np.diff(keys.states[:, columns], axis=0), axis=1)
-        is_slow = bool(np.all(moves < Thresholds.of(self.figure).travels * np.diff(keys.times)))
-        return is_slow and bool(self.support.footings) and not keys.fixed[:, columns].all()
+        is_slow = np.all(moves < Thresholds.of(self.figure).travels * np.diff(keys.times))
+        return bool(is_slow) and bool(self.schedule.footings)
 
     @cached_property
     def person(self) -> Person | None:
