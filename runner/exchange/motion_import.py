@@ -114,7 +114,7 @@ def _unwrap(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, tup
         low, high = qpos[:, column].min(), qpos[:, column].max()
         if not is_bounded and any(start - EDGE <= low and high <= start + 2 * np.pi + EDGE for start in (-np.pi, 0.0)):
             out[:, column] = np.unwrap(qpos[:, column])
-    is_other = out != qpos
+    is_other = np.abs(out - qpos) > np.pi
     if not is_other.any():
         return qpos, ()
     names = [model.joint(j).name or f"joint{j}" for j in hinges[is_other[:, columns].any(axis=0)].tolist()]
