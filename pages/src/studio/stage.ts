@@ -1,7 +1,7 @@
 // The stage: figure, ghosts, camera. It draws when something has changed, and every image while it plays.
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
-import { Figure, mixed, UNSEEN, veil, type Pose } from "../scene/figure";
+import { Figure, UNSEEN, veil, type Pose } from "../scene/figure";
 import type { Path } from "../scene/path";
 import { Cast } from "../scene/cast";
 import { COARSE, FINE, Shapes } from "../scene/shapes";
@@ -11,7 +11,6 @@ import { $ } from "./dom";
 import { changed, isAwaiting, isChanging } from "./link";
 import { model } from "./model";
 
-const MELT = 140; // [ms] in which one path melts into the next
 const MOST_GHOSTS = 14;
 const SLOW = 45; // [ms] an image while something moves, from which on it has fewer points
 const FAST = 18; // [ms] from which on, so many times in a row, it has more again
@@ -48,8 +47,6 @@ export class Stage {
   private still: Figure | null = null;
   private sides: Record<string, Side> = {};
   private ghosts: Figure[] = [];
-  private melting: { from: Path; began: number } | null = null;
-  private previous: Path | null = null;
   private wanted = true;
   private isAwake = false; // whether an animation frame is awaited
   private step = this.software ? 1 : SCALES.length - 1; // of the scales, while something moves
@@ -63,7 +60,6 @@ export class Stage {
   private centre = new THREE.Vector3();
   private aimed = false;
   private fitted = 0; // [m] distance that was chosen to fit; at another one the user has zoomed
-  private readonly mix = { position: new Float32Array(0), rotation: new Float32Array(0) };
 
   constructor() {
     const { camera } = this;
@@ -183,10 +179,7 @@ export class Stage {
     };
     this.ghosts = [];
     this.around.scene.add(this.still.root, this.figure.root, ...Object.values(this.sides).map((side) => side.figure.root));
-    this.melting = null;
-    this.previous = null;
     this.haunt();
-    this.draw();
   }
 
   /** Ghosts of the keyframes. */
@@ -209,35 +202,17 @@ export class Stage {
   }
 
   private arrived(): void {
-    const { now } = model;
-    if (now && now !== this.previous) {
-      if (this.previous && this.previous.bodies === now.bodies) this.melting = { from: this.previous, began: performance.now() };
-      this.previous = now;
-      if (!this.aimed && model.stage) {
-        this.aimed = true;
-        if (!this.restored()) this.aim("quarter");
-      }
-      if (model.ghosts) this.haunt();
+    if (model.now && model.stage && !this.aimed) {
+      this.aimed = true;
+      if (!this.restored()) this.aim("quarter");
     }
-    this.draw();
+    this.haunt();
   }
 
-  /** The present pose: what is dragged, or the path's, while it melts from the last one. */
-  private pose(stamp: number): Pose | null {
-    if (this.override) return this.override;
+  /** The present pose: what is dragged, or the path's. */
+  private pose(): Pose | null {
     const { now } = model;
-    if (!now || now.bodies !== this.figure?.groups.length) return null;
-    const pose = now.at(model.time);
-    if (!this.melting) return pose;
-    const share = (stamp - this.melting.began) / MELT;
-    if (share >= 1) { this.melting = null; return pose; }
-    if (this.mix.position.length !== pose.position.length) {
-      this.mix.position = new Float32Array(pose.position.length);
-      this.mix.rotation = new Float32Array(pose.rotation.length);
-    }
-    mixed(this.melting.from.at(model.time), pose, share * share * (3 - 2 * share), this.mix);
-    this.wanted = true;
-    return this.mix;
+    return this.override ?? (now?.bodies === this.figure?.groups.length ? now!.at(model.time) : null);
   }
 
   private middle(): THREE.Vector3 {
@@ -276,9 +251,9 @@ export class Stage {
     if (!this.figure || !(model.now || this.override) || yields) return orbits;
     if (this.wanted) {
       this.pace(stamp);
-      this.render(stamp, SCALES[this.step]);
+      this.render(SCALES[this.step]);
       this.moved = stamp;
-    } else if (this.drawnAt < this.finest && stamp - this.moved > (searching || loading ? REST_SEARCHING : REST)) this.render(stamp, this.finest);
+    } else if (this.drawnAt < this.finest && stamp - this.moved > (searching || loading ? REST_SEARCHING : REST)) this.render(this.finest);
     return orbits;
   }
 
@@ -314,10 +289,10 @@ export class Stage {
     if (this.cast) this.cast.root.visible = yes && figure.root.visible;
   }
 
-  private render(stamp: number, scale: number): void {
+  private render(scale: number): void {
     this.wanted = false;
     this.take(scale);
-    const pose = this.pose(stamp);
+    const pose = this.pose();
     if (this.figure && pose) {
       this.figure.isRough = this.software && scale <= ROUGH;
       this.figure.put(pose);
