@@ -102,7 +102,7 @@ class Session:
 
     def show_task(self, what: str, words: str | None) -> None:
         """Show the progress of a file that is being written; None after its end."""
-        self._show("task", {"what": what, "words": words})
+        self._show("task", {"words": None if words is None else f"{what}: {words}"})
 
     def _show_offer(self) -> None:
         words = None

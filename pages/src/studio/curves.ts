@@ -1,7 +1,7 @@
 // Curves over time beside the timeline, before and after, in step with it.
 import uPlot from "uplot";
 import { $, el } from "./dom";
-import { ask, curves } from "./link";
+import { ask } from "./link";
 import { model } from "./model";
 import { PAD, type Timeline } from "./timeline";
 
@@ -27,8 +27,9 @@ export const toggleCurves = (): void => {
 const style = (name: string): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
 const draw = (): void => {
+  const { curves } = model;
   if (!shown || !curves) return;
-  const box = $("plot"), found = curves.groups.find((each: any) => each.name === group) ?? curves.groups[0];
+  const box = $("plot"), found = curves.groups.find((each) => each.name === group) ?? curves.groups[0];
   const chosen = found.series.filter((each: any) => !hidden.has(`${group}|${each.name}`));
   const before = model.which !== "after" || ($<HTMLInputElement>("curves-before").checked);
   const data: any[] = [curves.time];
@@ -98,6 +99,7 @@ export const beginCurves = (timeline: Timeline): void => {
   $("show-curves").addEventListener("click", toggleCurves);
   let first = true;
   model.on("curves", () => {
+    const { curves } = model;
     if (first && curves) {
       first = false;
       choice.replaceChildren(...curves.groups.map((each: any) => el("option", { value: each.name, text: each.name })));

@@ -1,6 +1,6 @@
 // Files: save as, export, render.
 import { $, el } from "./dom";
-import { act, ask, outside, task } from "./link";
+import { act, ask, connect } from "./link";
 import { model } from "./model";
 
 const dialog = (title: string, ...inside: Node[]): HTMLDialogElement => {
@@ -30,7 +30,7 @@ const closing = (box: () => HTMLDialogElement, name: string, done: () => Promise
 
 /** Whether a file is being written, or has been; a refusal is shown. */
 const begun = (what: string, args: object): Promise<boolean> => {
-  const started = new Promise<boolean>((resolve) => model.on("task", () => { if (task !== null) resolve(true); }));
+  const started = new Promise<boolean>((resolve) => model.on("task", () => { if (!$("task").hidden) resolve(true); }));
   return Promise.race([act(what, args as Record<string, unknown>).then(({ ok }) => ok), started]);
 };
 
@@ -88,13 +88,11 @@ export const rendered = (): void => {
 };
 
 export const beginFiles = (): void => {
-  model.on("outside", () => {
-    $("outside").hidden = outside === null;
-    $("outside-words").textContent = outside?.words ?? "";
-    $("outside-reload").hidden = !outside?.loads;
-  });
-  for (const [id, what] of [["reload", "reload"], ["keep", "keep"]]) $(`outside-${id}`).addEventListener("click", () => void act(what));
-  $("outside-save-as").addEventListener("click", saveAs);
+  const answers: Record<string, () => unknown> = {
+    "outside-reload": () => act("reload"), "outside-keep": () => act("keep"), "outside-save-as": saveAs, "task-stop": () => act("stop_task"),
+    "offer-take": () => act("offer", { take: true }), "offer-drop": () => act("offer", { take: false }), "take-over": () => connect(true),
+  };
+  for (const [id, done] of Object.entries(answers)) $(id).addEventListener("click", done);
   const menu = $("files");
   menu.addEventListener("save-as", saveAs);
   const items: [string, () => void][] = [["New …", () => void anew()], ["Save as …", saveAs], ["Export …", () => void exported()], ["Render …", rendered]];

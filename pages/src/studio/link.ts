@@ -1,6 +1,6 @@
 // The connection to the server: requests get an answer, notifications update the model. It reconnects when lost.
 import { Path } from "../scene/path";
-import { toast } from "./dom";
+import { $, toast } from "./dom";
 import { model, type Course, type Loaded, type Outline } from "./model";
 import { edited, posed, type Address, type Edit } from "./pending";
 
@@ -137,6 +137,14 @@ const packed = (data: ArrayBuffer): void => {
   model.tell("path");
 };
 
+/** Shows a notice on the stage, or hides it if it has no words. */
+const notice = ({ is, words, loads }: Message): void => {
+  $(is).hidden = words === null;
+  $(`${is}-words`).textContent = words ?? "";
+  if (is === "outside") $("outside-reload").hidden = !loads;
+  model.tell(is);
+};
+
 const HANDLERS: Record<string, (message: Message) => void> = {
   stage: (message) => { model.stage = message.stage; model.tell("stage"); },
   document: (message) => {
@@ -153,21 +161,16 @@ const HANDLERS: Record<string, (message: Message) => void> = {
   settled: (message) => { model.violations = message.violations; model.tell("settled"); },
   status: (message) => { model.status = message as never; model.tell("status"); },
   kinds: (message) => { model.kinds = message.kinds; model.tell("kinds"); },
-  curves: (message) => { curves = message.curves; model.tell("curves"); },
-  task: (message) => { task = message.words === null ? null : `${message.what}: ${message.words}`; model.tell("task"); },
-  offer: (message) => { offer = message.words; model.tell("offer"); },
-  outside: (message) => { outside = message.words === null ? null : message as never; model.tell("outside"); },
+  curves: (message) => { model.curves = message.curves; model.tell("curves"); },
+  task: notice,
+  offer: notice,
+  outside: notice,
   note: (message) => toast(message.words, "note"),
   refused: (message) => toast(message.words, "wrong"),
   gone: (message) => toast(message.words, "wrong"),
   answer: (message) => { waiting.get(message.id)?.(message as never); waiting.delete(message.id); },
 };
 
-export let curves: Message | null = null;
-export let task: string | null = null;
-/** How another program has changed the clip's file, and whether that can be loaded. */
-export let outside: { words: string; loads: boolean } | null = null;
-export let offer: string | null = null;
 /** Whether this tab is connected, or why not: another one shows the clip, or the studio does not answer. */
 export let connection: "open" | "elsewhere" | "lost" = "lost";
 
@@ -176,7 +179,7 @@ export const connect = (take = false): void => {
   const line = new WebSocket(`ws${location.protocol === "https:" ? "s" : ""}://${location.host}/line?token=${encodeURIComponent(TOKEN)}&tab=${TAB}${take ? "&take" : ""}`);
   line.binaryType = "arraybuffer";
   socket = line;
-  line.onopen = () => { connection = "open"; pause = 250; model.tell("line"); };
+  line.onopen = () => { connection = "open"; $("elsewhere").hidden = true; pause = 250; model.tell("line"); };
   line.onmessage = ({ data }) => {
     if (data instanceof ArrayBuffer) { packed(data); return; }
     const message = JSON.parse(data) as Message;
@@ -186,6 +189,7 @@ export const connect = (take = false): void => {
     connection = code === IN_USE ? "elsewhere" : "lost";
     for (const resolve of waiting.values()) resolve({ ok: false, words: "connection to the studio lost; check whether the change was applied" });
     waiting.clear();
+    $("elsewhere").hidden = connection !== "elsewhere";
     model.tell("line");
     if (connection === "elsewhere") return;
     window.setTimeout(connect, pause);

@@ -31,6 +31,7 @@ export interface Stage extends Drawn {
 }
 export interface Violation { kind: string; name: string; time: number | null; amount: number; unit: string; keyframe: number | null; text: string; }
 export interface Kind { kind: string; part: string; term: string; weight: number; quantity: string; "is on": boolean; }
+export interface Curves { time: number[]; groups: { name: string; unit: string; series: { name: string; after: number[]; before?: number[] }[] }[]; }
 export interface Course { value?: number; parts?: Record<string, number>; frames: number[]; kind: string; }
 
 export type Which = "after" | "before" | "both" | "side" | "snapshot";
@@ -51,6 +52,7 @@ class Model {
   course: Course | null = null;
   violations: Violation[] = [];
   kinds: Kind[] = [];
+  curves: Curves | null = null;
   status: { state: string; go: boolean; stop?: string; words?: string } = { state: "loading", go: true };
   time = 0;
   playing = false;

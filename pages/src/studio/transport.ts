@@ -1,6 +1,6 @@
 // Play, scrub, loop, speed; undo, redo, save; the state of the search.
 import { $, button, el, say, short } from "./dom";
-import { act, connect, connection, edit, offer, task } from "./link";
+import { act, connection, edit } from "./link";
 import { model, type Which } from "./model";
 import type { Stage } from "./stage";
 import type { Timeline } from "./timeline";
@@ -115,14 +115,4 @@ export const transport = (stage: Stage, timeline: Timeline): void => {
     undo.title = document.undo ? `undo: ${document.undo} (Ctrl-Z)` : "nothing to undo";
     redo.title = document.redo ? `redo: ${document.redo} (Ctrl-Shift-Z)` : "nothing to redo";
   });
-  model.on("task", () => { $("task").hidden = task === null; $("task-words").textContent = task ?? ""; });
-  model.on("offer", () => {
-    $("offer").hidden = offer === null;
-    $("offer-words").textContent = offer ?? "";
-  });
-  model.on("line", () => { $("elsewhere").hidden = connection !== "elsewhere"; });
-  $("take-over").addEventListener("click", () => connect(true));
-  $("offer-take").addEventListener("click", () => void act("offer", { take: true }));
-  $("offer-drop").addEventListener("click", () => void act("offer", { take: false }));
-  $("task-stop").addEventListener("click", () => void act("stop_task"));
 };
