@@ -37,7 +37,7 @@ export interface Course { value?: number; parts?: Record<string, number>; frames
 export type Which = "after" | "before" | "both" | "side" | "snapshot";
 export type Heard =
   | "stage" | "document" | "loaded" | "path" | "time" | "selection" | "settled" | "status" | "kinds" | "which" | "shown"
-  | "curves" | "theme" | "task" | "offer" | "outside" | "joint" | "line" | "zoom";
+  | "curves" | "theme" | "task" | "offer" | "outside" | "joint" | "line" | "zoom" | "range";
 
 const HAND = /hand|grip|palm|wrist|finger|tool/i; // of the names of sites that can hold something
 const NEAR = 1e-4; // [s] distance up to which a time is that of a keyframe
@@ -55,6 +55,7 @@ class Model {
   curves: Curves | null = null;
   status: { state: string; go: boolean; stop?: string; words?: string } = { state: "loading", go: true };
   time = 0;
+  range = [-Infinity, Infinity]; // [s] that is played, as far as the motion reaches
   playing = false;
   speed = 1;
   loop = true;
@@ -85,6 +86,20 @@ class Model {
 
   get first(): number { return this.now?.first ?? this.document?.keys[0]?.time ?? 0; }
   get last(): number { return this.now?.last ?? this.document?.keys.at(-1)?.time ?? 1; }
+  /** The first and last time that is played [s]. */
+  get played(): [number, number] {
+    const begin = Math.max(this.first, this.range[0]), end = Math.min(this.last, this.range[1]);
+    return begin < end ? [begin, end] : [this.first, this.last];
+  }
+
+  /** Begins (0) or ends (1) playback at a time [s]; outside of the motion, with the motion. */
+  setRange(end: 0 | 1, time: number): void {
+    const whole = [-Infinity, Infinity];
+    this.range[end] = this.first < time && time < this.last ? time : whole[end];
+    if (this.range[0] >= this.range[1]) this.range[1 - end] = whole[1 - end];
+    this.tell("range");
+  }
+
   get fps(): number { return this.document?.fps ?? 30; }
 
   /** The keyframe at the present time, if one is there. */

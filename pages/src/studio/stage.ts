@@ -68,7 +68,7 @@ export class Stage {
     Object.assign(this.orbit, { enableDamping: true, dampingFactor: 0.15, minDistance: 0.25, maxDistance: 90, maxPolarAngle: 0.97 * Math.PI });
     this.orbit.addEventListener("change", () => { this.nameView(); this.draw(); });
     window.addEventListener("pagehide", () => {
-      sessionStorage[KEPT] = JSON.stringify({ at: location.search, time: model.time, camera: camera.position.toArray(), locks: [...model.locks], target: this.orbit.target.toArray() });
+      sessionStorage[KEPT] = JSON.stringify({ at: location.search, time: model.time, range: model.range.map(String), camera: camera.position.toArray(), locks: [...model.locks], target: this.orbit.target.toArray() });
     });
     this.around.scene.add(this.extra);
     this.caster.layers.enable(UNSEEN);
@@ -129,6 +129,8 @@ export class Stage {
     const kept = JSON.parse(sessionStorage[KEPT] ?? "null");
     if (kept?.at !== location.search) return false;
     model.seek(kept.time);
+    model.range = kept.range.map(Number);
+    model.tell("range");
     for (const name of kept.locks ?? []) model.locks.add(name);
     this.centre.copy(this.middle());
     this.orbit.target.fromArray(kept.target);
@@ -237,8 +239,9 @@ export class Stage {
         const gap = stamp - this.then;
         this.longest = Math.max(this.longest, gap);
         const next = model.time + (Math.min(250, gap) / 1000) * model.speed;
-        if (next > model.last && !model.loop) { model.playing = false; model.seek(model.last); }
-        else model.seek(next > model.last ? model.first + ((next - model.first) % Math.max(1e-3, model.last - model.first)) : next);
+        const [begin, end] = model.played;
+        if (next > end && !model.loop) { model.playing = false; model.seek(end); }
+        else model.seek(next > end ? begin + ((next - begin) % Math.max(1e-3, end - begin)) : next);
       }
       this.then = model.playing ? stamp : null;
     } else this.then = null;

@@ -7,10 +7,17 @@ import { model, type Bar } from "./model";
 export const LABEL = 188; // [px] of the column of names
 export const PAD = 16; // [px] beside the first and the last moment
 const CLOSE = 6; // [px] that snap
+const EDGE = 7; // [px] of the ends of a bar
 const ROOM = 0.08; // of the motion that is shown after it, for more keyframes
 const STEPS = [0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 30, 60];
 
 type Drag = { move: (time: number, event: PointerEvent) => void; up: (time: number, event: PointerEvent) => void };
+
+/** The end of a bar that is at the mouse. */
+const edgeOf = (bar: HTMLElement, { clientX }: PointerEvent): "from" | "to" | "" => {
+  const { left, right } = bar.getBoundingClientRect();
+  return clientX - left < EDGE ? "from" : right - clientX < EDGE ? "to" : "";
+};
 
 export class Timeline {
   private readonly box = $("timeline");
@@ -31,7 +38,7 @@ export class Timeline {
 
   constructor() {
     this.box.append(this.ruler, this.rows, this.band, this.head);
-    model.on(["document", "loaded", "selection", "stage", "joint"], () => this.draw());
+    model.on(["document", "loaded", "selection", "stage", "joint", "range"], () => this.draw());
     let span = "";
     model.on("path", () => {
       const now = `${model.first}|${model.last}`;
@@ -71,7 +78,10 @@ export class Timeline {
     return Math.max(Math.round(Math.round(time * model.fps) / model.fps * 1e4) / 1e4, Math.min(0, model.first));
   }
 
-  fit(): void { this.show(model.first, model.last + ROOM * Math.max(model.last - model.first, 0.1)); }
+  fit(): void {
+    const [begin, end] = model.played;
+    this.show(begin, end + (end < model.last ? 0 : ROOM * Math.max(end - begin, 0.1)));
+  }
 
   /** Shows a span [s]; nothing is before the beginning of time. */
   private show(begin: number, end: number): void {
@@ -135,7 +145,8 @@ export class Timeline {
       tick.style.left = `${this.x(i * step)}px`;
       ticks.push(tick);
     }
-    this.ruler.replaceChildren(el("span", { class: "label", text: "s" }), ...ticks);
+    const range = this.placed(el("span", { class: "range", title: "playback range: drag its ends, double-click it to play all", ondblclick: () => { model.range = [-Infinity, Infinity]; model.tell("range"); } }), ...model.played);
+    this.ruler.replaceChildren(el("span", { class: "label", text: "s" }), range, ...ticks);
     Object.entries({ role: "slider", tabindex: "0", "aria-label": "time", "aria-valuemin": model.first.toFixed(3), "aria-valuemax": model.last.toFixed(3) })
       .forEach(([name, value]) => this.ruler.setAttribute(name, value));
   }
@@ -272,6 +283,11 @@ export class Timeline {
     const target = event.target as HTMLElement, time = this.timeAt(event);
     const left = event.clientX - this.box.getBoundingClientRect().left;
     if (target.closest(".fold") || left < LABEL) return;
+    const end = target.matches(".range") ? edgeOf(target, event) : "";
+    if (end) {
+      this.drag = { move: (t, e) => model.setRange(end === "from" ? 0 : 1, this.snapped(t, e, true)), up: () => {} };
+      return;
+    }
     if (target.closest(".ruler")) {
       model.playing = false;
       const scrub = (t: number, e: PointerEvent) => model.seek(this.snapped(t, e, true));
@@ -337,8 +353,7 @@ export class Timeline {
   private grabBar(target: HTMLElement, begin: number, event: PointerEvent): void {
     const kind = target.dataset.bar as "contact" | "grasp", index = Number(target.dataset.index);
     const { revision } = model.document!, bar = (kind === "contact" ? model.document!.contacts : model.document!.grasps)[index];
-    const box = target.getBoundingClientRect();
-    const edge = event.clientX - box.left < 7 ? "from" : box.right - event.clientX < 7 ? "to" : "";
+    const edge = edgeOf(target, event);
     model.bar = { kind, index };
     model.keys.clear();
     model.tell("selection");

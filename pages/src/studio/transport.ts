@@ -14,7 +14,8 @@ const STATES: Record<string, string> = {
 const ENDS: Record<string, string> = { INTERRUPTED: "stopped", paused: "paused", MAX_EVALUATIONS: "evaluation limit reached", NO_PROGRESS: "no progress", CONVERGED: "converged" };
 
 export const play = (yes = !model.playing): void => {
-  if (yes && model.time >= model.last - 1e-6) model.seek(model.first);
+  const [begin, end] = model.played;
+  if (yes && (model.time < begin || model.time >= end - 1e-6)) model.seek(begin);
   model.playing = yes;
   model.tell("time");
 };

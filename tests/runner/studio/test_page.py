@@ -331,6 +331,33 @@ def test_the_stage_plays_and_then_rests(tab):
     tab.until("!studio.stage.isAwake")
 
 
+def test_playback_keeps_to_its_range_which_the_timeline_shows_and_changes(tab):
+    page, played, begin = tab.page, "studio.model.played", "studio.timeline.begin"
+    tab.seek(0.3)
+    tab.press("Control+Home")
+    tab.drawn()
+    right, y = (lambda box: (box["x"] + box["width"] - 2, box["y"] + 3))(page.locator(".range").bounding_box())
+    tab.drag((right, y), (tab.on_timeline(0.6), y))
+    assert tab.evaluate(played) == [0.3, 0.6]
+    tab.press("z")
+    tab.drawn()
+    assert tab.evaluate(f"[{begin}, studio.timeline.end]") == [0.3, 0.6]
+    page.reload()
+    tab.begun()
+    tab.until(f"String({played}) === '0.3,0.6'")
+    tab.seek(0.9)
+    tab.evaluate("void (window.times = [], studio.model.on('time', () => times.push(studio.model.time)))")
+    tab.press("Space")
+    tab.until("times.some((time, i) => i && time < times[i - 1])")  # it begins again
+    tab.press("Space")
+    assert tab.evaluate("times[0] === 0.3 && Math.max(...times) <= 0.6")
+    tab.press("End")
+    assert tab.evaluate("studio.model.time") == 0.6
+    page.locator(".range").dblclick()
+    assert tab.evaluate(played) == [0, 1]
+    tab.press("z")
+
+
 def test_a_file_that_another_program_changes_is_noticed_at_once(tab):
     file, notice = Path(tab.folder) / "dancer.toml", tab.page.locator("#outside")
     file.write_text(CLIP.replace("time = 1\n", "time = 1.1\n"), encoding="utf-8")
