@@ -15,11 +15,9 @@ def with_keys(clip: Clip, keys: Sequence[Frame]) -> Clip:
     """The clip with other keyframes. Contacts, gait and poses are inferred again."""
     source = Parsed.of(clip.text, clip.name, clip.name)
     source = source.with_solve(source.table.solve, [key.time for key in keys])
-    times = {key.time for key in keys}
-    placed = [target for target in clip.context.schedule.targets if target.first in times]
     keys = [replace(key, posed=None) for key in keys]
     if clip.text:
-        keys = stander_of(source, clip.figure).pose_feet(keys, placed)
-    rebuilt = build(source, clip.scene, clip.figure, keys, placed, clip.fps)
+        keys = stander_of(source, clip.figure).pose_feet(keys)
+    rebuilt = build(source, clip.scene, clip.figure, keys, clip.fps)
     with_custom = rebuilt.with_problem(penalties=(*rebuilt.penalties, *clip.custom_penalties))
     return replace(with_custom, custom_penalties=clip.custom_penalties)

@@ -69,7 +69,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "root": "the pose of the root, see [joints and roots](keyframes.md#joints-and-roots)",
             "roots": "the poses of other free bodies and robots, by the name of their joint or body",
             "joints": "joints by name: a rotation for a ball joint, degrees for a hinge, metres for a slide",
-            "sites": "target positions of sites, feet, geoms and bodies, by name",
+            "sites": "target positions of sites, feet, geoms and bodies, by name, in metres in the world",
             "bodies": "target orientations or positions of bodies, by name",
             "others": "[joints that are not named](keyframes.md#unspecified-degrees-of-freedom), "
             'by "key:NAME" or one of these',
@@ -83,13 +83,6 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
         },
     ),
     "a rotation": (table.RotationTable, ROTATION),
-    "sites.NAME": (
-        table.SiteTable,
-        {
-            "position": "in the world, in metres; short form: `sites.NAME = [x, y, z]`",
-            "by": "how the target is reached, by inverse kinematics or by the search",
-        },
-    ),
     "bodies.NAME": (
         table.BodyTable,
         {

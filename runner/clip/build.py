@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from dynsplines.solver.contacts import Contact, Interval
+from dynsplines.solver.contacts import Interval
 from dynsplines.solver.curve.frame import Frame, TimelineError
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import Figure
@@ -135,9 +135,7 @@ class Clip:
         )
 
 
-def build(
-    source: Parsed, scene: Scene, figure: Figure, keys: Sequence[Frame], targets: Sequence[Contact], fps: float
-) -> Clip:
+def build(source: Parsed, scene: Scene, figure: Figure, keys: Sequence[Frame], fps: float) -> Clip:
     """Return the clip of keyframes, qpos (nq,) and mask each; `targets` are points whose positions the search
     determines.
 
@@ -150,7 +148,7 @@ def build(
     problem = Problem(figure, tuple(keys), (), source.settings, solve.ends, slope, solve.travel, turn)
     _check_problem(problem, source.where)
     surfaces = static_surfaces(figure.model)
-    context = Context.of(figure, problem.raw, surfaces, source.where, tuple(targets), table.contact, table.grasp)
+    context = Context.of(figure, problem.raw, surfaces, source.where, table.contact, table.grasp)
     resting: tuple[str, ...] = ()
     stationary = context.is_stationary_at_ends
     if "ends" not in solve.model_fields_set and any(stationary):

@@ -12,7 +12,7 @@ from mujoco import mjtGeom
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.contacts import Contact, ContactSchedule
+from dynsplines.solver.contacts import ContactSchedule
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.dynamics import height
@@ -59,13 +59,12 @@ class Context:
         keys: Timeline,
         surfaces: tuple[Surface, ...],
         where: str,
-        targets: tuple[Contact, ...] = (),
         tables: Sequence[ContactTable] = (),
         grasp_tables: Sequence[GraspTable] = (),
     ) -> Context:
         """Return the inputs that keyframes and tables specify, without those that [[penalty]] tables change."""
         schedule = schedule_of(figure, keys, surfaces, where, tables, grasp_tables)
-        return cls(replace(schedule, targets=targets), where, tuple(knees_and_elbows(figure)))
+        return cls(schedule, where, tuple(knees_and_elbows(figure)))
 
     def with_schedule(self, **changes: Any) -> Context:
         """Return the same inputs with changed fields of the schedule of contacts."""

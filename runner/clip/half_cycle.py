@@ -14,7 +14,7 @@ from dynsplines.solver.tolerances import ROUNDING
 from ..errors import UserError
 from .mirror import figure_mirror, mirrored_tables
 from .parse import Parsed
-from .table import BodyTable, ClipTable, ContactTable, KeyframeTable, PenaltyTable, RootTable, SiteTable
+from .table import BodyTable, ClipTable, ContactTable, KeyframeTable, PenaltyTable, RootTable
 
 Shift = tuple[float, float, float]
 MIRRORED = "mirrored"
@@ -77,16 +77,13 @@ def _move(row: KeyframeTable, by: Shift) -> KeyframeTable:
     def root(table: RootTable) -> RootTable:
         return table if table.position == "free" else table.changed(position=along(table.position))
 
-    def site(value: SiteTable | tuple[float | str, ...]) -> SiteTable | tuple[float | str, ...]:
-        return value.changed(position=along(value.position)) if isinstance(value, SiteTable) else along(value)
-
     def body(table: BodyTable) -> BodyTable:
         return table if table.position is None else table.changed(position=along(table.position))
 
     return row.changed(
         root=root(row.root),
         roots={name: root(table) for name, table in row.roots.items()},
-        sites={name: site(value) for name, value in row.sites.items()},
+        sites={name: along(value) for name, value in row.sites.items()},
         bodies={name: body(table) for name, table in row.bodies.items()},
     )
 

@@ -323,11 +323,6 @@ def _grasp(context: Context, options: Options) -> Penalty | None:
     return Attachment((*grasps, *turns), name="attach.grasp") if grasps else None
 
 
-def _placement(context: Context, options: Options) -> Penalty | None:
-    targets = context.schedule.targets
-    return Attachment(targets, name="attach.placement") if targets else None
-
-
 def _no_slip(context: Context, options: Options) -> Penalty | None:
     if not context.points:
         return None
@@ -465,7 +460,6 @@ KINDS = {
             Part(30.0, "movement of soles between two keyframes with the same sole position", _stance, "stance"),
             Part(750.0, "movement of [[contact]] points", _contact, "contact", tracking=1e8),
             Part(750.0, "movement of [[grasp]] sites relative to the held body", _grasp, "grasp"),
-            Part(30.0, 'distance of sites with by = "search" from their targets', _placement, "placement"),
         )),
         Kind("no_slip", (Part(1.4, "speed of heels and toes near a surface", _no_slip),), ("reach",)),
         Kind("grounded", (

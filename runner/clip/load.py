@@ -27,10 +27,8 @@ from ..scene.configuration import first_wrong, unlike_joints
 from .build import Clip, build, build_following, edits_of, solve_of
 from .half_cycle import whole_cycle
 from .parse import Parsed, check_times, keyframe_label, read, table_of
-from .pose import pose, soles_of
+from .pose import pose
 from .posing import notes
-from .posing.placement import targets_of
-from .posing.places import Places
 from .table import BarTable, BoxTable, ClipTable, SceneTable, SolveTable, SphereTable, StepTable
 from .tracking.recording import TrackedRecording, followed
 
@@ -100,14 +98,14 @@ def from_parsed(
     source = whole_cycle(source, figure)
     table = source.table
     follows = None if table.recording is None else followed(table.recording, figure, recording, where)
-    keys, placed, unreached = pose(source, figure, None if follows is None else follows.pose)
+    keys, unreached = pose(source, figure, None if follows is None else follows.pose)
     if unreached and unmet is None:
         raise UserError(f"{where}: {_unreached(unreached, is_file=where.endswith('.toml'))}")
     if unmet is not None:
         unmet += unreached
     if follows is not None:
         return build_following(source, scene, follows, keys, fps or table.fps)
-    clip = build(source, scene, figure, keys, placed, fps or table.fps)
+    clip = build(source, scene, figure, keys, fps or table.fps)
     return replace(clip, notes=(*clip.notes, *notes.on_tables(figure, table.keyframe, clip.problem.raw)))
 
 
@@ -283,9 +281,7 @@ def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | No
         raise UserError(f"{where}: {keyframe_label(wrong[0] + 1, time[wrong[0]])}: {wrong[1]}")
     check_times(time.tolist(), where)
     keys = [Frame.key(t, q) for t, q in zip(time, qpos, strict=True)]
-    return build(
-        Parsed.of("", name, where).with_solve(SolveTable(), time.tolist()), scene, figure, keys, (), fps or 30.0
-    )
+    return build(Parsed.of("", name, where).with_solve(SolveTable(), time.tolist()), scene, figure, keys, fps or 30.0)
 
 
 def of_motion(saved: Saved) -> Clip:
@@ -293,9 +289,7 @@ def of_motion(saved: Saved) -> Clip:
     source = Parsed.of(saved.text, saved.name, saved.name)
     source = whole_cycle(source, saved.figure)
     source = source.with_solve(solve_of(saved, source.table.solve), [key.time for key in saved.keys])
-    places = Places(saved.figure, soles_of(saved.figure, saved.keys))
-    placed = [point for row in source.table.keyframe for point in targets_of(places, row, saved.name)[1]]
-    return build(source, saved.scene, saved.figure, saved.keys, placed, saved.fps)
+    return build(source, saved.scene, saved.figure, saved.keys, saved.fps)
 
 
 def clip_from_motion(saved: Saved) -> Clip:

@@ -21,7 +21,6 @@ from ..errors import UserError, unknown
 from .posing.places import Places, sole_points
 from .table import (
     KEY,
-    Axes,
     BarTable,
     BodyTable,
     BoxTable,
@@ -31,7 +30,6 @@ from .table import (
     RootTable,
     RotationTable,
     SceneTable,
-    SiteTable,
     SolveTable,
     SphereTable,
     Table,
@@ -221,7 +219,7 @@ def _keyframe(row: KeyframeTable, sides: _Sides) -> KeyframeTable:
         root=_root(row.root, reflection, sides.rest(root, root)),
         roots=dict(_further_root(name, table, sides) for name, table in row.roots.items()),
         joints=dict(_joint(name, value, sides) for name, value in row.joints.items()),
-        sites={sides.other(name): _site(value) for name, value in row.sites.items()},
+        sites={sides.other(name): _flip(value, POLAR) for name, value in row.sites.items()},
         bodies={sides.other(name): _body(name, value, sides) for name, value in row.bodies.items()},
     )
 
@@ -242,10 +240,6 @@ def _body(name: str, table: BodyTable, sides: _Sides) -> BodyTable:
     reflection, body, other = sides.reflection(name), sides.places.body(name), sides.places.body(sides.other(name))
     at = None if table.at is None else tuple((reflection @ np.array(table.at)).tolist())
     return _mirror_places(_in_world(table, reflection, sides.rest(body or 0, other or 0)), "position").changed(at=at)
-
-
-def _site(value: SiteTable | Axes) -> SiteTable | tuple[float | str, ...]:
-    return _mirror_places(value, "position") if isinstance(value, SiteTable) else _flip(value, POLAR)
 
 
 def _joint(name: str, value: RotationTable | float | str, sides: _Sides) -> tuple[str, RotationTable | float | str]:

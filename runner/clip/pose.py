@@ -7,7 +7,6 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from dynsplines.solver.array import Array, Mask
-from dynsplines.solver.contacts import Contact
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, JointKind, Link, quaternion_columns
 from dynsplines.solver.figure.root import Root, sliding_joints
@@ -22,7 +21,7 @@ from ..errors import UserError, unknown
 from .kinds import posing_limits
 from .parse import Parsed
 from .posing import notes
-from .posing.placement import check_search, released_links, targets_of, with_pose
+from .posing.placement import goals_of, released_links, with_pose
 from .posing.places import Places, roots_by_name, sole_points
 from .posing.standing_feet import Stander
 from .table import ROTATION, ClipTable, KeyframeTable, RootTable, RotationTable, SceneTable
@@ -30,11 +29,9 @@ from .table import ROTATION, ClipTable, KeyframeTable, RootTable, RotationTable,
 FREE = RootTable(position="free", rotation="free")
 
 
-def pose(
-    source: Parsed, figure: Figure, base: Callable[[float], Array] | None = None
-) -> tuple[list[Frame], list[Contact], list[str]]:
-    """Return the keyframes of a clip, the points that the search places, and a line for each keyframe with unreachable
-    positions, whose pose is as near as possible.
+def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None = None) -> tuple[list[Frame], list[str]]:
+    """Return the keyframes of a clip, and a line for each keyframe with unreachable positions, whose pose is as near as
+    possible.
 
     Args:
         base: Returns qpos (nq,) at a time [s], for unspecified degrees of freedom of keyframes that edit a recording.
@@ -44,16 +41,16 @@ def pose(
     """
     rows = _with_objects(source.table)
     places = [f"{source.where}: {label}" for label in source.labels]
-    targets = _targets(figure, rows, places)
-    loose = [released_links(figure, row, *both) for both, row in zip(targets, rows, strict=True)]
+    goals_by_key = _goals(figure, rows, places)
+    loose = [released_links(figure, row, goals) for goals, row in zip(goals_by_key, rows, strict=True)]
     keys: list[Frame] = []
     for row, here, free in zip(rows, places, loose, strict=True):
         if row.others == "previous" and not keys:
             raise UserError(f"{here}: others = 'previous' has no keyframe before it")
         keys.append(_base_on(key_of(figure, row, keys[-1] if keys else None, free, here), base))
     stander, missed = stander_of(source, figure), list[str]()
-    if any(goals for goals, _ in targets):
-        for k, (row, (goals, _), here) in enumerate(zip(rows, targets, places, strict=True)):
+    if any(goals_by_key):
+        for k, (row, goals, here) in enumerate(zip(rows, goals_by_key, places, strict=True)):
             before = keys[k - 1] if k else None  # "previous" uses posed keyframes
             partial = key_of(figure, row, before, loose[k], here)
             keys[k] = _base_on(partial, base)
@@ -64,10 +61,7 @@ def pose(
                 if not nearest.is_met:
                     missed.append(f"{source.labels[k]}: {notes.on_unmet(figure, unposed, row, goals, nearest)}")
                 keys[k] = _base_on(keys[k], base)
-    for key, (_, left), here in zip(keys, targets, places, strict=True):
-        check_search(figure, key, left, here)
-    placed = [point for _, left in targets for point in left]
-    return keys if base is not None else stander.pose_feet(keys, placed), placed, missed
+    return keys if base is not None else stander.pose_feet(keys), missed
 
 
 def stander_of(source: Parsed, figure: Figure) -> Stander:
@@ -90,17 +84,15 @@ def _later(key: Frame, base: Callable[[float], Array], by: int) -> Frame:
     return Frame.key(key.time + by, base(key.time)) if by else Frame(key.time, key.state, key.fixed)
 
 
-def _targets(
-    figure: Figure, rows: Sequence[KeyframeTable], where: Sequence[str]
-) -> list[tuple[list[Goal], list[Contact]]]:
-    """Return the target positions in each keyframe. Feet are inferred from complete keyframes."""
+def _goals(figure: Figure, rows: Sequence[KeyframeTable], where: Sequence[str]) -> list[list[Goal]]:
+    """Return the goals of the pose of each keyframe. Feet are inferred from complete keyframes."""
     places = Places(figure)
     if any(row.sites or row.bodies for row in rows):
         keys: list[Frame] = []
         for row, here in zip(rows, where, strict=True):
             keys.append(key_of(figure, row, keys[-1] if keys else None, (), here))
         places = Places(figure, soles_of(figure, keys))
-    return [targets_of(places, row, here) for row, here in zip(rows, where, strict=True)]
+    return [goals_of(places, row, here) for row, here in zip(rows, where, strict=True)]
 
 
 def soles_of(figure: Figure, keys: Sequence[Frame]) -> tuple[Point, ...]:

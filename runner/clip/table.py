@@ -147,13 +147,6 @@ class RootTable(Table):
     rotation: Annotated[RotationTable | Literal["free"], f'{ROTATION} or "free"'] = "free"
 
 
-class SiteTable(Table):
-    """The target position of a site, and how it is reached."""
-
-    position: Axes
-    by: Literal["pose", "search"] = "pose"
-
-
 class BodyTable(RotationTable):
     """The target orientation of a body, and the target position of its origin, or of the point `at` in its axes."""
 
@@ -176,10 +169,6 @@ class BodyTable(RotationTable):
 
 
 Joint = Annotated[RotationTable | Number | Literal["free"], f'{ROTATION}, a number or "free"']
-Site = Annotated[
-    SiteTable | Axes,
-    '[x, y, z] in metres, each a number or "free", or {position = [x, y, z], by = "pose" or "search"}',
-]
 Body = Annotated[BodyTable, f"{{flat = true}} or a rotation, {ROTATION}, or {{position = [x, y, z]}}"]
 Root = Annotated[RootTable, "a table: position and rotation of a free joint"]
 Others = Annotated[
@@ -195,7 +184,7 @@ class KeyframeTable(Table):
     root: Root = RootTable()
     roots: dict[str, Root] = {}
     joints: dict[str, Joint] = {}
-    sites: dict[str, Site] = {}
+    sites: dict[str, Axes] = {}
     bodies: dict[str, Body] = {}
     others: Others = "free"
 

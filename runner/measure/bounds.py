@@ -37,7 +37,6 @@ BOUNDS = {
         Bound("slide", 0.05, "m"),  # more than a sole moves while it lands in a run
         Bound("drag", 0.1, "m"),  # heels and toes of captured feet scuff up to 7 cm
         Bound("stance", 0.02, "m"),  # stances inferred from keyframes are less certain than a clip's contacts
-        Bound("placement", 0.01, "m"),  # a visible miss
         Bound("backward", 3.0, "degrees"),  # a straight knee or elbow is never quite straight
         Bound("sideways", 3.0, "degrees"),  # beyond the clip's bound, 8° by default
         Bound("twist", 3.0, "degrees"),  # as sideways

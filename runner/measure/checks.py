@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cached_property
 
 import numpy as np
 
@@ -216,9 +216,15 @@ def loop_gaps(fixed: Fixed) -> Check | None:
         return None
     names = [pair.point.name for pair in pairs]
     rows = [row_of("torn", name, f"the loop of {name} is torn by {{}}") for name in names]
+    loops = Attachment(pairs)
+
+    def hits(samples: Samples) -> Hits:
+        row, at, away = loops.displacements(samples)
+        return Hits(row, at, np.linalg.norm(away, axis=0))
+
     both = fixed.places[[pair.point.link for pair in pairs]] & fixed.places[[pair.on for pair in pairs]]
     _, groups = np.unique(names, return_inverse=True)
-    return Check.each("torn", rows, partial(_distances, Attachment(pairs)), both, groups)
+    return Check.each("torn", rows, hits, both, groups)
 
 
 def whips(figure: Figure, raw_peak: float) -> Check | None:
@@ -333,18 +339,6 @@ def turns(contacts: Sequence[Contact], path: Path, fixed: Fixed) -> Check:
     both = [fixed.places[contact.point.link] & fixed.places[contact.on] for contact in contacts]
     _, groups = np.unique([f"{hand} {body}" for body, hand in names], return_inverse=True)
     return Check.each("grasp rotation", rows, hits, np.array(both), groups)
-
-
-def misses(targets: Sequence[Contact]) -> Check:
-    """Return the check of points left to the search that miss their positions."""
-    rows = [row_of("placement", place.point.name, f"{place.point.name} is {{}} off its place") for place in targets]
-    return Check.each("placement", rows, partial(_distances, Attachment(tuple(targets))))
-
-
-def _distances(attachment: Attachment, samples: Samples) -> Hits:
-    """Return the distances of points from their positions."""
-    stance, at, away = attachment.displacements(samples)
-    return Hits(stance, at, np.linalg.norm(away, axis=0))
 
 
 def penetrations(parts: Sequence[Collision], soles: frozenset[str], feet: Index, fixed: Fixed) -> Check:

@@ -66,7 +66,6 @@ class Measurement:
         stays = tuple(_contact_targets(clip, timeline))
         instants = [t for stay in stays for t in (stay.contact.first, stay.contact.last)]
         instants += [t for grasp in clip.context.schedule.grasps for t in (grasp.first, grasp.last)]
-        instants += [target.first for target in clip.context.schedule.targets]
         time = np.unique(np.concatenate([even_times(path.span, RATE), key_times, instants]))
         key_at = np.searchsorted(time, key_times)
         every = list(_checks(clip, timeline, stays, _peak(clip.figure, raw, time)))
@@ -171,8 +170,6 @@ def _checks(
     if context.holds and not clip.has_recording:
         text = "{joint.name} swings {} away from its values in the keyframes at {joint.first:g} and {joint.last:g} s"
         yield checks.ranges(context.holds, ("overshoot", "overshoot travel"), text)
-    if context.schedule.targets:
-        yield checks.misses(context.schedule.targets)
     optional = (
         checks.coupled(fixed),
         checks.loop_gaps(fixed),

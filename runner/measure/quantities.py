@@ -62,7 +62,6 @@ def quantities(clip: Clip, objective: Objective, measurement: Measurement, sampl
         "contacts": _rests(measurement, "contact"),
         "grasps": _grasps(clip, measurement),
         "penetration of held objects, m": _deepest(in_grasped) if clip.context.schedule.grasps else {},
-        "target distance, m": {f"{row.name} at {time:g} s": away for row, away, time in worst("placement")},
         "keyframe error": keyframe_error(clip, timeline),
         "seam": _seam(clip, timeline),
         "angular acceleration, rad/s²": _peak(worst("whip")),

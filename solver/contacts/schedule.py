@@ -35,7 +35,6 @@ class ContactSchedule:
         on_ground: The contacts with the surroundings: those that the clip specifies, and the stances of its recording.
         grasps: The contacts with links, which the clip specifies.
         turns: The contacts that hold the rotation of grasped bodies, of points beside the grasps.
-        targets: Contacts of an instant, which the search has to reach. A foot with a target elsewhere does not stand.
         specified_flights: The intervals [s] in which nothing supports the figure; None: inferred from keyframes.
         has_cycle: Whether the keyframes form a gait cycle; None: inferred, true only if a cycle is unambiguous.
         period: The period of a gait cycle [s]; None: the likeliest one.
@@ -49,7 +48,6 @@ class ContactSchedule:
     on_ground: tuple[Contact, ...] = ()
     grasps: tuple[Contact, ...] = ()
     turns: tuple[Contact, ...] = ()
-    targets: tuple[Contact, ...] = ()
     specified_flights: tuple[Interval, ...] | None = None
     has_cycle: bool | None = None
     period: float | None = None
@@ -66,28 +64,9 @@ class ContactSchedule:
 
     @cached_property
     def stances(self) -> tuple[Contact, ...]:
-        """The stances inferred from keyframes, without those that contradict specified contacts or targets."""
+        """The stances inferred from keyframes, without those that contradict specified contacts."""
         inferred = stances(self._soles)
-        return tuple(
-            stance
-            for stance in inferred
-            if not any(contact.overlaps(stance) for contact in self.on_ground) and not self._leaves(stance)
-        )
-
-    def _leaves(self, stance: Contact) -> bool:
-        """Return whether a target of the stance's link is too near or too far for it during the stance."""
-        tolerance = Thresholds.of(self.figure).near_surface
-        for target in self.targets:
-            if target.point.link != stance.point.link or not stance.first <= target.first <= stance.last:
-                continue
-            time = np.array([target.first])
-            position = target.place(time)[:, 0]
-            known = np.isfinite(position)
-            apart = np.linalg.norm((position - stance.place(time)[:, 0])[known])
-            length = np.linalg.norm(target.point.position - stance.point.position)
-            if apart > length + tolerance or (known.all() and apart < length - tolerance):
-                return True
-        return False
+        return tuple(stance for stance in inferred if not any(contact.overlaps(stance) for contact in self.on_ground))
 
     @cached_property
     def grasped(self) -> tuple[int, ...]:

@@ -176,7 +176,7 @@ def test_soft_constraints_are_listed_with_weights_options_and_units(run):
     assert told["support"]["options"] == {"friction": "coefficient; default 0.8"}
     assert told["attach"]["options"] == {}
     weights = {part["part"]: part["weight"] for part in told["attach"]["parts"]}
-    assert weights == {"stance": 30, "contact": 750, "grasp": 750, "placement": 30}
+    assert weights == {"stance": 30, "contact": 750, "grasp": 750}
     assert [part["is on"] for part in told["collision"]["parts"]] == [True, True, True]
     assert not told["torque"]["parts"][0]["is on"]
 

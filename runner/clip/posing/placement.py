@@ -13,7 +13,6 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
-from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.figure.figure import Figure
@@ -35,41 +34,34 @@ from dynsplines.solver.surface.heights import heights
 from dynsplines.solver.surface.points import Point, body_points, hanging, places_of
 
 from ...errors import UserError, unknown
-from ..table import BodyTable, KeyframeTable, SiteTable
-from .notes import can_move, immovable
+from ..table import BodyTable, KeyframeTable
 from .places import Places, root_links
 from .standing_feet import Stander, balance_of
 
 ALIKE = 0.5  # [1] largest deviation of a foot's displacement from the mean, relative to the mean
 
 
-def released_links(figure: Figure, row: KeyframeTable, goals: Sequence[Goal], placed: Sequence[Contact]) -> list[int]:
-    """Return the links whose joints a keyframe's goals and placed points free, independent of `others`."""
+def released_links(figure: Figure, row: KeyframeTable, goals: Sequence[Goal]) -> list[int]:
+    """Return the links whose joints a keyframe's goals free, independent of `others`."""
     bodies = [goal.bodies(figure.model)[0] for goal in goals]
-    bodies += [figure.links[point.point.link].body for point in placed]
     named = root_links(figure, row) | {i for i, link in enumerate(figure.links) if link.name in row.joints}
     return sorted({link for body in bodies for link in figure.limb(body)} - named)
 
 
-def targets_of(places: Places, row: KeyframeTable, where: str) -> tuple[list[Goal], list[Contact]]:
-    """Return a keyframe's position entries: goals of its pose, and points that the search places.
+def goals_of(places: Places, row: KeyframeTable, where: str) -> list[Goal]:
+    """Return the goals of a keyframe's pose.
 
     Raises:
         UserError: For unknown names and contradictions.
     """
     figure = places.figure
     goals: list[Goal] = []
-    placed: list[Contact] = []
-    for name, table in row.sites.items():
+    for name, position in row.sites.items():
         point = places.named_point(name, where)
-        table = table if isinstance(table, SiteTable) else SiteTable(position=table)
-        target = _target(table.position, f"{where}: sites.{name}", "the site")
+        target = _target(position, f"{where}: sites.{name}", "the site")
         goal = PointGoal.of(figure, point, target)
         _check_moves(figure, goal, f"{where}: site '{name}'")
-        if table.by == "pose":
-            goals.append(goal)
-        else:
-            placed.append(Contact.at(point, row.time, row.time, target))
+        goals.append(goal)
     for name, table in row.bodies.items():
         body = places.body(name)
         if body is None:
@@ -77,7 +69,7 @@ def targets_of(places: Places, row: KeyframeTable, where: str) -> tuple[list[Goa
         body_goals = _body_goals(figure, name, body, table, f"{where}: bodies.{name}")
         _check_moves(figure, body_goals[0], f"{where}: body '{name}'")
         goals += body_goals
-    return goals, placed
+    return goals
 
 
 def _target(position: Sequence[float | str], where: str, what: str) -> Array:
@@ -255,14 +247,6 @@ def _is_slow(figure: Figure, path: Timeline, k: int) -> bool:
     moves = (path.states[last] - path.states[first])[figure.tables.position_columns[:2]]
     speed = float(np.linalg.norm(moves, axis=0).max(initial=0.0) / (path.times[last] - path.times[first]))
     return speed < Thresholds.of(figure).travels
-
-
-def check_search(figure: Figure, key: Frame, placed: Sequence[Contact], where: str) -> None:
-    """Raise UserError for a point left to the search that no free joint moves."""
-    for point in placed:
-        body = figure.links[point.point.link].body
-        if not can_move(figure, key, body):
-            raise UserError(f"{where}: site '{point.point.name}' {immovable(figure, body)}")
 
 
 def _body_goals(figure: Figure, name: str, body: int, table: BodyTable, where: str) -> list[Goal]:

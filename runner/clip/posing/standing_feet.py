@@ -133,8 +133,8 @@ class Stander:
         turn = None if solve.turn is None else float(np.radians(solve.turn))
         return raw_timeline(self.figure, list(keys), solve.ends, slope, solve.travel, turn)
 
-    def pose_feet(self, keys: Sequence[Frame], left: Sequence[Contact]) -> list[Frame]:
-        """Pose the free entries of partial keyframes as far as they are certain; left: points left to the search."""
+    def pose_feet(self, keys: Sequence[Frame]) -> list[Frame]:
+        """Pose the free entries of partial keyframes as far as they are certain."""
         if all(key.is_key for key in keys):
             return list(keys)
         try:
@@ -143,8 +143,7 @@ class Stander:
             return list(keys)
         count = len(keys) - (self.solve.ends == "periodic")  # the last keyframe of a loop is the first
         posed_keys = [
-            self._pose(keys[k], inferred, k, left) if k < count and not keys[k].is_key else keys[k]
-            for k in range(len(keys))
+            self._pose(keys[k], inferred, k) if k < count and not keys[k].is_key else keys[k] for k in range(len(keys))
         ]
         grounding = Grounding.of(self.figure, inferred.soles, self.surfaces, self.aloft)
         if grounding is None or not grounding.is_asked(posed_keys):
@@ -181,16 +180,12 @@ class Stander:
         tables = list(_during(self.contact_tables, *timeline.times[[0, -1]].tolist()))
         return _KnownPositions(schedule_of(self.figure, timeline, self.surfaces, self.where, tables, self.grasp_tables))
 
-    def _pose(self, key: Frame, known: _KnownPositions, k: int, left: Sequence[Contact]) -> Frame:
+    def _pose(self, key: Frame, known: _KnownPositions, k: int) -> Frame:
         """Return keyframe k posed for its feet and goals; feet that cannot keep their stance are released."""
         figure = self.figure
         frame = known.timeline.frames[k]
         groups = [foot.goals(figure) for foot in known.standing(k)]
         groups += [[goal] for goal in known.holding(k)]
-        for target in left:
-            if target.covers(key.time):
-                position = target.place(np.array([key.time]))[:, 0]
-                groups.append([PointGoal.of(self.figure, target.point, position)])
         home = figure.to_qpos(frame.state)
         root = figure.root
         may_shift = root is not None and not frame.fixed[figure.links[root.link].qpos + np.arange(2)].all()

@@ -8,8 +8,6 @@ import pytest
 from figures import figure_of, link_named
 from oracles import kinematics
 from problems import HINGE
-from processes import quiet
-from rekeyed import with_keys
 from texts import read_data
 
 from dynsplines import recordings, solving
@@ -21,7 +19,6 @@ from dynsplines.clip.posing.places import Places, posable_sites, sole_points
 from dynsplines.clip.table import ClipTable, KeyframeTable, PenaltyTable, RecordingTable
 from dynsplines.edit.files import retimed_tables
 from dynsplines.errors import UserError
-from dynsplines.measure.report import report
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.mirror import Mirror
@@ -149,33 +146,6 @@ def test_hinges_and_slides_are_solved_too(tmp_path):
     np.testing.assert_allclose(seen(problem, problem.keys[1].state).site("tip").xpos, [0.5, 0, 0.6], atol=MET)
 
 
-def test_a_search_ends_within_a_millimetre_and_is_reported():
-    places = (
-        'sites.left_hand = [0.18, 0.2, 1.24]\nsites.right_hand = {position = [0.24, "free", 0.82], by = "search"}\n'
-    )
-    problem = read_arms('others = "rest"\n', places)
-    assert [p.point.name for p in problem.context.schedule.targets] == ["right_hand"]
-    assert problem.keys[1].fixed.tolist() == [True, False]
-    assert [weight for penalty, weight in problem.penalties if penalty.name == "attach.placement"] == [30]
-    solved = solving.solve(problem, quiet())
-    data = seen(problem, solved.motion.at(1.0)[0])
-    off = np.linalg.norm(data.site("right_hand").xpos - [0.24, -0.2, 0.82])
-    assert off < 1e-3
-    told = report(problem, solved.motion)
-    assert told["after"]["target distance, m"] == {"right_hand at 1 s": pytest.approx(off, rel=1e-3)}
-    assert told["after"]["keyframe error"] < 1e-9
-    moved = with_keys(problem, [problem.keys[0], Frame.key(1.5, problem.keys[1].state)])
-    assert moved.context.schedule.targets == ()
-    assert with_keys(problem, problem.keys).context.schedule.targets == problem.context.schedule.targets
-
-
-def test_a_search_at_both_ends_of_the_clip_is_met_on_its_given_axes():
-    place = 'sites.left_hand = {{position = [{}, "free", "free"], by = "search"}}\n'
-    problem = read_arms(place.format(0.2), place.format(0.1))
-    at = solving.solve(problem, quiet()).motion.at(np.array([0.0, 1.0]))
-    assert [seen(problem, qpos).site("left_hand").xpos[0] for qpos in at] == pytest.approx([0.2, 0.1], abs=1e-3)
-
-
 FAR = "sites.{}_hand = [3, 0, 1]\n"
 
 
@@ -256,21 +226,6 @@ others = "rest"
     data = seen(problem, problem.keys[2].state)
     assert data.site("left_heel").xpos == pytest.approx([-0.055, 0.65, 0], abs=1e-4)
     assert min(data.site(f"right_{part}").xpos[2] for part in ("heel", "toe")) > -0.001
-
-
-@pytest.mark.parametrize(
-    ("heel", "stands"),
-    [
-        ("[0.17, 0.09, 0]", False),  # where the toes stand
-        ('["free", 0.09, 0]', True),
-    ],
-)
-def test_a_foot_that_the_search_moves_between_two_keyframes_does_not_stand(heel, stands):
-    rest = '[[keyframe]]\ntime = {}\nothers = "rest"\n'
-    text = f'figure = "human"\n{rest.format(0)}[[keyframe]]\ntime = 1\n'
-    text += f'sites.left_heel = {{position = {heel}, by = "search"}}\n{rest.format(2)}'
-    names = {stance.point.name for stance in read(text).context.schedule.stances}
-    assert names == {"right_heel", "right_toe"} | ({"left_heel", "left_toe"} if stands else set())
 
 
 def test_a_foot_raised_by_its_heel_alone_has_its_toes_out_of_the_floor():

@@ -256,7 +256,7 @@ def test_keyframes_places_contacts_and_obstacles_change_sides_with_a_clip(tmp_pa
     table = table_of(two.text, "two")
     assert table.contact[0].point == "right_toe"
     assert table.contact[0].position == (0.2, -0.1, 0.0)
-    assert two.context.schedule.targets[0].point.name == "left_hand"
+    assert table.keyframe[1].sites["left_hand"] == (0.4, 0.3, "free")
     assert [bend.name for bend in two.context.bends] == ["right_knee", "left_elbow"]
     for geom in ("step", "box 1", "capsule 1"):
         mine, its = (found.figure.model.geom(geom) for found in (one, two))
