@@ -117,10 +117,9 @@ class Objective:
         spacing = (last - first) / (raw.spline.times.size - 1)
         terms = []
         for term, integral in zip(self.terms, integrals, strict=True):
-            scale, instants = term.penalty.normalization, term.penalty.instants
-            length = instants.size or last - first
-            whole = scale.reference * size.length**scale.length_power * length / spacing**scale.time_power
-            most = whole if term.penalty.role.is_violation else scale.raw_cap * length
+            scale = term.penalty.normalization
+            whole = scale.reference * size.length**scale.length_power * (last - first) / spacing**scale.time_power
+            most = whole if term.penalty.role.is_violation else scale.raw_cap * (last - first)
             terms.append(replace(term, factor=term.weight / min(max(float(integral), SMALL_SHARE * whole), most)))
         measures = {term.penalty.name: term for term in terms if term.weight > 0}
         for i, term in enumerate(terms):
@@ -195,33 +194,15 @@ class Objective:
     def nodes(self, times: Array) -> tuple[Array, Array, Array]:
         """Return the quadrature nodes of a spline with knots at `times` [s].
 
-        Terms that are evaluated only at given instants add these instants to the nodes. An instant has the weight 1
-        in the term that added it and 0 in all others.
-
         Returns:
             The times in ascending order, (S,) [s]; the weights of an integral, (S,) [s]; and the weights of each term,
-            including tension, (terms, S), in [s], or [1] at instants.
+            including tension, (terms, S) [s].
         """
         t, w = self.quadrature.nodes(times)
-        instants_by_term = [term.penalty.instants for term in self.terms]
-        instants = np.unique(np.concatenate([*instants_by_term, np.zeros(0)]))
-        instants = instants[(instants >= times[0]) & (instants <= times[-1])]
-        t, w = np.append(t, instants), np.append(w, 0 * instants)
-        order = np.argsort(t, kind="stable")
-        is_instant = np.append(np.zeros(w.size - instants.size, bool), np.ones(instants.size, bool))[order]
-        t, w = t[order], w[order]
-        weights_by_term = np.tile(w, (len(self.terms), 1))
-        for row, term in zip(weights_by_term, self.terms, strict=True):
-            row *= self._tension_share(term, t)
-        for k, term_instants in enumerate(instants_by_term):
-            if term_instants.size:
-                weights_by_term[k] = np.isin(t, term_instants) & is_instant
-        return t, w, weights_by_term
+        return t, w, np.array([w * self._tension_share(term, t) for term in self.terms]).reshape(-1, t.size)
 
     def integrals(self, path: Path, times: Array | None = None) -> Array:
         """Return ∫ f_j dt of every term without weight or factor, (terms,).
-
-        For terms that are evaluated only at given instants, Σ f_j over the instants replaces the integral.
 
         Args:
             times: The edges of the integration spans [s]; None: the knots of the path.
@@ -313,10 +294,7 @@ class Objective:
 
 
 def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
-    """Return every term's contribution to E between neighbouring times [s], (segments, terms).
-
-    An instant at an edge belongs to the following segment; an instant at the end of the path to the last segment.
-    """
+    """Return every term's contribution to E between neighbouring times [s], (segments, terms)."""
     knots = np.asarray(path.spline.times)
     knots = knots[(knots >= times[0]) & (knots <= times[-1])]
     edges = np.union1d(knots, times)
@@ -328,12 +306,6 @@ def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
         for k, term in enumerate(objective.terms):
             weights = objective.factor(term, t[run]) * w[run]
             np.add.at(out[:, k], segment[run], weights * term.penalty.evaluate(samples))
-    for k, term in enumerate(objective.terms):
-        at = term.penalty.instants
-        at = at[(at >= times[0]) & ((at < times[-1]) | (at == path.spline.times[-1]))]
-        if at.size:
-            segment = segments_at(times, at)
-            np.add.at(out[:, k], segment, term.factor * term.penalty.evaluate(objective.samples(path, at)))
     return out
 
 
@@ -382,8 +354,6 @@ class Discretised:
         timeline: The timeline whose unknowns are x.
         unknowns: The map between x (n,) and the states of the frames, one row per frame, (M, N).
         weights: The weights of the samples in an integral, (S,) [s].
-        instants: Pairs of a term that is evaluated only at given instants, and the operator that interpolates the
-            spline at the instants of this term.
     """
 
     def __init__(self, objective: Objective, timeline: Timeline) -> None:
@@ -395,11 +365,6 @@ class Discretised:
         self.sampling = Sampling.of(self.spline, t)
         self._pieces = self.sampling.pieces(run_of(objective.figure))
         factors = np.array([[term.factor] for term in objective.terms])
-        self.instants = [
-            (term, Sampling.of(self.spline, t[weight > 0]))
-            for term, weight in zip(objective.terms, weights_by_term, strict=True)
-            if term.penalty.instants.size and weight.any()
-        ]
         self._last: tuple[Array, Sequence[EvaluatedRun]] | None = None
         self._shares = [factors * weights_by_term[:, piece.which] for piece in self._pieces]
 

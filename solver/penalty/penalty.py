@@ -94,15 +94,6 @@ class Penalty(ABC):
         return Role.COST
 
     @property
-    def instants(self) -> Array:
-        """The instants at which alone the constraint is evaluated, ascending, (I,) [s]; empty: an integral is.
-
-        E contains Σ f_j over the instants instead of the integral. f_j is zero at all other times and depends on y
-        only. Of its curvature, only what `Curvature.add_rows` adds is used.
-        """
-        return np.zeros(0)
-
-    @property
     def is_sharp(self) -> bool:
         """Whether the search computes the curvature of f_j at all samples of E instead of a few nodes.
 

@@ -34,7 +34,7 @@ from ..curve.quadrature import gauss_nodes
 from ..curve.seam import Seam
 from ..curve.spline import DEGREE, Path, Piece, Sampling
 from ..figure.kinematics import Samples
-from ..objective import Discretised, EvaluatedRun, Term
+from ..objective import Discretised, EvaluatedRun
 from ..penalty.block import one_sided_residuals
 from ..penalty.curvature import Curvature, OneSidedResiduals
 from ..tolerances import TINY
@@ -438,15 +438,6 @@ class QuadraticModel:
         sharp = [k for k, term in enumerate(terms) if term.penalty.is_sharp]
         smooth = [term for k, term in enumerate(terms) if k not in sharp]
 
-        def curvature_at(piece: Piece, chosen: Sequence[Term], weights: Array) -> Curvature:
-            samples = Samples(problem.objective.figure, *piece.samples(path.coefficients), t=piece.t)
-            curvature = Curvature(samples)
-            for term in chosen:
-                scale = problem.objective.factor(term, samples.t) * weights
-                for block in term.penalty.residuals(samples):
-                    block.add_to(curvature, scale)
-            return curvature
-
         for run in evaluated:
             curvature = Curvature(run.samples)
             for k in sharp:
@@ -456,15 +447,16 @@ class QuadraticModel:
             rows.append((curvature, layout.sampling.piece(run.piece.which)))
         for nodes, piece in layout.pieces:
             weights = layout.weights[nodes.which]
-            smooth_curvature = curvature_at(nodes, smooth, weights)
+            samples = Samples(problem.objective.figure, *nodes.samples(path.coefficients), t=nodes.t)
+            smooth_curvature = Curvature(samples)
+            for term in smooth:
+                for block in term.penalty.residuals(samples):
+                    block.add_to(smooth_curvature, problem.objective.factor(term, samples.t) * weights)
             rows.append((smooth_curvature, piece))
             layout.add_blocks(matrix, smooth_curvature, piece)
             if scale is None:
                 sizes.append(smooth_curvature.acceleration() / weights[:, None])
         layout.add_rows(matrix, *rows)
-        for term, sampling in problem.instants:
-            curvature = curvature_at(sampling.whole, [term], np.ones(sampling.t.size))
-            layout.add_rows(matrix, (curvature, layout.basis.sampled(sampling).whole))
         diagonal = layout.diagonal(matrix)[:, 0]
         size = max(middle(diagonal[layout.used]), TINY)
         diagonal += FAINT * size

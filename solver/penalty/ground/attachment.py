@@ -1,4 +1,4 @@
-"""The penalty on points that leave their contacts: stances, grasps, closed loops and targets at single times.
+"""The penalty on points that leave their contacts: stances, grasps and closed loops.
 
 A point with a known position is drawn to it. Without one, it must not slide: its velocity is that of the material that
 it touches, the surroundings or another link. A round foot, such as the heel or the tip of a shoe, rolls: its lowest
@@ -39,7 +39,6 @@ class Attachment(Penalty):
     Only the distance beyond the slack of the contact counts. A contact without a known position adds (0.05 s)² |v|²
     (for an adult), with v the velocity of the point's material relative to what it touches: for a sphere that rolls,
     v_centre − r ω × n with the normal n. On the surroundings it adds h², with h the height above the surface below.
-    If every contact lasts for an instant, E contains the sum over the instants instead of an integral.
 
     Attributes:
         contacts: The contacts.
@@ -55,11 +54,7 @@ class Attachment(Penalty):
 
     @cached_property
     def is_sharp(self) -> bool:
-        return not self.instants.size and all(np.isfinite([c.first, c.last]).all() for c in self.contacts)
-
-    @cached_property
-    def instants(self) -> Array:
-        return np.unique([contact.first for contact in self.contacts if contact.first == contact.last])
+        return all(np.isfinite([c.first, c.last]).all() for c in self.contacts)
 
     @cached_property
     def resting(self) -> tuple[Contact, ...]:

@@ -24,19 +24,17 @@ from ..penalty import Normalization, Penalty, Role
 
 @dataclass(frozen=True, eq=False)
 class Lean:
-    """A unit axis (3,) of a link that must be vertical at a time [s], or always."""
+    """A unit axis (3,) of a link that must be vertical, always or from `first` to `last` [s]."""
 
     link: int
     axis: Array
-    time: float | None = None
+    first: float = -np.inf
+    last: float = np.inf
 
 
 @dataclass(frozen=True)
 class Upright(Penalty):
-    """Σ over leans of |R axis − z|², approximately the squared angle [rad²] of the axis to the vertical.
-
-    Either all of them have a time, or none.
-    """
+    """Σ over leans of |R axis − z|², approximately the squared angle [rad²] of the axis to the vertical."""
 
     leans: tuple[Lean, ...]
     name: str = "upright.trunk"
@@ -66,8 +64,8 @@ class Upright(Penalty):
         return cls(tuple(Lean(link, along) for link, along in zip(links, axes, strict=True)), "upright.bodies")
 
     @cached_property
-    def instants(self) -> Array:
-        return np.unique([lean.time for lean in self.leans if lean.time is not None])
+    def is_sharp(self) -> bool:
+        return all(np.isfinite([lean.first, lean.last]).all() for lean in self.leans)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
         links, axes, *times = self._arrays
@@ -83,25 +81,25 @@ class Upright(Penalty):
     def _arrays(self) -> tuple[Index, Array, Array, Array]:
         """The links (n,), the axes (3, n), and the first and last times (n,) [s]."""
         axes = np.array([lean.axis for lean in self.leans]).reshape(-1, 3).T
-        first, last = (
-            np.array([end if lean.time is None else lean.time for lean in self.leans]) for end in (-np.inf, np.inf)
-        )
+        first, last = (np.array([getattr(lean, name) for lean in self.leans]) for name in ("first", "last"))
         return np.array([lean.link for lean in self.leans], np.intp), axes, first, last
 
 
 def leans(figure: Figure, keys: Timeline, roots: Sequence[int]) -> tuple[Lean, ...]:
     """Return the tilt of roots in the keyframes that were posed with free rotation.
 
+    It lasts from the middle of the segment before a keyframe to the middle of the one after it.
+
     Args:
         roots: Links with a free joint.
     """
-    states = keys.states
-    samples = Samples.still(figure, states)
+    samples, times = Samples.still(figure, keys.states), keys.times
+    edges = np.concatenate([times[:1], (times[1:] + times[:-1]) / 2, times[-1:]]).tolist()
     result = []
     for root in roots:
         columns = quaternion_columns(figure.links[int(root)])
         posed = keys.known[:, columns].all(axis=1) & ~keys.fixed[:, columns].all(axis=1)
         for k in np.flatnonzero(posed):
             axis = samples.links.rotation[2, :, root, k].copy()
-            result.append(Lean(int(root), axis, float(keys.times[k])))
+            result.append(Lean(int(root), axis, *edges[k : k + 2]))
     return tuple(result)

@@ -164,14 +164,6 @@ def planted(figure: Figure, rng: np.random.Generator) -> Case:
     return Attachment(stances), timed(figure, rng)
 
 
-def instants(figure: Figure, rng: np.random.Generator) -> Case:
-    """Points with targets at two times, one of them with a free axis."""
-    targets = [np.array([0.3, -0.2, 0.8]), np.array([0.4, np.nan, 0.2])]
-    goals = zip(two_points(figure), targets, strict=True)
-    contacts = tuple(Contact.at(point, t, t, target) for point, target in goals for t in (0.5, 1.0))
-    return Attachment(contacts), at_times(random_samples(figure, rng, 4), np.array([0, 0.5, 0.5, 1]))
-
-
 def resting(figure: Figure, rng: np.random.Generator) -> Case:
     end, tilt = last(figure), np.array([0.28, 0, 0.96])
     slope = Plane("slope", 3 * tilt, tilt)
@@ -250,7 +242,7 @@ def upright(figure: Figure, rng: np.random.Generator) -> Case:
 
 
 def leaning(figure: Figure, rng: np.random.Generator) -> Case:
-    leans = Lean(1, np.array([0.6, 0.0, 0.8]), 0.5), Lean(last(figure), np.array([0.0, -1.0, 0.0]), 1.0)
+    leans = Lean(1, np.array([0.6, 0.0, 0.8]), 0.5, 0.5), Lean(last(figure), np.array([0.0, -1.0, 0.0]), 0.2, 1.0)
     return Upright(leans), at_times(random_samples(figure, rng, 4), np.array([0, 0.5, 0.5, 1]))
 
 
@@ -299,7 +291,6 @@ KINDS: dict[str, Kind] = {
     "flight": flight(0.0),
     "flight with a moment": flight(0.7),
     "planted": planted,
-    "instants": instants,
     "rest": resting,
     "grasp": grasp(is_known=True),
     "grasp without a spot": grasp(is_known=False),
@@ -374,7 +365,7 @@ def test_one_sided_residuals_add_up_and_their_rows_are_their_gradients(kind, fig
 
 
 POWERS = {"covariant": 4, "root": 4, "peak": 16, "posture": 2, "skate": 2}  # of a clip's duration
-TIMELESS = ("unit", "contact with a floor", "bend", "range", "upright", "planted", "overshoot", "instants")
+TIMELESS = ("unit", "contact with a floor", "bend", "range", "upright", "planted", "overshoot")
 
 
 @pytest.mark.parametrize("name", [*POWERS, *TIMELESS])
@@ -388,7 +379,7 @@ def test_a_clip_that_is_played_slower_costs_less_by_a_power(
     np.testing.assert_allclose(penalty.evaluate(slower) * 3.0**power, penalty.evaluate(samples), rtol=1e-9)
 
 
-PLACED = {"planted", "instants", "range", "overshoot", "tracking", "prior", "contact with a slope", "skate on a slope"}
+PLACED = {"planted", "range", "overshoot", "tracking", "prior", "contact with a slope", "skate on a slope"}
 PLACED |= {
     "contact with a block",
     "contact with a step",

@@ -32,7 +32,6 @@ CENTIMETRE = {
     "grounded": kinds.HoverPenalty((ORIGIN,), (FLOOR,), reach=10.0),
     "planted": kinds.Attachment((Contact.at(ORIGIN, -1, 1, np.zeros(3)),)),
     "resting": kinds.Attachment((Contact(ORIGIN, -1, 1),), (FLOOR,)),
-    "placement": kinds.Attachment((Contact.at(ORIGIN, 0, 0, np.zeros(3)),)),
     "closed": kinds.Attachment((Contact.at(ORIGIN, -np.inf, np.inf, np.zeros(3)),), name="closed"),
     "self": SelfContact((Bar(0, 1, 0 * UP, UP, 0.0, 0.1), Bar(1, 0, 0.19 * UP, UP, 0.0, 0.1)), np.array([[0], [1]])),
 }  # fmt: skip

@@ -113,58 +113,6 @@ def test_a_thing_lies_still_between_keyframes_that_both_say_the_same_of_it():
     assert resting_objects(KeyframePoints.of(figure, box_keys(figure, [here, here], [True, True]), ()), []) == ()
 
 
-TARGET = np.array([0.3, -0.2, 0.8])
-
-
-def placed(link: int, time: float, target: Array = TARGET) -> Contact:
-    return Contact.at(Point("p", link, np.array([0.1, 0.2, -0.3])), time, time, target)
-
-
-def placement_of(figure: Figure, *times: float) -> penalty.Attachment:
-    """Points of the first and the last link at every time, one of them with a free axis."""
-    last = len(figure.links) - 1
-    loose = np.array([0.4, np.nan, 0.2])
-    return penalty.Attachment(tuple(point for t in times for point in (placed(1, t, loose), placed(last, t))))
-
-
-def some(figure: Figure, rng: np.random.Generator) -> Samples:
-    return at_times(random_samples(figure, rng, 6), np.array([0.0, 0.5, 0.5, 0.7, 1.0, 1.3]))
-
-
-def test_it_is_the_squared_distance_along_the_given_axes_at_its_time(figure, rng):
-    samples = some(figure, rng)
-    last = len(figure.links) - 1
-    values = placement_of(figure, 0.5, 1.3).evaluate(samples)
-    for i in (1, 2, 5):
-        data = kinematics(figure.model, figure.to_qpos(samples.y[i]))
-        expected = 0.0
-        for link, target in ((1, [0.4, np.nan, 0.2]), (last, TARGET)):
-            body = data.body(figure.links[link].body)
-            at = body.xpos + body.xmat.reshape(3, 3) @ [0.1, 0.2, -0.3]
-            expected += np.nansum((at - target) ** 2)
-        assert values[i] == pytest.approx(expected, rel=1e-9)
-    assert not values[[0, 3, 4]].any()
-
-
-BALL_WITH_SITE = (
-    '<mujoco><worldbody><body><freejoint/><geom size=".1"/><site pos=".1 .2 -.3"/></body></worldbody></mujoco>'
-)
-
-
-@pytest.mark.parametrize("coordinates", ["world", "joint"])
-@pytest.mark.parametrize("which", [0, 1])
-def test_a_reachable_place_is_reached_within_a_millimetre(coordinates, which):
-    figure = figure_of(BALL_WITH_SITE, coordinates)
-    free = np.zeros(7, bool)
-    keys = [Frame.key(float(i), [0.1 * i, 0, 1, 1, 0, 0, 0]) for i in range(3)]
-    keys[which] = Frame.key(float(which), keys[which].state, free)
-    placement = penalty.Attachment((placed(1, float(which)),))
-    penalties = [(penalty.CovariantAcceleration(), 1.0), (penalty.UnitMagnitude(), 1.0), (placement, 30.0)]
-    motion = inbetween(Problem(figure, keys, penalties))
-    data = kinematics(figure.model, motion.at(float(which))[0])
-    assert np.linalg.norm(data.site_xpos[0] - TARGET) < 1e-3
-
-
 UP, TILT = np.array([0.0, 0, 1]), np.array([0.28, 0, 0.96])
 
 

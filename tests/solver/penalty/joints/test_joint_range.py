@@ -233,7 +233,7 @@ def test_it_is_about_keyframes_whose_roots_turn_was_posed_and_keeps_what_points_
     free[3:7] = True
     keys = [Frame.key(0.0, qpos), Frame(1.0, qpos, ~free, free), Frame.key(2.0, qpos, ~free), Frame.key(3.0, qpos)]
     (lean,) = kinds.leans(figure, raw_timeline(figure, keys), figure.tables.free_links.tolist())
-    assert (lean.link, lean.time) == (int(figure.tables.free_links[0]), 1.0)
+    assert (lean.link, lean.first, lean.last) == (int(figure.tables.free_links[0]), 0.5, 1.5)
     np.testing.assert_allclose(turned(figure, qpos, lean.link, lean.axis), UP, atol=1e-12)
 
 
