@@ -15,6 +15,7 @@ from typing import Any
 
 from bench import CLIP, Effort, Section, Target, alternated, dynsplines, median
 
+from dynsplines import recordings
 from dynsplines.clip import load as clips
 from dynsplines.solver import Improvement, Solution, StopSearch, inbetween
 
@@ -57,7 +58,7 @@ def help_time() -> float:
 
 def measure(effort: Effort) -> Section:
     section = Section("run_and_step, every penalty, on one core", ("what", "median [s]", "least", "most"))
-    problem = clips.load(CLIP)
+    problem = recordings.load(CLIP)
     clocks: dict[str, list[float]] = {}
     effort.report("solving")
     times, results = alternated({"solve": lambda: solve(problem)}, effort.repeats)
@@ -93,7 +94,7 @@ def measure(effort: Effort) -> Section:
 
 
 def _until_better(begin: float) -> None:
-    problem = clips.load(CLIP)
+    problem = recordings.load(CLIP)
 
     def improved(step: Improvement) -> None:
         if step.evaluation > 1:

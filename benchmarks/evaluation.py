@@ -11,7 +11,7 @@ import mujoco
 import numpy as np
 from bench import Effort, Section, Target, alternated, median
 
-from dynsplines.clip import load as clips
+from dynsplines import recordings
 from dynsplines.solver import Frame, Objective, Path, Quadrature, Settings, Timeline, inbetween
 from dynsplines.solver.curve.spline import Spline
 from dynsplines.solver.figure.dynamics import velocities
@@ -54,7 +54,7 @@ def in_a_row(work: Callable[[], object]) -> None:
 
 
 def measure(effort: Effort) -> Section:
-    problem = clips.load("run_and_step")
+    problem = recordings.load("run_and_step")
     solution = inbetween(replace(problem.problem, settings=Settings(variable=0, frames=0)))
     timeline = coarse(solution.raw)
     objective = replace(solution.objective, quadrature=Quadrature("uniform", SAMPLES))

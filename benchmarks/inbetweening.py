@@ -59,10 +59,7 @@ def shipped_motion(name: str) -> Motion:
 
 def ours(motion: Motion, key_indices: NDArray[np.intp], folder: Path) -> Array:
     """Through the kept images with the product's defaults, from files as a user has them."""
-    model, keys = folder / "figure.xml", folder / "keys.npz"
-    model.write_text(motion.clip.mjcf, encoding="utf-8")
-    np.savez(keys, time=motion.time[key_indices], qpos=motion.qpos[key_indices])
-    clip = clips.load("", model=str(model), keys=str(keys))
+    clip = clips.from_qpos("keys", motion.clip.scene, motion.time[key_indices], motion.qpos[key_indices], None, "keys")
     return inbetween(clip.problem).at(motion.time)
 
 

@@ -16,6 +16,7 @@ import report
 from bench import Effort, Section, Target, median, people, seconds, worst
 from rekeyed import with_keys
 
+from dynsplines import recordings
 from dynsplines.clip import load as clips
 from dynsplines.clip.contacts import contacts
 from dynsplines.clip.parse import table_of
@@ -175,7 +176,7 @@ def compared(names: Sequence[str], seeds: Sequence[int], effort: Effort) -> Sect
     every: list[Outcome] = []
     shares: list[float] = []
     for name in names:
-        clip = clips.load(name)
+        clip = recordings.load(name)
         shipped = Violence.of(solved(clip))
         outcomes = []
         for seed in seeds:

@@ -24,7 +24,7 @@ import numpy as np
 from bench import Effort, Section, Target, people
 from rich.console import Console
 
-from dynsplines import solving
+from dynsplines import recordings, solving
 from dynsplines.clean.cleaning import Cleaned, clean, depth
 from dynsplines.clean.repairs import repair
 from dynsplines.clip import load as clips
@@ -76,7 +76,7 @@ def truths(effort: Effort) -> Iterator[Truth]:
             yield set_down(Truth(file.stem, figure, data["time"] - data["time"][0], data["qpos"]))
         return
     for name in people()[: effort.count(20, 2)]:
-        clip = clips.load(name)
+        clip = recordings.load(name)
         motion = solving.solve(clip, Progress(Console(file=io.StringIO()))).motion
         at = Sampled.of(motion, FPS)
         yield set_down(Truth(name, clip.figure, at.time - at.time[0], at.qpos))

@@ -33,12 +33,11 @@ def opengl(images: int, repeats: int, size: str) -> dict[str, Any]:
     if graphics.kind == "software":
         return {"renderer": graphics.line, "missing": "no OpenGL here"}
 
-    from dynsplines import solving
-    from dynsplines.clip import load as clips
+    from dynsplines import recordings, solving
     from dynsplines.picture import film, show
 
     width, height = map(int, size.split("x"))
-    saved = solving.unsolved(clips.load(CLIP)).motion
+    saved = solving.unsolved(recordings.load(CLIP)).motion
     look = show.Look(width, height, float(FPS))
     with tempfile.TemporaryDirectory() as folder:
 

@@ -11,7 +11,7 @@ import numpy as np
 from bench import Effort, Section, Target, median, worst
 from rotations import energy, solved, track
 
-from dynsplines.clip import load as clips
+from dynsplines import recordings
 from dynsplines.solver import Improvement, Objective, Path, Quadrature, Settings, Solution, inbetween
 
 FIRST_SEED = 4000
@@ -68,7 +68,7 @@ def of_set(kind: str, seed: int) -> dict[str, Any]:
 
 def of_clip(effort: Effort) -> list[dict[str, Any]]:
     """run_and_step: frames for the gaps that two and three in every segment leave, judged on one fine quadrature."""
-    problem = clips.load("run_and_step")
+    problem = recordings.load("run_and_step")
 
     def solve(settings: Settings, improved: Any = None) -> Solution:
         return inbetween(problem.with_problem(settings=settings).problem, improved=improved)

@@ -127,22 +127,20 @@ def new_clip(
 
 @app.command(rich_help_panel="Create")
 def solve(
-    source: option.Clip = "",
+    source: option.Clip,
     output: Annotated[Path | None, option.output("CLIP.npz")] = None,
     fps: option.Rate = None,
     repeat: option.Repeat = None,
     strict: option.Strict = False,
     as_json: option.AsJson = False,
-    model: option.Model = None,
-    keys: option.Keys = None,
     allow_outside: option.Outside = False,
 ) -> None:
     """Solve a clip and save the motion as arrays (.npz).
     An existing file is overwritten. At the end, the violations of the motion are listed, the worst one first.
     Ctrl-C stops solving and saves the best motion so far."""
-    target = _target(output, f"{_name(source, model, keys)}.npz", "motion")
+    target = _target(output, f"{Path(source).stem}.npz", "motion")
     with terminal.Progress() as progress:
-        clip = inputs.load(source, model=model, keys=keys, fps=fps)
+        clip = inputs.load(source, fps=fps)
         if isinstance(clip, motion.Saved):
             raise UserError(f"{source}: a motion is solved already; report, plot and render take it")
         first, last = inputs.span(clip, repeat)
@@ -157,7 +155,7 @@ def solve(
 
 @app.command(rich_help_panel="Create")
 def render(
-    source: option.Source = "",
+    source: option.Source,
     output: Annotated[Path | None, option.output("CLIP.mp4; CLIP.png with --at or --ghosts")] = None,
     only: option.Only = None,
     ghosts: option.Ghosts = False,
@@ -171,14 +169,12 @@ def render(
     workers: option.RenderWorkers = None,
     repeat: option.Repeat = None,
     strict: option.Strict = False,
-    model: option.Model = None,
-    keys: option.Keys = None,
     allow_outside: option.Outside = False,
 ) -> None:
     """Render a clip or a motion as a video or a picture.
     The extension of -o selects a video (.mp4, .webm, .gif) or a picture (.png). A clip is solved first.
     An existing file is overwritten."""
-    target = output or Path(f"{_name(source, model, keys)}.{'png' if ghosts or at is not None else 'mp4'}")
+    target = output or Path(f"{Path(source).stem}.{'png' if ghosts or at is not None else 'mp4'}")
     width, height = size
     film.check_target(target, width, height)
     if at is not None and only == "keys":
@@ -188,7 +184,7 @@ def render(
     renderer = graphics.choose_while_importing(BEFORE_MUJOCO)
     with terminal.Progress() as progress:
         unmet: list[str] | None = [] if only == "keys" else None
-        clip = inputs.load(source, model=model, keys=keys, unmet=unmet)
+        clip = inputs.load(source, unmet=unmet)
         for line in unmet or ():
             progress.report(f"note: {line}; drawn as near as it comes")
         look = show.Look(width, height, fps or clip.fps, only or "", ghosts, camera, slow, at)
@@ -342,11 +338,9 @@ def thin(
 
 @app.command(rich_help_panel="Analyse")
 def report(
-    source: option.Source = "",
+    source: option.Source,
     strict: option.Strict = False,
     as_json: option.AsJson = False,
-    model: option.Model = None,
-    keys: option.Keys = None,
     allow_outside: option.Outside = False,
 ) -> None:
     """Measure a motion and the spline through its keyframes.
@@ -354,9 +348,8 @@ def report(
     It also estimates how far the cost is above the local optimum."""
     from rich.console import Console
 
-    _name(source, model, keys)
     with terminal.Progress() as progress:
-        measured = inputs.measured(inputs.load(source, model=model, keys=keys), progress).report
+        measured = inputs.measured(inputs.load(source), progress).report
     if as_json:
         print(json.dumps(measured, indent=2))
     else:
@@ -370,19 +363,17 @@ def report(
 
 @app.command(rich_help_panel="Analyse")
 def plot(
-    source: option.Source = "",
+    source: option.Source,
     output: Annotated[Path | None, option.output("CLIP.png")] = None,
-    model: option.Model = None,
-    keys: option.Keys = None,
     allow_outside: option.Outside = False,
 ) -> None:
     """Plot the measured faults of a motion over time.
     The chart shows the amount of every kind of violation, divided by its bound, before and after solving.
     The extension of -o selects .png, .svg or .pdf. An existing file is overwritten."""
-    target = output or Path(f"{_name(source, model, keys)}.png")
+    target = output or Path(f"{Path(source).stem}.png")
     outputs.check_target(target, endings=chart.ENDINGS)
     with terminal.Progress() as progress:
-        clip = inputs.load(source, model=model, keys=keys)
+        clip = inputs.load(source)
         is_motion = isinstance(clip, motion.Saved)
         solved = solving.Solved.of(clip) if is_motion else solving.solve(clip, progress)
         chart.draw(clip.name, *measurement.Measurement.sides(solved.clip, solved.motion), target)
@@ -535,13 +526,6 @@ def batch(
     if tally.failed:
         raise typer.Exit(1)
     _judge(tally.wrong, strict)
-
-
-def _name(source: str, model: str | None, keys: str | None) -> str:
-    """Return the stem of the output's file name; raises UserError without a source."""
-    if not source and keys is None and model is None:
-        raise UserError("name a clip (see `dynsplines clips`), a file, or --model with --keys")
-    return Path(source if keys is None else keys).stem or "motion"
 
 
 def _edit(edit: Any, *arguments: object, output: Path | None, overwrite: bool) -> None:

@@ -167,14 +167,12 @@ Source = Annotated[
     str,
     typer.Argument(
         metavar="CLIP|MOTION.npz",
-        help="Name of a shipped clip, or a file: clip (.toml), MJCF with keyframes (.xml) or motion (.npz)",
+        help="Name of a shipped clip, or a file: clip (.toml) or motion (.npz)",
     ),
 ]
 Clip = Annotated[
     str,
-    typer.Argument(
-        metavar="CLIP", help="Name of a shipped clip, or a file: clip (.toml) or MJCF with keyframes (.xml)"
-    ),
+    typer.Argument(metavar="CLIP", help="Name of a shipped clip, or a clip's file (.toml)"),
 ]
 Recording = Annotated[
     Path, typer.Argument(metavar="RECORDING", help="Motion (.npz), or a file in a format that `import` reads")
@@ -226,13 +224,6 @@ Contacts = Annotated[
     value("FILE", "TOML file with [[contact]] tables: when feet or hands are at rest on the ground", "detected"),
 ]
 WriteMap = Annotated[bool, flag("--write-map", "Infer the names, and write the --map file instead of reading it")]
-Model = Annotated[
-    str | None,
-    value("MODEL", "The figure of the keyframes in --keys: a shipped figure's name or an MJCF file", "none"),
-]
-Keys = Annotated[
-    str | None, value("FILE", "Keyframes instead of a clip: .npz with time (K,) [s] and qpos (K, nq)", "none")
-]
 Edited = Annotated[
     Path | None, output("name of the first input with the suffix _mirrored, _retimed, _trimmed or _joined")
 ]

@@ -18,18 +18,11 @@ if TYPE_CHECKING:
     from .system.progress import Progress
 
 
-def load(
-    source: str,
-    *,
-    model: str | None = None,
-    keys: str | None = None,
-    fps: float | None = None,
-    unmet: list[str] | None = None,
-) -> Clip | Saved:
+def load(source: str, *, fps: float | None = None, unmet: list[str] | None = None) -> Clip | Saved:
     """Return a saved motion, or a clip to solve; the arguments are those of `recordings.load`."""
-    if motion.is_motion(source) and keys is None and model is None:
+    if motion.is_motion(source):
         return motion.load(Path(source))
-    return recordings.load(source, model=model, keys=keys, fps=fps, unmet=unmet)
+    return recordings.load(source, fps=fps, unmet=unmet)
 
 
 def span(source: Clip | Saved, repeat: int | None = None) -> tuple[float, float]:

@@ -24,22 +24,21 @@ from .system.progress import silent
 
 
 def load(
-    source: str,
-    *,
-    model: str | None = None,
-    keys: str | None = None,
-    figure_file: str | None = None,
-    fps: float | None = None,
-    unmet: list[str] | None = None,
+    source: str, *, figure_file: str | None = None, fps: float | None = None, unmet: list[str] | None = None
 ) -> Clip:
-    """Return a clip like `clip.load.load`, after the motion that it follows, if any.
+    """Return the clip of a shipped name or of a TOML file, after the motion that it follows, if any.
+
+    Args:
+        source: The name or path.
+        figure_file: The present path of a clip's figure, if it has moved.
+        fps: Samples per second [1/s] of outputs, instead of the clip's.
+        unmet: Receives a line for every keyframe with unreachable positions, which otherwise raises an error.
 
     Raises:
-        UserError: Also for a recording that cannot be read, and for a clip that follows itself.
+        UserError: In one line with the file, the keyframe and the key; also for a recording that cannot be read, and
+            for a clip that follows itself.
     """
-    file = None if model is not None or keys is not None else read(source)
-    if not isinstance(file, Parsed):
-        return clips.load(source, model=model, keys=keys, fps=fps)
+    file = read(source)
     recording = recorded(file, figure_file)
     return clips.from_parsed(file, figure_file=figure_file, fps=fps, unmet=unmet, recording=recording)
 
@@ -116,8 +115,5 @@ def _solution(source: str, following: tuple[str, ...]) -> Saved:
     from . import solving  # imported here because most clips follow no other clip
 
     file = read(source)
-    if isinstance(file, Parsed):
-        clip = clips.from_parsed(file, recording=recorded(file, following=following))
-    else:
-        clip = clips.load(source)
+    clip = clips.from_parsed(file, recording=recorded(file, following=following))
     return solving.solve(clip, silent()).motion

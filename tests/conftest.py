@@ -18,8 +18,7 @@ import shipped
 from figures import FIGURES, figure_named
 from processes import Command, commanded, quiet
 
-from dynsplines import motion, solving
-from dynsplines.clip import load as clip
+from dynsplines import motion, recordings, solving
 from dynsplines.motion import Saved
 from dynsplines.picture.graphics import Graphics
 from dynsplines.solver.figure.figure import Figure
@@ -66,7 +65,7 @@ def rng() -> np.random.Generator:
 def solved(tmp_path_factory: pytest.TempPathFactory) -> Solved:
     """The tiny clip, solved."""
     path = problems.written(tmp_path_factory.mktemp("tiny"))
-    return solving.solve(clip.load(str(path)), quiet())
+    return solving.solve(recordings.load(str(path)), quiet())
 
 
 @pytest.fixture(scope="session")

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dynsplines.clip import load as clip
+from dynsplines import recordings
 from dynsplines.clip.build import Clip
 
 
 def loaded(name: str) -> Clip:
     """Return a shipped clip, with a weight of 0 for `prior`."""
-    shipped = clip.load(name)
+    shipped = recordings.load(name)
     return shipped.with_problem(penalties=tuple(pair for pair in shipped.penalties if pair[0].name != "prior"))

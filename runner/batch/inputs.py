@@ -5,7 +5,7 @@ from __future__ import annotations
 import glob
 import os
 import sys
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path, PurePosixPath
@@ -18,7 +18,7 @@ from ..exchange import formats
 from ..scene.file_access import paths_read
 from .task import BatchOptions, Task
 
-ENDINGS = (".toml", ".xml")
+ENDING = ".toml"  # of clips
 Contents = dict[Path, bytes]  # of files
 DEFAULTS = BatchOptions()
 
@@ -64,7 +64,7 @@ def sources(words: Iterable[str], listed: str | None = None, *, recordings: bool
                 raise UserError(f"'{shown}': its name is not UTF-8 text; rename it")
             unique.setdefault(source.path or source.name, source)
     if not unique:
-        kind, names = ("recordings", "") if recordings else ("clips", "names, .toml or .xml ")
+        kind, names = ("recordings", "") if recordings else ("clips", "names, .toml ")
         raise UserError(f"no {kind}; give {names}files, folders, patterns, or --list FILE")
     return list(unique.values())
 
@@ -86,8 +86,6 @@ def task_of(source: InputSource, figures: dict[Path, Contents], options: BatchOp
         others = {role: _absolute(Path(name)) for role, name in roles.items() if name and name not in models.figures()}
         files = {place: place.read_bytes() for place in (path, *others.values())}
         files |= _model(others["figure"], figures) if "figure" in others else {}
-    elif path.suffix.lower() == ".xml":
-        files = _model(path, figures)
     else:
         files, figure = files_read(path, partial(_model, figures=figures))
         others = {} if figure is None else {"figure": figure}
@@ -123,19 +121,19 @@ def _sources(word: str, recordings: bool) -> Iterator[InputSource]:
     if not recordings and word in models.clips():
         yield InputSource(None, PurePosixPath(word))
     elif path.is_file():
-        if not recordings and path.suffix.lower() not in ENDINGS:
-            kinds = "a .toml file, an MJCF .xml with keyframes, or a shipped name"
-            raise UserError(f"'{word}': a clip is {kinds}; add --clean or --retarget for recordings")
+        if not recordings and path.suffix.lower() != ENDING:
+            raise UserError(
+                f"'{word}': a clip is a .toml file, or a shipped name; recordings need --clean or --retarget"
+            )
         yield _source(path, path.parent, recordings)
     elif path.is_dir() or glob.has_magic(word):
         files = path.rglob("*") if path.is_dir() else Path(path.anchor).glob(str(path.relative_to(path.anchor)))
-        endings = ENDINGS[: 1 if path.is_dir() else 2]
-        chosen = [file for file in sorted(files) if file.is_file() and _is_input(file, endings, recordings)]
+        chosen = [file for file in sorted(files) if file.is_file() and _is_input(file, recordings)]
         if not chosen and recordings:
             raise UserError(f"'{word}': it contains no recordings; `dynsplines formats` lists the endings")
         if not chosen:
-            which = "file in it or below" if path.is_dir() else "or .xml file is called so"
-            raise UserError(f"'{word}': no .toml {which}")
+            where = "in it or below" if path.is_dir() else "is called so"
+            raise UserError(f"'{word}': no .toml file {where}")
         yield from (_source(file, path if path.is_dir() else file.parent, recordings) for file in chosen)
     else:
         is_file = recordings or path.suffix
@@ -147,11 +145,11 @@ def _source(file: Path, root: Path, recordings: bool) -> InputSource:
     return InputSource(_absolute(file), PurePosixPath(file.relative_to(root)).with_name(stem))
 
 
-def _is_input(file: Path, endings: Collection[str], recordings: bool) -> bool:
+def _is_input(file: Path, recordings: bool) -> bool:
     """Return whether the extension is that of a clip; of recordings, that of a motion or of a format that can be
     read."""
     form = formats.by_ending(file) if recordings else None
-    return form.reads if form is not None else file.suffix.lower() in ((".npz",) if recordings else endings)
+    return form.reads if form is not None else file.suffix.lower() == (".npz" if recordings else ENDING)
 
 
 def _absolute(path: Path) -> Path:

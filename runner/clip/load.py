@@ -1,16 +1,13 @@
 """A clip file (TOML, degrees, names) becomes a problem: figure, keyframes, soft constraints, settings.
 
-The three stages are `parse` (text), `pose` (keyframes of a figure) and `build` (problem). Other inputs are an MJCF file
-with <keyframe> elements, a figure with an .npz of times and configurations, and a solved motion. Nothing is solved
-here; `recordings` loads clips that follow others.
+The three stages are `parse` (text), `pose` (keyframes of a figure) and `build` (problem). Other inputs are a figure
+with times and configurations, and a solved motion. Nothing is solved here; `recordings` loads clips that follow others.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import replace
-from pathlib import Path
 
 import mujoco
 import numpy as np
@@ -20,51 +17,17 @@ from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, FigureError
 
 from ..errors import UserError
-from ..motion import Saved, read_arrays
-from ..scene.assets import Scene, taken_along
-from ..scene.compose import KINDS, Obstacle, compiled, compose, figure_spec, stage
-from ..scene.configuration import first_wrong, unlike_joints
+from ..motion import Saved
+from ..scene.assets import Scene
+from ..scene.compose import KINDS, Obstacle, stage
+from ..scene.configuration import first_wrong
 from .build import Clip, build, build_following, edits_of, solve_of
 from .half_cycle import whole_cycle
-from .parse import Parsed, check_times, keyframe_label, read, table_of
+from .parse import Parsed, check_times, keyframe_label, table_of
 from .pose import pose
 from .posing import notes
 from .table import BarTable, BoxTable, ClipTable, SceneTable, SolveTable, SphereTable, StepTable
 from .tracking.recording import TrackedRecording, followed
-
-
-def load(
-    source: str,
-    *,
-    model: str | None = None,
-    keys: str | None = None,
-    figure_file: str | None = None,
-    fps: float | None = None,
-    unmet: list[str] | None = None,
-) -> Clip:
-    """Return the clip of a shipped name, of a TOML or MJCF file, or of a figure and an .npz of keyframes.
-
-    Args:
-        source: The name or path.
-        model: The figure of `keys`.
-        keys: An .npz of keyframes.
-        figure_file: The present path of a TOML clip's figure, if it has moved.
-        fps: Samples per second [1/s] of outputs, instead of the clip's.
-        unmet: Receives a line for every keyframe with unreachable positions, which otherwise raises an error.
-
-    Raises:
-        UserError: In one line with the file, the keyframe and the key.
-    """
-    if keys is not None or model is not None:
-        if keys is None or model is None:
-            raise UserError("--model and --keys go together")
-        if source:
-            raise UserError(f"give a clip or --model with --keys, not both ('{source}' and '{model}')")
-        return _from_arrays(model, Path(keys), fps)
-    file = read(source)
-    if isinstance(file, Path):
-        return _from_mjcf(file, fps)
-    return from_parsed(file, figure_file=figure_file, fps=fps, unmet=unmet)
 
 
 def from_parsed(
@@ -183,81 +146,6 @@ def _has_ground(clip: Clip, table: ClipTable) -> bool:
         and old.solve.coordinates == table.solve.coordinates
     )
     return same and named <= {row.model_key for row in old.keyframe}
-
-
-def _from_mjcf(path: Path, fps: float | None) -> Clip:
-    """Return the clip of an MJCF file whose <keyframe> elements, with their times, are the keyframes."""
-    with _label(path.name):
-        return from_spec(path.stem, figure_spec(str(path)), fps, path.name)
-
-
-def from_spec(name: str, spec: mujoco.MjSpec, fps: float | None, where: str) -> Clip:
-    """Return the clip of a model whose <keyframe> elements, with their times, are the keyframes."""
-    with _label(where):
-        spec.assets = dict(taken_along(spec))
-    model, time, qpos = compiled_keys(spec, where)
-    if not time.size:
-        raise UserError(f"{where}: the model has no <keyframe> elements to go through")
-    with _label(where):
-        scene = compose(spec, bare=model)
-    clip = from_qpos(name, scene, time, qpos, fps, where)
-    return replace(clip, notes=(*clip.notes, *_displaced(model, time.size)))
-
-
-def _displaced(model: mujoco.MjModel, count: int) -> list[str]:
-    """Return a note on mocap bodies that the first `count` <key> elements place elsewhere than the model does."""
-    places = np.array(model.key_mpos).reshape(model.nkey, model.nmocap, 3)[:count]
-    mocap = [(i, int(model.body_mocapid[i])) for i in range(model.nbody) if model.body_mocapid[i] >= 0]
-    moved = [i for i, column in mocap if np.any(places[:, column] != model.body_pos[i])]
-    names = ", ".join(f"'{model.body(i).name or i}'" for i in moved)
-    return [f"mocap bodies do not move; mpos of <key> elements is ignored for {names}"] if moved else []
-
-
-def compiled_keys(spec: mujoco.MjSpec, where: str) -> tuple[mujoco.MjModel, Array, Array]:
-    """Return a compiled model, and the times (K,) [s] and qpos (K, nq) of its <keyframe> elements.
-
-    Raises:
-        UserError: For a model that MuJoCo cannot compile, and for a qpos of another size.
-    """
-    configurations = [np.array(key.qpos) for key in spec.keys]
-    model = compiled(spec, where)
-    count = len(configurations)  # <size nkey> may exceed it
-    time, qpos = np.array(model.key_time)[:count], np.array(model.key_qpos).reshape(model.nkey, model.nq)[:count]
-    for i, values in enumerate(configurations):
-        if values.size not in (0, model.nq):
-            at = keyframe_label(i + 1, time[i])
-            raise UserError(f"{where}: {at}: qpos has {values.size} numbers, not the figure's {model.nq}")
-        if values.size:
-            qpos[i] = values  # the values in the file: MuJoCo replaces a zero quaternion by the identity
-    return model, time, qpos
-
-
-def _from_arrays(model: str, keys: Path, fps: float | None) -> Clip:
-    """Return the clip of a figure and an .npz with key_time (K,) and key_qpos (K, nq), or else time and qpos."""
-    arrays = read_arrays(keys)
-    names = ("key_time", "key_qpos") if {"key_time", "key_qpos"} <= arrays.keys() else ("time", "qpos")
-    for name in names:
-        if name not in arrays:
-            raise UserError(f"{keys.name}: no array '{name}'; it holds: {', '.join(arrays) or 'nothing'}")
-        if arrays[name].dtype.kind not in "fiu":
-            raise UserError(f"{keys.name}: '{name}' holds {arrays[name].dtype.name}, not numbers")
-    time, qpos = (np.asarray(arrays[name], float) for name in names)
-    with _label(model):
-        scene = compose(figure_spec(model))
-    clip = from_qpos(keys.stem, scene, time, qpos, fps, keys.name)
-    joints = arrays.get("joint_names")
-    if joints is not None and (differ := unlike_joints(clip.figure.model, [str(name) for name in joints.ravel()])):
-        raise UserError(f"{keys.name}: {differ}; give qpos in the order of the figure, and its names")
-    return clip
-
-
-@contextmanager
-def _label(where: str) -> Iterator[None]:
-    """Begin errors of users in this block with a label, once."""
-    try:
-        yield
-    except UserError as error:
-        raise UserError(str(error) if where in str(error) else f"{where}: {error}") from None
 
 
 def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | None, where: str) -> Clip:

@@ -143,8 +143,8 @@ def parse(text: str, name: str, where: str, folder: Path | None = None) -> Parse
     return source
 
 
-def read(source: str) -> Parsed | Path:
-    """Return a shipped clip or a TOML file, parsed, or the path of an MJCF file.
+def read(source: str) -> Parsed:
+    """Return a shipped clip or a TOML file, parsed.
 
     Raises:
         UserError: For other names, and for a file that cannot be read.
@@ -158,11 +158,9 @@ def read(source: str) -> Parsed | Path:
         if path.suffix:
             raise UserError(f"no file '{source}'; clips that ship: {', '.join(models.clips()) or 'none'}")
         raise UserError(unknown("clip", source, models.clips()))
-    if path.suffix.lower() == ".xml":
-        return path
     if path.suffix.lower() != ".toml":
-        kinds = "a .toml file, an MJCF .xml with keyframes, or a shipped name"
-        raise UserError(f"'{source}': a clip is {kinds}; {import_first(source)}")
+        advice = f"`dynsplines new {source}` writes one" if path.suffix.lower() == ".xml" else import_first(source)
+        raise UserError(f"'{source}': a clip is a .toml file, or a shipped name; {advice}")
     try:
         text = _text_of(path)
     except OSError as error:

@@ -23,11 +23,11 @@ from dynsplines.solver.surface.points import Point, body_points, bottoms_of, han
 from dynsplines.solver.surface.touch import counts_all, grounds
 
 from ..errors import UserError, words_of
-from ..scene.compose import compose, figure_spec
+from ..scene.compose import compiled, compose, figure_spec
 from ..scene.configuration import first_wrong
 from ..scene.model_notes import fixed_base, vertical_notes
 from ..system.mujoco_warnings import quietly
-from .load import compiled_keys
+from .parse import keyframe_label
 from .pose import follow
 from .posing.places import Places, posable_sites, rest_within_ranges, sole_points
 from .table import KEY, KeyframeTable
@@ -76,7 +76,7 @@ def starter(source: str, target: Path, report: Callable[[str], None] = lambda _:
     """
     with quietly():
         spec = figure_spec(source)
-    times, model_poses = _model_keys(spec, Path(source).name)
+    times, model_poses, displaced = _model_keys(spec, Path(source).name)
     names, has_keys = [key.name for key in spec.keys], bool(len(model_poses))
     scene = compose(spec)
     try:
@@ -84,7 +84,7 @@ def starter(source: str, target: Path, report: Callable[[str], None] = lambda _:
     except (FigureError, ValueError) as error:
         raise UserError(f"{Path(source).name}: {words_of(error)}") from None
     soles = sole_points(figure, model_poses)
-    notes = [*([line] if (line := fixed_base(source, figure.model)) else []), *vertical_notes(figure.model)]
+    notes = [*([line] if (line := fixed_base(source, figure.model)) else []), *vertical_notes(figure.model), *displaced]
     for note in notes:
         report(note)
     if not has_keys:
@@ -111,17 +111,32 @@ def starter(source: str, target: Path, report: Callable[[str], None] = lambda _:
     return "\n\n".join(blocks) + "\n"
 
 
-def _model_keys(spec: mujoco.MjSpec, where: str) -> tuple[Array, Array]:
-    """Return times (K,) [s] and qpos (K, nq) of a model's keys. If the times do not rise, they are half a second
-    apart."""
-    model, times, poses = compiled_keys(spec, where)
+def _model_keys(spec: mujoco.MjSpec, where: str) -> tuple[Array, Array, list[str]]:
+    """Return times (K,) [s] and qpos (K, nq) of a model's keys, and a note on mocap bodies that they place elsewhere.
+
+    If the times do not rise, they are half a second apart.
+    """
+    configurations = [np.array(key.qpos) for key in spec.keys]
+    model = compiled(spec, where)
+    count = len(configurations)  # <size nkey> may exceed it
+    times, poses = np.array(model.key_time)[:count], np.array(model.key_qpos).reshape(model.nkey, model.nq)[:count]
+    for i, values in enumerate(configurations):
+        if values.size not in (0, model.nq):
+            at = keyframe_label(i + 1, times[i])
+            raise UserError(f"{where}: {at}: qpos has {values.size} numbers, not the figure's {model.nq}")
+        if values.size:
+            poses[i] = values  # the values in the file: MuJoCo replaces a zero quaternion by the identity
     if not model.njnt:
         raise UserError(f"{where}: the model has no joints: nothing can move")
     if wrong := first_wrong(model, times, poses):
         raise UserError(f"{where}: keyframe {wrong[0] + 1}: {wrong[1]}")
     if times.size and not np.all(np.diff(times) >= 1e-3):
         times = np.array([APART * k for k in range(times.size)])
-    return times, poses
+    places = np.array(model.key_mpos).reshape(model.nkey, model.nmocap, 3)[:count]
+    mocap = [(i, int(model.body_mocapid[i])) for i in range(model.nbody) if model.body_mocapid[i] >= 0]
+    names = [f"'{model.body(i).name or i}'" for i, at in mocap if np.any(places[:, at] != model.body_pos[i])]
+    notes = [f"mocap bodies do not move; mpos of <key> elements is ignored for {', '.join(names)}"] if names else []
+    return times, poses, notes
 
 
 def _path(source: str, target: Path) -> str:

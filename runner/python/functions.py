@@ -18,12 +18,11 @@ from dynsplines.solver.figure.figure import Figure, FigureError
 
 from .. import motion as files
 from .. import recordings, solving
-from ..clip import load as clips
 from ..clip.build import Clip, CustomPenalties, with_custom_penalties
 from ..clip.text import TomlTable, keyframe_tables, tables, written
 from ..errors import UserError, words_of
 from ..scene import file_access
-from ..scene.compose import is_text, spec_of, spec_of_text
+from ..scene.compose import is_text, spec_of
 from ..scene.configuration import first_wrong
 from ..system.mujoco_warnings import as_python_warnings, quietly
 from ..system.progress import Progress, silent
@@ -163,8 +162,8 @@ def load(
     """Load a clip.
 
     Args:
-        source: Name of a shipped clip (see `clips()`), path of a .toml file or of an MJCF file with <keyframe>
-            elements, or TOML or MJCF text. A string with a line break is taken as text, not as a path.
+        source: Name of a shipped clip (see `clips()`), path of a .toml file, or TOML text. A string with a line
+            break is taken as text, not as a path.
         fps: Samples per second [1/s] of outputs, instead of the clip's.
         custom_penalties: Custom soft constraints with their weights, [(Calm(), 0.1)]; files do not store them.
         allow_outside: Let the model read files outside its folder.
@@ -195,8 +194,8 @@ def load(
         raise UserError(f"'{source}' is a motion, solved already; load_motion opens it")
     with file_access.allowed(allow_outside):
         if is_text(source):
-            clip = clips.from_spec("clip", spec_of_text(source), fps, "clip")
-        elif "\n" in source:
+            raise UserError("MJCF text is a figure, not a clip; build makes a clip of it and keyframes")
+        if "\n" in source:
             clip = recordings.from_text(source, name="clip", where="clip", fps=fps)
         else:
             clip = recordings.load(source, fps=fps)

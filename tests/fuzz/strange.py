@@ -25,7 +25,6 @@ from rekeyed import with_keys
 
 from dynsplines import motion, recordings, solving
 from dynsplines.clip import load as clips
-from dynsplines.clip.build import Clip
 from dynsplines.clip.parse import references, table_of
 from dynsplines.clip.starter import starter
 from dynsplines.errors import UserError
@@ -138,14 +137,6 @@ def _amass() -> bytes:
     return stream.getvalue()
 
 
-def _keys() -> bytes:
-    stream = io.BytesIO()
-    qpos = np.array([[0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0.0]] * 3)
-    qpos[:, 0] = [0, 0.1, 0.3]
-    np.savez(stream, time=np.array([0, 0.2, 0.5]), qpos=qpos)
-    return stream.getvalue()
-
-
 # how they are read
 
 
@@ -157,12 +148,12 @@ def _read_clip(path: Path) -> None:
         references(text)
         table_of(text, path.name)
         return
-    clips.load(str(path))
+    recordings.load(str(path))
 
 
 def _solve(path: Path) -> None:
     """A search of a moment: finite, through the keyframes."""
-    clip = clips.load(str(path))
+    clip = recordings.load(str(path))
     if clip.keys[-1].time - clip.keys[0].time > MOST_SECONDS:
         return
     own = clip.settings
@@ -175,10 +166,6 @@ def _solve(path: Path) -> None:
     assert error <= EXACT * largest, f"a keyframe is missed by {error:g}"
 
 
-def _read_keys(path: Path) -> Clip:
-    return clips.load("", model="tiny.xml", keys=str(path))
-
-
 def _read_motion(path: Path) -> None:
     saved = motion.load(path)
     assert isinstance(solving.Solved.of(saved).violations, tuple)
@@ -187,10 +174,9 @@ def _read_motion(path: Path) -> None:
 
 
 def _read_mjcf(path: Path) -> None:
-    """As the figure of a new clip and as a clip."""
+    """As the figure of a new clip."""
     path.with_name("new.toml").write_text(starter(str(path), path.with_name("new.toml")), encoding="utf-8")
-    clips.load(str(path.with_name("new.toml")))
-    clips.load(str(path))
+    recordings.load(str(path.with_name("new.toml")))
 
 
 def _import(kind: str, figure: str | None, path: Path) -> object:
@@ -227,7 +213,6 @@ KINDS = {
         Kind("clip.toml", grammar.CLIP.encode, grammar.mangled_clip, _read_clip, 80_000, 8, FIGURES),
         Kind("table.toml", grammar.CLIP.encode, grammar.random_clip, _read_clip, 20_000, 30, FIGURES),
         Kind("solve.toml", grammar.CLIP.encode, grammar.solvable_clip, _solve, 6_000, 2, FIGURES),
-        Kind("keys.npz", _keys, partial(_of_arrays, _keys), _read_keys, 3_000, 4, FIGURES),
         Kind("motion.npz", _motion_file, partial(_of_arrays, _motion_file), _read_motion, 4_000, 4),
         Kind("model.xml", grammar.MODEL.encode, _mjcf_source, _read_mjcf, 3_000, 4),
         _kind_of("csv", "robot.xml", _of_text, 2_000),

@@ -15,7 +15,6 @@ from processes import quiet
 from rekeyed import with_keys
 
 from dynsplines import recordings, solving
-from dynsplines.clip import load as clips
 from dynsplines.clip.build import Clip
 from dynsplines.errors import UserError
 from dynsplines.measure.quantities import keyframe_error
@@ -44,7 +43,7 @@ DROPPED, FREED = 0.2, 0.1  # of the keyframes but the first and last, and of the
 def varied(seed: int) -> Clip:
     """A shipped clip with numbers moved, keyframes left out, joints freed; drawn again while contacts forbid that."""
     rng = np.random.default_rng(seed)
-    clip = clips.load(CLIPS[seed % len(CLIPS)])
+    clip = recordings.load(CLIPS[seed % len(CLIPS)])
     for size in np.geomspace(1, 0.01, 20):
         inner = [key for key in clip.keys[1:-1] if rng.random() > DROPPED]
         ends = [clip.keys[0], clip.keys[-1]] if clip.ends == "periodic" else []

@@ -6,8 +6,7 @@ import pytest
 from problems import CLIP, changed, written
 from rich.console import Console
 
-from dynsplines import solving
-from dynsplines.clip import load as clip
+from dynsplines import recordings, solving
 from dynsplines.clip.build import Clip
 from dynsplines.solver.search.minimum import Stop
 from dynsplines.system.progress import Progress
@@ -15,7 +14,7 @@ from dynsplines.system.progress import Progress
 
 @pytest.fixture
 def problem(tmp_path) -> Clip:
-    return clip.load(str(written(tmp_path, changed("evaluations = 8", "evaluations = 40"))))
+    return recordings.load(str(written(tmp_path, changed("evaluations = 8", "evaluations = 40"))))
 
 
 class Listening(Progress):
@@ -49,12 +48,12 @@ def test_every_improvement_is_reported_and_the_last_line_sums_up(problem):
 
 
 def test_what_was_not_found_is_reported_first(tmp_path):
-    figure = clip.load(str(written(tmp_path, CLIP)))
+    figure = recordings.load(str(written(tmp_path, CLIP)))
     assert figure.notes == ()
     text = (tmp_path / "tiny.xml").read_text(encoding="utf-8").replace("left_toe", "tip")
     (tmp_path / "tiny.xml").write_text(text, encoding="utf-8")
     progress = Listening()
-    solving.solve(clip.load(str(tmp_path / "tiny.toml")), progress)
+    solving.solve(recordings.load(str(tmp_path / "tiny.toml")), progress)
     assert progress.out.getvalue().splitlines() == [
         "note: no feet found, nor a site named heel or toe: no contact points"
     ]

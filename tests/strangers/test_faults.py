@@ -16,8 +16,7 @@ import pytest
 from problems import ENDLESS, changed, names, written
 from processes import SMALL, largest_file
 
-from dynsplines import motion
-from dynsplines.clip import load as clips
+from dynsplines import motion, recordings
 from dynsplines.system import output
 from dynsplines.system.output import TEMPORARY, Replacement
 
@@ -86,7 +85,7 @@ def assert_told(ended: dict[str, Any], words: str, code: int = 2) -> None:
 
 def is_whole(path: Path) -> bool:
     """Whether it is a motion or a clip."""
-    return bool(motion.load(path) if path.suffix == ".npz" else clips.load(str(path)))
+    return bool(motion.load(path) if path.suffix == ".npz" else recordings.load(str(path)))
 
 
 def left(folder: Path) -> list[str]:

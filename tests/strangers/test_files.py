@@ -13,14 +13,14 @@ from figures import stl
 from processes import Command
 
 import dynsplines
-from dynsplines import cli, motion, solving
+from dynsplines import cli, motion
 from dynsplines.batch import inputs
 from dynsplines.batch import solving as batch_solving
 from dynsplines.batch.inputs import InputSource
 from dynsplines.batch.manifest import Manifest, check_below
-from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
+from dynsplines.exchange.motion_import import import_recording
 from dynsplines.motion import Saved
 from dynsplines.scene import file_access
 from dynsplines.scene.assets import Scene
@@ -64,7 +64,7 @@ def tree(folder: Path) -> dict[str, bytes]:
 @pytest.fixture
 def meshed(tmp_path: Path) -> Saved:
     """A motion that brings a mesh along."""
-    return solving.unsolved(clip.load(str(model(tmp_path / "model")))).motion
+    return import_recording(model(tmp_path / "model"))
 
 
 def tampered(saved: Saved, target: Path, **changes: Any) -> Path:
@@ -154,6 +154,14 @@ def test_a_figures_file_does_not_take_the_clips_place(meshed: Saved, tmp_path: P
 # files that models name
 
 
+def clip_of(path: Path) -> Path:
+    """A clip of a model, beside it."""
+    rows = "".join(f'[[keyframe]]\ntime = {t}\nothers = "rest"\n' for t in (0, 1))
+    clip = path.with_suffix(".toml")
+    clip.write_text(f'figure = "{path.name}"\n{rows}', encoding="utf-8")
+    return clip
+
+
 def outsiders(folder: Path) -> dict[str, Path]:
     """Models with a file outside their folder, each in its own way."""
     folder.mkdir(exist_ok=True)
@@ -183,20 +191,19 @@ def outsiders(folder: Path) -> dict[str, Path]:
 @pytest.mark.parametrize("way", ["absolute", "up", "folder", "include", "odd", "submodel", "link"])
 def test_models_and_batches_read_nothing_outside_a_models_folder_unless_they_may(tmp_path: Path, way: str):
     path = outsiders(tmp_path)[way]
+    clip = clip_of(path)
     with pytest.raises(UserError, match=r"secret.*outside its folder '.*'; .*--allow-outside") as caught:
-        clip.load(str(path))
+        dynsplines.load(clip)
     assert str(path.parent) in str(caught.value)
-    with pytest.raises(UserError, match="outside its folder"):
-        dynsplines.load(path)
     with pytest.raises(UserError, match=r"secret.*outside its folder"):
-        inputs.task_of(InputSource(path, PurePosixPath("it")), {})
+        inputs.task_of(InputSource(clip, PurePosixPath("it")), {})
     with file_access.allowed():
-        packed = inputs.task_of(InputSource(path, PurePosixPath("it")), {}).files
+        packed = inputs.task_of(InputSource(clip, PurePosixPath("it")), {}).files
     assert any("secret" in name or "link" in name for name in packed)
     if way not in ("odd", "submodel"):  # which are no models that MuJoCo reads
-        assert dynsplines.load(path, allow_outside=True).figure.model.nmesh == 1
+        assert dynsplines.load(clip, allow_outside=True).figure.model.nmesh == 1
         with pytest.raises(UserError, match="outside its folder"):
-            dynsplines.load(path)
+            dynsplines.load(clip)
 
 
 @POSIX
@@ -237,7 +244,7 @@ def test_every_command_that_reads_models_has_the_option():
 def test_a_batch_that_may_read_outside_solves_elsewhere_too(tmp_path: Path):
     path = outsiders(tmp_path / "here")["up"]
     with file_access.allowed():
-        files = inputs.task_of(InputSource(path, PurePosixPath("it")), {})
+        files = inputs.task_of(InputSource(clip_of(path), PurePosixPath("it")), {})
     (tmp_path / "there").mkdir()
     done = batch_solving.solved(replace(files, output="it.npz", allow_outside=True), tmp_path / "there")
     (tmp_path / "it.npz").write_bytes(done.files["it.npz"])

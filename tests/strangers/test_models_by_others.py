@@ -15,8 +15,7 @@ import pytest
 from processes import quiet
 from texts import read_cases
 
-from dynsplines import motion, solving
-from dynsplines.clip import load as clip
+from dynsplines import motion, recordings, solving
 from dynsplines.clip.starter import starter
 from dynsplines.measure.quantities import keyframe_error
 from dynsplines.picture.show import Look, images
@@ -49,7 +48,7 @@ def model_file(path: str) -> Path:
 def test_a_model_by_others_becomes_a_clip_that_is_solved_and_drawn_without_an_edit(path, soles, tmp_path):
     source, target = model_file(path), tmp_path / "its.toml"
     target.write_text(starter(str(source), target), encoding="utf-8")
-    problem = clip.load(str(target))
+    problem = recordings.load(str(target))
     assert len(problem.context.points) == soles
     settings = replace(problem.settings, max_evaluations=EVALUATIONS, frames=FRAMES)
     found = solving.solve(problem.with_problem(settings=settings), quiet())

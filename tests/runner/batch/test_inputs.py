@@ -9,10 +9,10 @@ import pytest
 from problems import CLIP, changed, written
 from texts import read_cases
 
+from dynsplines import recordings
 from dynsplines.batch import solving
 from dynsplines.batch.inputs import InputSource, sources, task_of
 from dynsplines.batch.task import BatchOptions
-from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.motion import load
 
@@ -92,8 +92,9 @@ def test_a_model_takes_along_what_it_includes_and_refers_to(tmp_path: Path):
     }.items():
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(data, encoding="utf-8")
-    files = task_of(InputSource(tmp_path / "model.xml", PurePosixPath("model")), {})
-    assert sorted(files.files) == ["meshes/a.stl", "model.xml", "parts/more.xml", "right.png"]
+    (tmp_path / "it.toml").write_text('figure = "model.xml"', encoding="utf-8")
+    files = task_of(InputSource(tmp_path / "it.toml", PurePosixPath("it")), {})
+    assert sorted(files.files) == ["it.toml", "meshes/a.stl", "model.xml", "parts/more.xml", "right.png"]
 
 
 def test_a_clip_that_is_wrong_or_lacks_its_figure_goes_as_it_is(tmp_path: Path):
@@ -123,7 +124,7 @@ def test_elsewhere_a_clip_is_solved_as_it_is_here(tmp_path: Path):
     figure = here / "tiny.xml"
     path = written(here, changed('"tiny.xml"', f'"{figure.as_posix()}"'))
     files = task_of(InputSource(path, PurePosixPath("tiny")), {})
-    problem = clip.load(str(path))
+    problem = recordings.load(str(path))
     figure.unlink()
     path.unlink()
     product = solving.solved(replace(files, output="tiny.npz"), there)

@@ -220,7 +220,7 @@ def test_a_motion_that_overshoots_a_range_is_kept_within_and_the_report_contains
     figure = figure.replace('name="swing"', f'name="swing" limited="true" {limit}')
     path = written(tmp_path, text)
     (tmp_path / "hinge.xml").write_text(figure, encoding="utf-8")
-    data = solved(clip.load(str(path)))
+    data = solved(recordings.load(str(path)))
     json.dumps(data, allow_nan=False)
     out = io.StringIO()
     Console(file=out, width=160).print(tables(data))
@@ -238,7 +238,7 @@ def test_a_slide_beyond_its_range_is_reported_in_metres(tmp_path):
     )
     text = HINGE.format(keys="").replace('name="slide"', 'name="slide" limited="true" range="-.1 .2"')
     (tmp_path / "hinge.xml").write_text(text, encoding="utf-8")
-    data = report((one := solving.unsolved(clip.load(str(path)))).clip, one.motion)["after"]["beyond joint range"]
+    data = report((one := solving.unsolved(recordings.load(str(path)))).clip, one.motion)["after"]["beyond joint range"]
     assert data["unit"] == "m"
     assert 0.1 <= data["most"] < 0.3
 
@@ -247,7 +247,7 @@ SCENE = read_data("obstacles.toml")
 
 
 def loaded(folder, scene: str) -> clip.Clip:
-    return clip.load(str(written(folder, TINY_CLIP + scene)))
+    return recordings.load(str(written(folder, TINY_CLIP + scene)))
 
 
 def geom(problem: clip.Clip, name: str) -> tuple[mujoco.MjModel, np.ndarray, np.ndarray]:

@@ -1,7 +1,6 @@
 """Loading of clips: keys of the model, ends, notes and errors."""
 
 from pathlib import Path
-from typing import Any
 
 import mujoco
 import numpy as np
@@ -20,6 +19,7 @@ from dynsplines.clip.context import knees_and_elbows
 from dynsplines.clip.mirror import mirrored_keyframe
 from dynsplines.clip.table import KeyframeTable
 from dynsplines.errors import UserError
+from dynsplines.scene.compose import compose
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
@@ -33,7 +33,7 @@ TWO_KEYS = '<keyframe><key time="0" qpos="0 0"/><key time="0.5" qpos="0.1 0.2"/>
 
 
 def loaded(folder: Path, text: str = CLIP) -> Clip:
-    return clip.load(str(written(folder, text)))
+    return recordings.load(str(written(folder, text)))
 
 
 def rotation_of(key: np.ndarray, start: int) -> Rotation:
@@ -115,7 +115,7 @@ def test_settings_in_the_file_reach_the_solver(tmp_path):
     assert (s.optimiser, s.tolerance, s.max_evaluations, problem.ends) == ("slsqp", 1e-3, 77, "clamped")
     assert problem.problem.end_slope is not None
     assert problem.fps == 20
-    assert clip.load(str(tmp_path / "tiny.toml"), fps=12.5).fps == 12.5
+    assert recordings.load(str(tmp_path / "tiny.toml"), fps=12.5).fps == 12.5
 
 
 @pytest.mark.parametrize(
@@ -132,7 +132,7 @@ def test_knees_and_elbows_are_found_by_joint_or_body(tmp_path, joint, body, late
     written(tmp_path, CLIP.replace("left_knee", joint))
     figure = FIGURE.replace('"left_knee"', f'"{joint}"').replace('"left_shin"', f'"{body}"')
     (tmp_path / "tiny.xml").write_text(figure, encoding="utf-8")
-    (bend,) = clip.load(str(tmp_path / "tiny.toml")).context.bends
+    (bend,) = recordings.load(str(tmp_path / "tiny.toml")).context.bends
     assert isinstance(bend, Bend)
     assert bend.name == joint
     np.testing.assert_array_equal(bend.lateral, [0, lateral, 0])
@@ -153,78 +153,23 @@ def test_an_elbow_bends_from_an_arm_that_is_straight_at_rest(upper, lower, count
     assert len(knees_and_elbows(Figure(mujoco.MjModel.from_xml_string(text)))) == count
 
 
-def mjcf(folder: Path, keys: str) -> str:
-    path = folder / "keys.xml"
-    path.write_text(HINGE.format(keys=keys), encoding="utf-8")
-    return str(path)
-
-
-def test_an_mjcf_with_keyframes_is_a_clip(tmp_path):
-    problem = clip.load(mjcf(tmp_path, TWO_KEYS))
-    assert problem.name == "keys"
-    assert [key.time for key in problem.keys] == [0, 0.5]
-    np.testing.assert_array_equal([key.state for key in problem.keys], [[0, 0], [0.1, 0.2]])
-    assert all(key.is_key for key in problem.keys)
-    assert problem.fps == 30
-    keys = '<keyframe><key name="z"/><key time="0.123456789012" qpos="0.123456789012 0"/><key time="1"/></keyframe>'
-    digits = clip.load(mjcf(tmp_path, keys))
-    assert [key.time for key in digits.keys] == [0, 0.123456789012, 1]
-    assert digits.keys[1].state[0] == 0.123456789012
-
-
-def arrays(folder: Path, **content: Any) -> Clip:
-    written(folder)
-    np.savez(folder / "keys.npz", **content)
-    return clip.load("", model=str(folder / "hinge.xml"), keys=str(folder / "keys.npz"))
-
-
-def test_a_figure_and_arrays_are_a_clip(tmp_path):
-    time, qpos = np.array([0.0, 0.3, 1.0]), np.array([[0, 0], [0.1, 1], [0, 2]])
-    problem = arrays(tmp_path, time=time, qpos=qpos)
-    np.testing.assert_array_equal([key.time for key in problem.keys], time)
-    np.testing.assert_array_equal([key.state for key in problem.keys], qpos)
-    assert problem.name == "keys"
-
-
-def test_a_mocap_body_that_keys_move_is_noted(tmp_path):
-    for x, noted in ((1, False), (0.6, True)):
-        keys = f'<keyframe><key time="0" qpos="0"/><key time="1" qpos="0.5" mpos="{x} 0 .5"/></keyframe>'
-        text = """<mujoco><worldbody><body name="goal" mocap="true" pos="1 0 .5"><geom size=".1"/></body>
-         <body><joint/><geom size=".1"/></body></worldbody>"""
-        (tmp_path / "arm.xml").write_text(f"{text}{keys}</mujoco>", encoding="utf-8")
-        notes = clip.load(str(tmp_path / "arm.xml")).notes
-        assert ("mocap bodies do not move; mpos of <key> elements is ignored for 'goal'" in notes) is noted
-
-
-def test_arrays_with_the_joints_of_another_order_are_refused(tmp_path):
-    content = {"time": np.arange(2.0), "qpos": np.array([[0, 0], [0.1, 1]])}
-    names = ["slide", "swing"]
-    assert arrays(tmp_path, **content, joint_names=names).keys[1].state.tolist() == [0.1, 1]
-    words = "keys.npz: its joints are swing, slide; the figure's slide, swing; give qpos in the order of the figure"
-    for other in (content, {"key_time": content["time"], "key_qpos": content["qpos"]}):
-        with pytest.raises(UserError, match=words):
-            arrays(tmp_path, **other, joint_names=names[::-1])
-
-
 @pytest.mark.parametrize(
-    ("content", "words"),
+    ("time", "qpos", "words"),
     [
-        ({"qpos": np.zeros((3, 2))}, "no array 'time'; it holds: qpos"),
-        ({"time": np.arange(3.0), "qpos": np.zeros((3, 3))}, r"\(K, 2\)"),
-        ({"time": np.array(["a", "b"]), "qpos": np.zeros((2, 2))}, "'time' holds str"),
-        ({"time": np.arange(2.0), "qpos": np.array([[0, 0], [0, np.nan]])}, r"keyframe 2 \(t = 1 s\)"),
-        ({"time": np.arange(2.0), "qpos": np.full((2, 2), 1e9)}, "keyframe 1 .* too large"),
-        ({"time": np.zeros(1), "qpos": np.zeros((1, 2))}, "1 keyframe; a clip needs at least two"),
-        ({"time": np.zeros(0), "qpos": np.zeros((0, 2))}, "no keyframes"),
-        ({"time": np.array([0, 1.0, 1.0]), "qpos": np.zeros((3, 2))}, r"keyframe 3 .* not after keyframe 2"),
-        ({"time": np.array([{}, {}], object), "qpos": np.zeros((2, 2))}, "pickled"),
+        (np.arange(3.0), np.zeros((3, 3)), r"\(K, 2\)"),
+        (np.arange(2.0), np.array([[0, 0], [0, np.nan]]), r"keyframe 2 \(t = 1 s\)"),
+        (np.arange(2.0), np.full((2, 2), 1e9), "keyframe 1 .* too large"),
+        (np.zeros(1), np.zeros((1, 2)), "1 keyframe; a clip needs at least two"),
+        (np.zeros(0), np.zeros((0, 2)), "no keyframes"),
+        (np.array([0, 1.0, 1.0]), np.zeros((3, 2)), r"keyframe 3 .* not after keyframe 2"),
     ],
-    ids=range(9),
+    ids=range(6),
 )
-def test_arrays_that_are_no_keyframes_are_refused_in_one_line(tmp_path, content, words):
+def test_arrays_that_are_no_keyframes_are_refused_in_one_line(time, qpos, words):
+    scene = compose(mujoco.MjSpec.from_string(HINGE.format(keys="")))
     with pytest.raises(UserError, match=words) as caught:
-        arrays(tmp_path, **content)
-    assert "keys.npz" in str(caught.value)
+        clip.from_qpos("it", scene, time, qpos, None, "it.npz")
+    assert "it.npz" in str(caught.value)
     assert "\n" not in str(caught.value)
 
 

@@ -192,7 +192,7 @@ def test_from_python_a_keyframe_of_an_arm_is_exact_and_leaves_the_body_unchanged
 def test_a_loop_that_ships_is_followed_as_often_as_the_clip_specifies_and_false_stances_are_refused(tmp_path):
     """To its very end, three periods on, where it began but for its way."""
     clip = recordings.from_text(KERB, name="kerb", folder=tmp_path)
-    loop = clips.load("walk_loop").keys
+    loop = recordings.load("walk_loop").keys
     period = loop[-1].time - loop[0].time
     assert clip.keys[-1].time - clip.keys[0].time == pytest.approx(3 * period, abs=1e-9)
     near = clip.problem.penalties[0][0]

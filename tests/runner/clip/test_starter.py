@@ -45,7 +45,7 @@ def written(text: str, folder: Path) -> clip.Clip:
     (folder / "models" / "it.xml").write_text(text, encoding="utf-8")
     target = folder / "it.toml"
     target.write_text(starter(str(folder / "models" / "it.xml"), target), encoding="utf-8")
-    return clip.load(str(target))
+    return recordings.load(str(target))
 
 
 @pytest.mark.slow
@@ -162,3 +162,14 @@ def test_followers_begin_where_they_belong_and_are_not_named(tmp_path, bend, key
     assert "joints.cap                               slide, metres along [0.0, 0.0, 1.0]" in problem.text
     assert "\njoints.cap" not in problem.text
     assert not [note for note in problem.notes if "off" in note]
+
+
+@pytest.mark.parametrize(("x", "is_noted"), [(1, False), (0.6, True)])
+def test_a_mocap_body_that_keys_move_is_noted(tmp_path, x, is_noted):
+    keys = f'<keyframe><key time="0" qpos="0"/><key time="1" qpos="0.5" mpos="{x} 0 .5"/></keyframe>'
+    text = """<mujoco><worldbody><body name="goal" mocap="true" pos="1 0 .5"><geom size=".1"/></body>
+     <body><joint/><geom size=".1"/></body></worldbody>"""
+    (tmp_path / "arm.xml").write_text(f"{text}{keys}</mujoco>", encoding="utf-8")
+    notes = list[str]()
+    starter(str(tmp_path / "arm.xml"), tmp_path / "a.toml", notes.append)
+    assert ("mocap bodies do not move; mpos of <key> elements is ignored for 'goal'" in notes) is is_noted

@@ -10,7 +10,6 @@ from problems import CLIP, FIGURE, HINGE, changed, written
 from texts import read_data
 
 from dynsplines import recordings
-from dynsplines.clip import load as clip
 from dynsplines.clip.parse import parse
 from dynsplines.errors import UserError
 from dynsplines.scene.compose import spec_joint_names
@@ -86,12 +85,12 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 def test_an_error_is_reported_before_meshes_are_read(folder, text, complaint):
     (folder / "tiny.toml").write_text(text, encoding="utf-8")
     with pytest.raises(UserError, match=rf"^tiny\.toml: .*{complaint}"):
-        clip.load(str(folder / "tiny.toml"))
+        recordings.load(str(folder / "tiny.toml"))
 
 
 def test_a_clip_without_mistakes_continues_to_its_model(folder):
     with pytest.raises(AssertionError, match="the model was compiled"):
-        clip.load(str(folder / "tiny.toml"))
+        recordings.load(str(folder / "tiny.toml"))
 
 
 @pytest.mark.parametrize("name", TEXTS)

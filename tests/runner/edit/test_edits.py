@@ -17,7 +17,6 @@ from rich.console import Console
 from texts import read_data
 
 from dynsplines import Keyframe, Motion, build, inbetween, models, motion, recordings, solving
-from dynsplines.clip import load as clip
 from dynsplines.clip import text as clip_text
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
@@ -248,7 +247,7 @@ def test_keyframes_places_contacts_and_obstacles_change_sides_with_a_clip(tmp_pa
     target.parent.mkdir()
     (tmp_path / "one.toml").write_text(ROUND, encoding="utf-8")
     edit_files.mirror(str(tmp_path / "one.toml"), target, overwrite=False, progress=quiet())
-    one, two = clip.load(str(tmp_path / "one.toml")), clip.load(str(target))
+    one, two = recordings.load(str(tmp_path / "one.toml")), recordings.load(str(target))
     mirror = Mirror.of(one.figure)
     for a, b in zip(two.keys, map(mirror.key, one.keys), strict=True):
         np.testing.assert_array_equal(a.fixed, b.fixed)
@@ -274,7 +273,7 @@ def test_a_mirrored_motion_keeps_its_scene_and_a_note_states_it(tmp_path, y, is_
         target = tmp_path / f"other.{ending}"
         edit_files.mirror(str(path), target, overwrite=False, progress=progress)
         assert ("note: step and obstacles are not mirrored" in output.getvalue()) is (is_noted and ending == "npz")
-    there = clip.load(str(tmp_path / "other.toml")).figure.model.geom("ball").pos[1]
+    there = recordings.load(str(tmp_path / "other.toml")).figure.model.geom("ball").pos[1]
     assert (there, motion.load(tmp_path / "other.npz").figure.model.geom("ball").pos[1]) == (-y, y)
 
 
@@ -284,13 +283,13 @@ def test_a_retimed_clip_has_other_times_also_of_contacts_flights_and_cycles_and_
     (tmp_path / "sub").mkdir()
     target = tmp_path / "sub" / "fast.toml"
     edit_files.retime(str(path), 2.0, None, target, overwrite=False, progress=quiet())
-    before, after = clip.load(str(path)), clip.load(str(target))
+    before, after = recordings.load(str(path)), recordings.load(str(target))
     assert [key.time for key in after.keys] == pytest.approx([key.time / 2 for key in before.keys])
     for a, b in zip(after.keys, before.keys, strict=True):
         np.testing.assert_array_equal(a.state, b.state)
     assert after.settings == before.settings
     edit_files.retime(str(path), None, 3.0, target, overwrite=True, progress=quiet())
-    assert clip.load(str(target)).keys[-1].time == pytest.approx(3)
+    assert recordings.load(str(target)).keys[-1].time == pytest.approx(3)
     table = edit_files.retimed_tables(table_of(ROUND, "one"), 2.0)
     assert (table.contact[0].start, table.contact[0].end) == (0.3, 0.5)
     assert table.penalty[0].options["intervals"] == [[0.1, 0.2]]

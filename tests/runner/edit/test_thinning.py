@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 from problems import LOOP, names, written
 
-from dynsplines import motion, solving
-from dynsplines.clip import load as clip
+from dynsplines import motion, recordings, solving
 from dynsplines.edit import edits, thinning
 from dynsplines.edit.thinning import recorded_of, thinned
 from dynsplines.errors import UserError
@@ -27,7 +26,7 @@ FINE = (0.002, np.radians(5))
 def loop(tmp_path_factory: pytest.TempPathFactory) -> Saved:
     """A loop of the tiny figure as its raw spline."""
     path = written(tmp_path_factory.mktemp("loop"), LOOP)
-    return solving.unsolved(clip.load(str(path))).motion
+    return solving.unsolved(recordings.load(str(path))).motion
 
 
 def run(
@@ -66,7 +65,7 @@ def test_what_is_no_length_is_refused(text):
 def test_the_spline_through_a_thinned_clips_keyframes_is_the_motion_that_was_measured(motion_file, tmp_path, capsys):
     target, measured = tmp_path / "step.toml", motion.load(motion_file)
     run(motion_file, target)
-    again = solving.unsolved(clip.load(str(target))).motion
+    again = solving.unsolved(recordings.load(str(target))).motion
     told = " ".join(capsys.readouterr().err.split())
     said = re.search(r"(\d+) keyframes of (\d+); at most ([\d.]+) cm at ([\d.]+) s \(([\w ]+)\)", told)
     assert said, told
@@ -82,7 +81,7 @@ def test_a_loop_stays_a_loop_in_its_clip(loop, tmp_path):
     source, target = tmp_path / "loop.npz", tmp_path / "loop_thin.toml"
     motion.save(loop, source)
     run(source, target)
-    found = clip.load(str(target))
+    found = recordings.load(str(target))
     assert found.ends == "periodic"
     assert np.array(found.problem.travel)[0] == pytest.approx(0.3)
     assert not found.context.schedule.on_ground  # those of the clip that was solved
@@ -102,7 +101,7 @@ def test_a_searched_clip_is_reported_beside_its_spline_and_keeps_the_bound_where
     run(source, target, bound=FINE, solve=True)
     off = []
     for file in (tmp_path / "spline.toml", target):
-        found = clip.load(str(file))
+        found = recordings.load(str(file))
         assert found.settings.max_evaluations > 1 and found.settings.variable != 0
         again = solving.solve(found, Progress()).motion
         assert again.timeline.variable_count > 0
@@ -117,20 +116,20 @@ def test_a_recording_is_thinned_at_its_own_instants_and_its_figure_named_if_it_s
     formats.export(spin, "csv", source, fps=60)
     target = run(source, tmp_path / "again.toml", figure="spinner")
     assert "keyframes of 73;" in capsys.readouterr().err
-    on_grid = (np.array([key.time for key in clip.load(str(target)).keys]) - 0.1) * 60
+    on_grid = (np.array([key.time for key in recordings.load(str(target)).keys]) - 0.1) * 60
     np.testing.assert_allclose(on_grid, on_grid.round(), atol=1e-6)
     assert names(tmp_path) == ["again.toml", "step.csv"]
     assert 'figure = "spinner"' in target.read_text()
     source = tmp_path / "walk.qpos.npz"  # plain arrays are a recording by their ending
     formats.export(edits.trimmed(spin, 0.1, 0.2), "npz", source)
-    assert len(clip.load(str(run(source, tmp_path / "thin.toml"))).keys) < 6
+    assert len(recordings.load(str(run(source, tmp_path / "thin.toml"))).keys) < 6
 
 
 @pytest.mark.slow
 def test_another_scene_is_written_next_to_the_clip(motion_file, tmp_path):
     target = run(motion_file, tmp_path / "small.toml")
     assert names(tmp_path) == ["small.toml", "small.xml"]
-    found = clip.load(str(target))
+    found = recordings.load(str(target))
     assert [link.name for link in found.figure.links[1:]] == ["root", "left_knee"]
     target.unlink()
     run(motion_file, target)  # the same scene is no other one

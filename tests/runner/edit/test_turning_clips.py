@@ -9,7 +9,7 @@ import pytest
 from processes import quiet
 from scipy.spatial.transform import Rotation
 
-from dynsplines import motion, solving
+from dynsplines import motion, recordings, solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.table import ClipTable, KeyframeTable, RootTable, RotationTable, SolveTable
@@ -32,7 +32,7 @@ GIVEN = problems.changed("frames = 2\n", ENDS + "travel = [0.3, 0.1, 0]\nturn = 
 
 
 def solved(folder: Path, text: str) -> Saved:
-    return solving.solve(clips.load(str(problems.written(folder, text))), quiet()).motion
+    return solving.solve(recordings.load(str(problems.written(folder, text))), quiet()).motion
 
 
 @pytest.fixture(scope="module")
@@ -62,7 +62,7 @@ def test_the_solve_table_turns_a_loop_as_its_last_keyframe_does(circle, tmp_path
 )
 def test_a_heading_turns_the_rest_of_a_rotation_about_the_vertical(tmp_path, entry, wanted):
     text = problems.changed("root.rotation = {rotvec = [0, 0, 0]}", f"root.rotation = {entry}")
-    key = clips.load(str(problems.written(tmp_path, text))).keys[0]
+    key = recordings.load(str(problems.written(tmp_path, text))).keys[0]
     assert (Rotation.from_quat(key.state[3:7], scalar_first=True).inv() * wanted).magnitude() < 1e-12
 
 
@@ -75,7 +75,7 @@ def test_a_body_and_an_obstacle_take_a_heading(tmp_path):
     shins = []
     for way in ways:
         own = problems.changed("joints.left_knee = {rotvec = [0, 0, 0]}", f"bodies.left_shin = {way}", text)
-        found = clips.load(str(problems.written(tmp_path, own)))
+        found = recordings.load(str(problems.written(tmp_path, own)))
         shins.append(found.keys[0].state[7:11])
         crate = Rotation.from_quat(found.figure.model.geom("crate").quat, scalar_first=True)
         assert (crate.inv() * Rotation.from_euler("z", 20, degrees=True)).magnitude() < 1e-6

@@ -12,8 +12,7 @@ from motions import between, clip_file, played
 from motions import exported_scene as exported
 from texts import read_data
 
-from dynsplines import inbetween, load, solving
-from dynsplines.clip import load as clip
+from dynsplines import inbetween, load, recordings, solving
 from dynsplines.exchange.format.simulate import note, tracked
 from dynsplines.exchange.simulation import Simulation
 from dynsplines.motion import Sampled
@@ -98,7 +97,7 @@ def test_the_human_follows_its_motion_and_falls_through_nothing(tmp_path):
 def rig(tmp_path_factory):
     folder = tmp_path_factory.mktemp("rig")
     (folder / "rig.xml").write_text(RIG)
-    problem = clip.load(str(clip_file(folder, folder / "rig.xml", *KEYS)))
+    problem = recordings.load(str(clip_file(folder, folder / "rig.xml", *KEYS)))
     saved = solving.unsolved(problem).motion
     return saved, exported(saved, folder)[0]
 

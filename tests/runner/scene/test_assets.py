@@ -10,9 +10,9 @@ from figures import stl
 from PIL import Image
 from texts import read_data
 
-from dynsplines import motion, solving
-from dynsplines.clip import load as clip
+from dynsplines import motion
 from dynsplines.errors import UserError
+from dynsplines.exchange.motion_import import import_recording
 from dynsplines.picture.show import Look, images
 from dynsplines.scene.compose import compose, figure_spec
 
@@ -57,7 +57,7 @@ def test_all_files_come_along_once_and_files_of_one_name_stay_apart(model):
 
 @pytest.mark.slow
 def test_a_motion_file_needs_no_other_files(model):
-    found = solving.unsolved(clip.load(str(model))).motion
+    found = import_recording(model)
     target = model.parent.parent / "it.npz"
     motion.save(found, target)
     for path in sorted(model.parent.rglob("*"), reverse=True):
@@ -79,7 +79,7 @@ def test_a_motion_file_of_the_first_format_still_loads(motion_file, tmp_path):
 
 def test_a_motion_file_with_damaged_assets_is_refused(model, tmp_path):
     target, bad = tmp_path / "it.npz", tmp_path / "bad.npz"
-    motion.save(solving.unsolved(clip.load(str(model))).motion, target)
+    motion.save(import_recording(model), target)
     for damage in ("asset_0", "asset_names"):
         with np.load(target) as data:
             assert damage in data

@@ -39,9 +39,9 @@ def test_what_holds_no_model_is_refused_in_one_line(figure: object):
     assert "\n" not in str(raised.value)
 
 
-def test_text_with_keyframes_is_a_clip():
-    keys = '<keyframe><key time="0" qpos="0"/><key time="1" qpos=".5"/></keyframe></mujoco>'
-    assert [key.time for key in load(ARM.replace("</mujoco>", keys)).keys] == [0, 1]
+def test_model_text_is_no_clip():
+    with pytest.raises(UserError, match="MJCF text is a figure, not a clip"):
+        load(ARM)
 
 
 LINK = """<link name="{}"><inertial><mass value="1"/>

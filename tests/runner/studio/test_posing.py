@@ -7,7 +7,7 @@ import pytest
 from drags import Pull, Pulls, human_model
 from oracles import kinematics
 
-from dynsplines.clip import load as clips
+from dynsplines import recordings
 from dynsplines.clip.kinds import posing_limits
 from dynsplines.errors import UserError
 from dynsplines.solver.figure.kinematics import Samples
@@ -16,7 +16,7 @@ from dynsplines.studio.posing import Poser
 
 @pytest.fixture(scope="module")
 def clip():
-    return clips.load("run_and_step")
+    return recordings.load("run_and_step")
 
 
 @pytest.fixture(scope="module")

@@ -14,8 +14,7 @@ from random_models import random_samples
 from rich.console import Console
 from texts import read_data
 
-from dynsplines import solving
-from dynsplines.clip import load as clip
+from dynsplines import recordings, solving
 from dynsplines.measure.report import report, tables
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
@@ -122,7 +121,7 @@ def test_an_arm_goes_through_the_trunk_without_the_penalty_and_at_most_two_milli
     for asked in (False, True):
         options = "margin = 0.002" if asked else "self = false"
         (tmp_path / "arms.toml").write_text(f"{SWING}[[penalty]]\nkind = 'collision'\n{options}\n", encoding="utf-8")
-        solved = solving.solve(clip.load(str(tmp_path / "arms.toml")), quiet())
+        solved = solving.solve(recordings.load(str(tmp_path / "arms.toml")), quiet())
         data = report(solved.clip, solved.motion)
         out = io.StringIO()
         Console(file=out, width=160).print(tables(data))
