@@ -446,7 +446,6 @@ def clean(
     output: Annotated[Path | None, option.output("NAME.clean.EXT, if the recording is NAME.EXT")] = None,
     figure: option.Figure = None,
     map_file: option.Map = None,
-    write_map: option.WriteMap = False,
     kind: option.Format = None,
     fps: option.Fps = None,
     scale: option.Scale = None,
@@ -459,10 +458,8 @@ def clean(
 ) -> None:
     """Remove foot skate, penetration and jitter from a recording.
     The result stays close to the recording."""
-    place = maps.map_of(map_file, writes=write_map)
-    recording = clean_command.Source(
-        source, figure, kind, fps, scale, scene, contacts, place, write_map, False, speed_limit
-    )
+    place = maps.map_of(map_file)
+    recording = clean_command.Source(source, figure, kind, fps, scale, scene, contacts, place, False, speed_limit)
     _clean(recording, output, within, overwrite)
 
 
@@ -472,7 +469,6 @@ def retarget(
     to: Annotated[str, value("MODEL", "Target figure: name of a shipped figure, or MJCF file")],
     output: Annotated[Path | None, option.output("RECORDING.MODEL.npz")] = None,
     map_file: option.Map = None,
-    write_map: option.WriteMap = False,
     kind: option.Format = None,
     fps: option.Fps = None,
     scale: option.Scale = None,
@@ -486,8 +482,8 @@ def retarget(
     """Transfer the motion of a skeleton to a figure, and clean it.
     The result respects joint ranges, and its limbs do not penetrate each other."""
     target = output or Path(f"{formats.stem(source)}.{Path(to).stem}.npz")
-    place = maps.map_of(map_file, writes=write_map)
-    recording = clean_command.Source(source, to, kind, fps, scale, scene, contacts, place, write_map, True, speed_limit)
+    place = maps.map_of(map_file)
+    recording = clean_command.Source(source, to, kind, fps, scale, scene, contacts, place, True, speed_limit)
     _clean(recording, target, within, overwrite)
 
 

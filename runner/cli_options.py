@@ -223,7 +223,6 @@ Contacts = Annotated[
     Path | None,
     value("FILE", "TOML file with [[contact]] tables: when feet or hands are at rest on the ground", "detected"),
 ]
-WriteMap = Annotated[bool, flag("--write-map", "Infer the names, and write the --map file instead of reading it")]
 Edited = Annotated[
     Path | None, output("name of the first input with the suffix _mirrored, _retimed, _trimmed or _joined")
 ]

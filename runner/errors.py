@@ -14,7 +14,7 @@ CUT = "…"
 GIVE_FIGURE = "name the figure: --figure, or figure= in Python"
 GIVE_RATE = "give the rate: --fps, or fps= in Python"
 GIVE_UNIT = "give the unit: --scale, or scale= in Python"
-GIVE_MAP = "name it in a map, `retarget --map FILE`; --write-map writes one to fill in"
+GIVE_MAP = "name them in a bone map, --map FILE"
 GIVE_FORMAT = "give --from, or format= in Python"
 EXPORT_SKELETON = "to transfer it to another figure, export a skeleton with its own figure (.bvh), and retarget that"
 

@@ -29,7 +29,7 @@ from ..measure.report import compare
 from ..motion import Saved
 from ..scene import file_access
 from ..solving import Solved
-from ..system.output import Replacement, check_target
+from ..system.output import check_target
 from ..system.progress import Progress, silent
 from .cleaning import Cleaned, clean, closer, displacements
 from .repairs import repair
@@ -45,7 +45,7 @@ class Source:
     figure, kind, fps, scale  as for `import`
     scene     a TOML file with [scene], the surroundings, and [[contact]], the stances
     contacts  a TOML file with [[contact]]
-    map       a TOML file with the bone map; written if it does not exist and `writes_map` is set
+    map       a TOML file with the bone map
     avoids_self_collision  whether limbs must not penetrate each other
     speed     [rad/s] largest speed of joints
     """
@@ -58,7 +58,6 @@ class Source:
     scene: Path | None = None
     contacts: Path | None = None
     map: Path | None = None
-    writes_map: bool = False
     avoids_self_collision: bool = False
     speed: float | None = None
 
@@ -172,29 +171,15 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> Impo
         if source.map is not None:
             raise UserError(f"'{source.file}' is a motion: a bone map is for recordings of skeletons; leave out --map")
         return _of_motion(motion.load(source.file))
-    chosen = MapTable() if source.map is None or source.writes_map else file_of(source.map, MapTable)
-    with maps.using(chosen) as met, gaps.allowed():
-        try:
-            recording = read_recording(
-                source.file, source.kind, figure=source.figure, fps=source.fps, scale=source.scale, progress=progress,
-                obstacles=obstacles(around.scene),
-            )  # fmt: skip
-        except UserError as error:
-            if not met or source.map is None or not source.writes_map:
-                raise
-            _write_map(source.map, met[0], progress)
-            raise UserError(f"{error}; complete '{source.map}' by hand") from None
-    if source.map is not None and not met:
+    chosen = MapTable() if source.map is None else file_of(source.map, MapTable)
+    with maps.using(chosen) as applied, gaps.allowed():
+        recording = read_recording(
+            source.file, source.kind, figure=source.figure, fps=source.fps, scale=source.scale, progress=progress,
+            obstacles=obstacles(around.scene),
+        )  # fmt: skip
+    if source.map is not None and not applied:
         raise UserError(f"'{source.file}': it already contains joints of the figure; omit --map")
-    if source.map is not None and source.writes_map:
-        _write_map(source.map, met[0], progress)
     return recording
-
-
-def _write_map(target: Path, used: maps.AppliedMap, progress: Progress) -> None:
-    with Replacement(target) as temporary:
-        temporary.write_text(maps.text_of(used), encoding="utf-8")
-    progress.report(f"wrote {target}")
 
 
 def _clean(

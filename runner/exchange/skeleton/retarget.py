@@ -119,17 +119,10 @@ Pose = _Standing | CapturedSkeleton  # in the figure's rest pose, or in the skel
 
 def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple[Array, tuple[str, ...]]:
     """Return qpos (T, nq) of the figure, and notes; where is the label of the file in errors."""
-    chosen, used = maps.current()
+    chosen, applied = maps.current()
     standing, names = _Standing.of(model, chosen.figure), hierarchy.names(model)
     captured = replace(captured, bone_map=chosen.recording)
-    used.append(
-        maps.AppliedMap(
-            {role: names[body] for role, body in standing.roles.items()},
-            {role: captured.names[joint] for role, joint in captured.roles.items()},
-            names[1:],
-            captured.names,
-        )
-    )
+    applied.append(where)
     for what, by_role in (("the figure's bodies", standing.roles), ("the file's joints", captured.roles)):
         missing = [role for role in NEEDED if role not in by_role]
         if missing:

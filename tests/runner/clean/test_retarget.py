@@ -20,11 +20,12 @@ from dynsplines.clean import command as clean_command
 from dynsplines.clip.table import MapTable
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats, gaps
-from dynsplines.exchange.skeleton import bvh_file, maps, retarget
+from dynsplines.exchange.skeleton import bvh_file, hierarchy, maps, retarget
 from dynsplines.exchange.skeleton.bvh_file import read
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton
 from dynsplines.motion import Bodies, Saved
 from dynsplines.scene.compose import figure_spec
+from dynsplines.scene.roles import mapped_roles
 from dynsplines.solver import quaternion as quat
 from dynsplines.system.progress import Progress
 
@@ -93,16 +94,11 @@ def test_the_robot_walks_on_the_ground_in_its_ranges(walked):
 
 
 @pytest.mark.slow
-def test_a_map_is_written_read_back_and_obeyed(command, files, tmp_path, monkeypatch):
+def test_a_map_is_obeyed(command, files, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     monkeypatch.setattr(clean_command, "_clean", lambda recording, *_: (None, uncleaned(recording)))
     words = ["retarget", files / "walk.bvh", "--to", files / "android.xml"]
-    done = command(*words, "--map", "who.toml", "--write-map", "-o", "a.npz")
-    assert done.code == 0, done.err
-    text = (tmp_path / "who.toml").read_text(encoding="utf-8")
-    assert 'left_thigh = "left_hip_yaw_link"' in text
-    changed = text.replace('left_forearm = "left_elbow_link"', 'left_forearm = ""', 1)
-    (tmp_path / "less.toml").write_text(changed, encoding="utf-8")
+    (tmp_path / "less.toml").write_text('[figure]\nleft_forearm = ""', encoding="utf-8")
     done = command(*words, "--map", "less.toml", "-o", "b.npz")
     assert done.code == 0, done.err
     saved = motion.load(tmp_path / "b.npz")
@@ -125,17 +121,14 @@ def test_what_cannot_be_retargeted_is_told(command, files, walked, tmp_path, mon
     assert sorted(path.name for path in tmp_path.iterdir()) == ["robot.xml", "who.toml"]
 
 
-def test_the_map_of_the_human_that_ships_says_what_is_found_without_it(captured):
+def test_the_map_of_the_human_that_ships_says_what_is_found_without_it():
     """And that of the G1 names its parts by bodies that go down a leg and an arm."""
     model = mujoco.MjModel.from_xml_string(models.figure_text("human"))
+    names, parents = hierarchy.names(model)[1:], [int(parent) - 1 for parent in model.body_parentid[1:]]
     said = {name: tomllib.loads(models.map_file(name).read_text(encoding="utf-8")) for name in models.maps()}
-    with maps.using(MapTable()) as found:
-        retarget.onto(captured, model, "walk.bvh")
-    assert said["human"] == {"figure": dict(found[0].figure)}
+    found = {role: names[body] for role, body in mapped_roles(names, parents, {}, "figure").items()}
+    assert said["human"] == {"figure": found}
     assert set(said["human"]["figure"]) < set(said["g1"]["figure"])
-    with maps.using(MapTable(figure=said["human"]["figure"])) as again:
-        retarget.onto(captured, model, "walk.bvh")
-    assert again[0].figure == found[0].figure
 
 
 def test_only_what_nothing_turns_is_said_to_be_kept_at_rest(captured):
@@ -274,22 +267,12 @@ def test_a_map_of_limbs_is_enough(walk, tmp_path):
 
 
 @pytest.mark.parametrize("verb", [("retarget", "--to"), ("clean", "--figure")])
-def test_an_incomplete_map_is_written_and_named(command, walk, tmp_path, monkeypatch, verb):
+def test_names_that_are_unknown_are_to_be_mapped(command, walk, tmp_path, monkeypatch, verb):
     monkeypatch.chdir(tmp_path)
     foreign(walk, tmp_path / "a.bvh", on_reference=False)
-    words = (verb[0], "a.bvh", verb[1], "human")
-    assert "--map FILE" in command(*words, "--write-map").last
-    done = command(*words)
+    done = command(verb[0], "a.bvh", verb[1], "human")
     assert done.code == 2
-    assert "--map FILE" in done.last and "--write-map" in done.last
-    done = command(*words, "--map", "m.toml", "--write-map")
-    assert done.code == 2
-    assert done.last.endswith("complete 'm.toml' by hand")
-    figure, recording = (tmp_path / "m.toml").read_text(encoding="utf-8").split("[recording]")
-    assert 'left_thigh = "left_thigh"' in figure
-    assert "# Not found by name. Names without a role: bone0, bone1," in recording
-    assert '# left_thigh = ""  # needed' in recording
-    assert '# left_upper_arm = ""\n' in recording
+    assert "bone0, bone1," in done.last and done.last.endswith("name them in a bone map, --map FILE")
 
 
 def test_clean_uses_a_map(walk, tmp_path, monkeypatch):
