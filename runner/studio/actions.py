@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from ..errors import UserError, unknown
+from ..errors import UserError, one_line, unknown
 from .session import Session
 
 if TYPE_CHECKING:
@@ -45,7 +45,6 @@ class Actions:
 
     def __init__(self, session: Session) -> None:
         self.session = session
-        self._clipboard: list[TomlTable] = []
         self._prepared: tuple[bytes, Poser] | None = None  # the poser of a pickled figure
         self._preparing = threading.Lock()
         self._drag: _DragAction | None = None
@@ -167,13 +166,13 @@ class Actions:
     def _released_entries(self, index: int, names: set[str], qpos: Any, poser: Poser, entries: TomlTable) -> TomlTable:
         """Return the moved joints of a keyframe, and the targets that these override. Other joints that such a target
         determined, of its limb and the root, are fixed as in the pose (nq,)."""
-        row, fixed = self._row(index), self.session.loaded["keys"][index]["fixed"]
+        row = self._row(index)
         places = [name for name in self._targets(index) if poser.deciding_joints(name)[0] & names]
         decided = {joint for name in places for joint in poser.deciding_joints(name)[1]} - set(row.get("joints", {}))
         if places and "root" not in row and poser.root is not None:
             decided |= {poser.root}
-        free = {link.name for link in poser.figure.links[1:] if not fixed[link.qpos]}
-        instead = poser.select_joints(poser.keyframe_entries(qpos), decided - names - free)
+        decided = (decided - names) & self._fixed_names(index, poser)
+        instead = poser.select_joints(poser.keyframe_entries(qpos), decided)
         out: TomlTable = {"joints": {**instead["joints"], **entries["joints"]}, **_without(places)}
         root: TomlTable = {**instead.get("root", {}), **entries.get("root", {})}
         if root:
@@ -191,9 +190,8 @@ class Actions:
 
     def _without_free_joints(self, index: int, entries: TomlTable, home: Any, last: Any, poser: Poser) -> TomlTable:
         """Return the entries without joints that the keyframe leaves free and that the drag did not move."""
-        fixed = self.session.loaded["keys"][index]["fixed"]
         moved = _named(poser.keyframe_entries(last, home), poser)
-        return poser.select_joints(entries, {link.name for link in poser.figure.links[1:] if fixed[link.qpos]} | moved)
+        return poser.select_joints(entries, self._fixed_names(index, poser) | moved)
 
     async def cancel(self) -> str:
         """End the drag without an edit."""
@@ -216,26 +214,57 @@ class Actions:
         Feet with a target position keep it without this, and free joints stay free.
         """
         poser, index = await self.poser(), int(at[1])
-        before, fixed = self._state(index), self.session.loaded["keys"][index]["fixed"]
+        before = self._state(index)
         try:
-            after = poser.with_entries(before, entries)
+            after, _ = poser.with_entries(before, entries)
         except (UserError, ValueError):  # the edit reports it
             return entries
         if self._targets(index):
             return entries
         after = await asyncio.to_thread(poser.kept, before, after, locks, plant=plant or bool(locks))
         changed = {*entries.get("joints", {}), *entries.get("roots", {}), *([poser.root] if "root" in entries else [])}
-        others = {link.name for link in poser.figure.links[1:] if fixed[link.qpos]} - changed
+        others = self._fixed_names(index, poser) - changed
         out = poser.select_joints(poser.keyframe_entries(after, before), others)
         return {**entries, **out, **{name: {**out[name], **entries.get(name, {})} for name in out if name != "root"}}
 
-    async def rest(self, *, key: int) -> str:
-        """Set a keyframe's joints to the rest pose. The root stays at its position."""
-        poser = await self.poser()
+    async def pose(self, *, time: float, name: str | None = None, partial: bool = False) -> str:
+        """Apply a saved pose, or without a name the rest pose, to the keyframe at this time, or to a new keyframe.
+
+        The root stays at its horizontal position and heading. With `partial`, a new keyframe specifies only the pose.
+        """
+        import numpy as np
+
+        poser, home = await self.poser(), await self._pose_at(time)
         joints = poser.keyframe_entries(poser.figure.model.qpos0)["joints"]
-        entries = self._released_entries(key, set(joints), self._state(key), poser, {"joints": joints})
-        entries |= _without(self._targets(key))
-        return await self.session.edit("change", _posed(key, entries, "pose as at rest"))
+        entries = {"joints": joints} if name is None else self.session.document.read_pose(name)
+        try:
+            pose, is_specified = poser.with_entries(home, entries, f"the pose '{name}'")
+        except ValueError as error:
+            raise UserError(f"the pose '{name}': {one_line(error)}") from None
+        pose = poser.placed(pose, home)
+        self._drag = _DragAction(0, np.where(is_specified, np.inf, home), pose)  # all that it specifies is moved
+        return await self.drop(time=time, partial=partial)
+
+    async def save_pose(self, *, time: float, name: str, overwrite: bool = False) -> str:
+        """Save the joints that the keyframe at this time fixes, or the present pose between keyframes, as a file."""
+        poser, index = await self.poser(), self.key_at(time)
+        entries = poser.keyframe_entries(await self._pose_at(time))
+        if index is not None:
+            entries = poser.select_joints(entries, self._fixed_names(index, poser))
+        entries.pop("roots", None)
+        self.session.document.save_pose(name, entries, overwrite=overwrite)
+        self.session.show_poses()
+        return f"saved the pose '{name}'"
+
+    async def _pose_at(self, time: float) -> Any:
+        """Return the pose of the keyframe at this time, or that of the present path, (nq,)."""
+        index = self.key_at(time)
+        return self.at(time, await self.poser()) if index is None else self._state(index)
+
+    def _fixed_names(self, index: int, poser: Poser) -> set[str]:
+        """Return the names of the joints that a keyframe fixes."""
+        fixed = self.session.loaded["keys"][index]["fixed"]
+        return {link.name for link in poser.figure.links[1:] if fixed[link.qpos]}
 
     async def pin(self, *, key: int, joints: Sequence[str]) -> str:
         """Fix joints of a keyframe at their values on the present path."""
@@ -276,18 +305,6 @@ class Actions:
         entries = {str(index): tables(mirrored_keyframe(rows[index], poser.figure, mirror)) for index in keys}
         words = "mirror a keyframe" if len(keys) == 1 else f"mirror {len(keys)} keyframes"
         return await self.session.edit("replace_keys", {"keys": entries, "words": words})
-
-    async def copy(self, *, keys: Sequence[int]) -> str:
-        """Copy keyframes to the clipboard."""
-        self._clipboard = [self._row(index) for index in sorted(keys)]
-        return f"copied {len(keys)} keyframe{'s' if len(keys) > 1 else ''}"
-
-    async def paste(self, *, time: float) -> Message:
-        """Paste the copied keyframes, the first of them at a time [s]; return their times, too."""
-        from .edits import pasted_times
-
-        words = await self.session.edit("paste_keys", {"copied": self._clipboard, "time": time})
-        return {"words": words, "times": pasted_times(self._clipboard, time)}
 
     def at(self, time: float, poser: Poser) -> Any:
         """Return the present path at a time of the clip, (nq,)."""

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from dynsplines import models
 
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from .blocks import Blocks
 
 MODELS = (".xml", ".mjcf", ".urdf")
+PLAIN = re.compile(r"[^/\\\0:*?\"<>|]+")
 FILMS = (".mp4", ".webm", ".gif", ".png")  # extensions of rendered files
 Step = tuple[str, str]  # description of an edit, and the text before or after it
 
@@ -36,6 +38,16 @@ def text_of(file: Path) -> tuple[str, str]:
     except UnicodeDecodeError as error:
         raise UserError(f"{file}: not UTF-8 text (byte {error.start + 1})") from None
     return text.replace("\r\n", "\n"), "\r\n" if "\r\n" in text else "\n"
+
+
+def inside(folder: Path, name: Any) -> Path:
+    """Return a file of a folder by its name. Raises UserError for a file elsewhere."""
+    if not isinstance(name, str) or not PLAIN.fullmatch(name) or name.startswith(".") or len(name) > 120:
+        raise UserError(f"'{name}': give a plain name of a file in the folder '{folder.name}'")
+    path = (folder / name).resolve()
+    if path.parent != folder.resolve():
+        raise UserError(f"'{name}' lies outside the folder '{folder.name}'")
+    return path
 
 
 def opened(source: str) -> Document:
@@ -163,6 +175,37 @@ class Document:
             temporary.write_bytes(self.text.replace("\n", self.newline).encode())
         self.discard()
         self.file, self.saved, self.name, self.folder = file, self.text, file.stem, file.parent
+
+    @property
+    def poses(self) -> Path:
+        """The folder of saved poses, files with the entries of a keyframe."""
+        return self.folder / "poses"
+
+    def pose_names(self) -> list[str]:
+        """Return the names of the saved poses."""
+        return sorted(path.stem for path in self.poses.glob("*.toml"))
+
+    def read_pose(self, name: str) -> TomlTable:
+        """Return the entries of a saved pose. Raises UserError."""
+        file = inside(self.poses, f"{name}.toml")
+        try:
+            return parsed(text_of(file)[0])
+        except (OSError, ValueError) as error:
+            raise UserError(f"the pose '{name}': {error}") from None
+
+    def save_pose(self, name: str, entries: TomlTable, *, overwrite: bool) -> None:
+        """Save entries of a keyframe as a pose. Raises UserError, also if there is a pose of this name."""
+        from ..clip.text import written  # imported here, because it needs MuJoCo
+
+        file = inside(self.poses, f"{name}.toml")
+        if file.exists() and not overwrite:
+            raise UserError(f"there is a pose '{name}' already; choose another name, or overwrite it")
+        try:
+            self.poses.mkdir(exist_ok=True)
+        except OSError as error:
+            raise UserError(f"the folder '{self.poses.name}' cannot be made: {error.strerror}") from None
+        with Replacement(file) as temporary:
+            temporary.write_text(written(entries), encoding="utf-8")
 
     def write_unsaved(self) -> None:
         """Write unsaved work to a file next to the clip; remove the file if there is none.

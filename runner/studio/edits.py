@@ -158,16 +158,12 @@ def paste_keys(tree: Blocks, *, copied: Sequence[Mapping[str, Any]], time: float
     """Paste copied keyframes, the first of them at a time [s], in place of those at their times."""
     if not copied:
         raise UserError("nothing has been copied: select keyframes and press Ctrl-C first")
-    for key, at in zip(copied, pasted_times(copied, time), strict=True):
-        delete_keys(tree, keys=[index for index, other in enumerate(times(tree)) if is_too_near(other, at)])
-        add_key(tree, entries={**key, "time": at})
-    return "paste a keyframe" if len(copied) == 1 else f"paste {len(copied)} keyframes"
-
-
-def pasted_times(copied: Sequence[Mapping[str, Any]], time: float) -> list[float]:
-    """Return the times [s] of copied keyframes, the first of them at a time [s]."""
     begin = number(time, "the time") - float(copied[0]["time"])
-    return [round(float(key["time"]) + begin, TIME_DIGITS) for key in copied]
+    for key in copied:
+        at = round(float(key["time"]) + begin, TIME_DIGITS)
+        delete_keys(tree, keys=[index for index, other in enumerate(times(tree)) if is_too_near(other, at)])
+        add_key(tree, entries={**real(key), "time": at})
+    return "paste a keyframe" if len(copied) == 1 else f"paste {len(copied)} keyframes"
 
 
 def replace_keys(tree: Blocks, *, keys: Mapping[str, Mapping[str, Any]], words: str) -> str:

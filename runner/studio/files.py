@@ -8,26 +8,14 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
 
 from dynsplines import models
 
 from ..errors import UserError
-from .document import FILMS, MODELS, Document
+from .document import FILMS, MODELS, Document, inside
 from .session import Session
 
-PLAIN = re.compile(r"[^/\\\0:*?\"<>|]+")
 COMMAND = "import sys; from dynsplines.__main__ import main; sys.argv[0] = 'dynsplines'; main()"
-
-
-def inside(folder: Path, name: Any) -> Path:
-    """Return a file of a folder by its name. Raises UserError for a file elsewhere."""
-    if not isinstance(name, str) or not PLAIN.fullmatch(name) or name.startswith(".") or len(name) > 120:
-        raise UserError(f"'{name}': give a plain name of a file in the clip's folder, {folder.name}")
-    path = (folder / name).resolve()
-    if path.parent != folder.resolve():
-        raise UserError(f"'{name}' lies outside the clip's folder, {folder.name}")
-    return path
 
 
 class Files:

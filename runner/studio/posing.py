@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.edit.timelines import heading
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.model import set_qpos
 from dynsplines.solver.penalty.joints.bend import BendLimits
@@ -269,11 +270,23 @@ class Poser:
         names = " and ".join(f"'{figure.model.body(body).name}'" for body in locked)
         raise UserError(f"{names}: locked, and cannot stay in place; unlock it, or change less")
 
-    def with_entries(self, qpos: Array, entries: Mapping[str, Any]) -> Array:
-        """Return a pose (nq,) with the values in entries of a keyframe. Raises UserError or ValueError."""
+    def with_entries(self, qpos: Array, entries: Mapping[str, Any], where: str = "the keyframe") -> tuple[Array, Mask]:
+        """Return a pose (nq,) with the values in entries of a keyframe, and which they are. Raises UserError or
+        ValueError."""
         row = KeyframeTable.model_validate({"time": 0.0, **entries})
-        key = key_of(self.figure, row, None, (), "the keyframe")
-        return np.where(key.fixed, key.state, qpos)
+        key = key_of(self.figure, row, None, (), where)
+        return np.where(key.fixed, key.state, qpos), key.fixed
+
+    def placed(self, qpos: Array, home: Array) -> Array:
+        """Return a pose (nq,) with the root at the horizontal position and heading of another one (nq,)."""
+        if self.figure.root is None:
+            return qpos
+        start, out = self.figure.links[self.figure.root.link].qpos, np.array(qpos)
+        turned = slice(start + 3, start + 7)
+        before, after = heading(quat.matrices(np.stack([qpos[turned], home[turned]])))
+        turn = quat.from_rotation_vector([0.0, 0.0, after - before])
+        out[start : start + 2], out[turned] = home[start : start + 2], quat.product(turn, qpos[turned])
+        return out
 
     def turned(self, qpos: Array, joint: str, turn: ArrayLike) -> Array:
         """Return a pose (nq,) with one joint rotated by a quaternion in the world (4,); a hinge by its component."""

@@ -45,7 +45,7 @@ PAGE = {
     "studio.css": ("studio.css", "text/css; charset=utf-8"),
 }
 NOT_HERE, IN_USE = 4403, 4409  # close codes of the websocket: rejected; another tab is open
-POSING = ("grip", "drag", "turn", "drop", "cancel", "key", "rest", "pin", "free", "mirror", "copy", "paste")
+POSING = ("grip", "drag", "turn", "drop", "cancel", "key", "pose", "save_pose", "pin", "free", "mirror")
 BACKGROUND = ("export", "render", "stop_task")  # requests that need not wait for others
 MOST_WAITING = 64  # queued messages of a slow page above which paths are omitted
 MOST_BYTES = 4_000_000  # [bytes] maximum size of a message from a page

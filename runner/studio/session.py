@@ -18,6 +18,7 @@ Send = Callable[[str | bytes], None]
 WATCH_INTERVAL = 1.0  # [s] between two looks at the clip's file
 ANSWERS = (
     "kinds", "stage", "raw", "initial", "best", "document", "loaded", "settled", "status", "offer", "task", "outside",
+    "poses",
 )  # fmt: skip
 
 
@@ -45,6 +46,7 @@ class Session:
         self._outline: Message = {}
         self._path: tuple[int, bytes] | None = None  # revision and pickled timeline of the present path
         self._has_curves = False
+        self._poses: list[str] = []
         self._outside: str | None = None  # how the file was changed by another program
         self._show_offer()
         self._show_state("loading")
@@ -99,6 +101,12 @@ class Session:
 
     def show_document(self) -> None:
         self._show("document", {**self.document.state(), **self._outline})
+
+    def show_poses(self) -> None:
+        """Show the names of the saved poses, if they have changed."""
+        if (names := self.document.pose_names()) != self._poses:
+            self._poses = names
+            self._show("poses", {"names": names})
 
     def show_task(self, what: str, words: str | None) -> None:
         """Show the progress of a file that is being written; None after its end."""
@@ -207,10 +215,11 @@ class Session:
     # ---- the file on the disk
 
     async def watch(self) -> None:
-        """Report changes of the clip's file by other programs, until cancelled."""
+        """Report saved poses, and changes of the clip's file by other programs, until cancelled."""
         from ..clip.parse import table_of  # imported here, as in `edit`
 
         while True:
+            self.show_poses()
             await asyncio.sleep(WATCH_INTERVAL)
             place, words, loads = self.document.place, None, True
             changed = f"{place} was changed by another program"

@@ -34,19 +34,26 @@ const begun = (what: string, args: object): Promise<boolean> => {
   return Promise.race([act(what, args as Record<string, unknown>).then(({ ok }) => ok), started]);
 };
 
-const replacing = (): [HTMLInputElement, HTMLElement] => {
-  const over = el("input", { type: "checkbox" });
-  return [over, el("label", { class: "line" }, over, " overwrite an existing file")];
-};
-
 const base = (): string => (model.document?.name ?? "clip").replace(/[^\w.-]+/g, "_");
 
+/** A dialog that writes a file of a name; `rows` are further fields. */
+const writing = (title: string, done: string, field: HTMLInputElement, rows: HTMLElement[], write: (file: { name: string; overwrite: boolean }) => Promise<boolean>): void => {
+  const over = el("input", { type: "checkbox" });
+  const box = dialog(title, ...rows, el("label", { class: "line" }, over, " overwrite an existing file"),
+    closing(() => box, done, () => write({ name: field.value, overwrite: over.checked })));
+  field.select();
+};
+const named = (value: string, label = "file name"): HTMLInputElement => el("input", { type: "text", value, "aria-label": label });
+const accepted = async (what: string, args: object): Promise<boolean> => (await act(what, { ...args })).ok;
+
 export const saveAs = (): void => {
-  const name = el("input", { type: "text", value: `${base()}.toml`, "aria-label": "file name" });
-  const [over, line] = replacing();
-  const box = dialog("Save as", row("name", name), line,
-    closing(() => box, "Save", async () => (await act("save", { name: name.value, overwrite: over.checked })).ok));
-  name.select();
+  const name = named(`${base()}.toml`);
+  writing("Save as", "Save", name, [row("name", name)], (file) => accepted("save", file));
+};
+
+export const savePose = (): void => {
+  const name = named("", "name of the pose"), time = model.moment;
+  writing("Save pose", "Save", name, [row("name", name)], (file) => accepted("save_pose", { time, ...file }));
 };
 
 /** A new clip of a figure. */
@@ -55,7 +62,7 @@ const anew = async (): Promise<void> => {
   if (!answer.ok) return;
   const figure = el("select", { "aria-label": "figure" }, ...(answer.figures as string[]).map((name) => el("option", { value: name, text: name })));
   const box = dialog("New", row("figure", figure), closing(() => box, "Create", async () => {
-    const { ok } = await act("new", { figure: figure.value });
+    const ok = await accepted("new", { figure: figure.value });
     if (ok) model.seek(0);
     return ok;
   }));
@@ -66,25 +73,19 @@ export const exported = async (): Promise<void> => {
   if (!answer.ok) return;
   const formats = answer.formats as { name: string; ending: string; description: string }[];
   const to = el("select", { "aria-label": "format" }, ...formats.map((each) => el("option", { value: each.name, text: `${each.name} – ${each.description}` })));
-  const name = el("input", { type: "text", "aria-label": "file name" });
+  const name = named("");
   const ended = (): void => { name.value = `${base()}${formats.find((each) => each.name === to.value)?.ending.split(/[ ,]/)[0] ?? ""}`; };
   to.addEventListener("change", ended);
   ended();
-  const [over, line] = replacing();
-  const box = dialog("Export", row("format", to), row("name", name), line,
-    closing(() => box, "Export", () => begun("export", { to: to.value, name: name.value, overwrite: over.checked })));
-  name.select();
+  writing("Export", "Export", name, [row("format", to), row("name", name)], (file) => begun("export", { to: to.value, ...file }));
 };
 
 export const rendered = (): void => {
-  const name = el("input", { type: "text", value: `${base()}.mp4`, "aria-label": "file name of the video" });
-  const size = el("input", { type: "text", value: "1280x720", "aria-label": "size, pixels" });
+  const name = named(`${base()}.mp4`, "file name of the video"), size = named("1280x720", "size, pixels");
   const camera = el("select", { "aria-label": "camera" }, ...["side", "left", "front", "three_quarter", "back"].map((each) => el("option", { value: each, text: each })));
   const only = el("select", { "aria-label": "view" }, el("option", { value: "after", text: "the motion" }), el("option", { value: "", text: "before | after" }));
-  const [over, line] = replacing();
-  const box = dialog("Render", row("name, .mp4 .webm .gif .png", name), row("size", size), row("camera", camera), row("what", only), line,
-    closing(() => box, "Render", () => begun("render", { name: name.value, size: size.value, camera: camera.value, only: only.value, overwrite: over.checked })));
-  name.select();
+  writing("Render", "Render", name, [row("name, .mp4 .webm .gif .png", name), row("size", size), row("camera", camera), row("what", only)],
+    (file) => begun("render", { size: size.value, camera: camera.value, only: only.value, ...file }));
 };
 
 export const beginFiles = (): void => {

@@ -7,7 +7,7 @@ import type { Hands } from "./hands";
 import { showTab } from "./panels";
 import type { Stage } from "./stage";
 import type { Timeline } from "./timeline";
-import { addKey, paste, play, remove, save, step, toKey } from "./transport";
+import { addKey, copy, paste, play, remove, save, step, toKey } from "./transport";
 
 type Deed = [keys: string, says: string, done: () => void];
 
@@ -68,9 +68,9 @@ export const deeds = (stage: Stage, timeline: Timeline, hands: Hands): Deed[] =>
   ["Alt-ArrowDown", "compress selected keyframes by 10 %", () => scaled(1 / 1.1)],
   ["M", "mirror keyframes", () => { const keys = selected(); if (keys.length) void act("mirror", { keys }); }],
   ["Ctrl-A", "select all keyframes", () => model.select(model.document?.keys.keys() ?? [])],
-  ["Ctrl-C", "copy keyframes", () => { const keys = selected(); if (keys.length) void act("copy", { keys }); }],
+  ["Ctrl-C", "copy keyframes", () => copy(selected())],
   ["Ctrl-V", "paste keyframes here, in place of those that are there", () => void paste()],
-  ["Ctrl-D", "duplicate keyframes to here", () => { const keys = selected(); if (keys.length) void act("copy", { keys }).then((answer) => { if (answer.ok) void paste(); }); }],
+  ["Ctrl-D", "duplicate keyframes to here", () => { if (selected().length) { copy(selected()); void paste(); } }],
   ["Ctrl-Z", "undo", () => void act("undo")],
   ["Ctrl-Shift-Z", "redo", () => void act("redo")],
   ["Ctrl-S", "save", () => void save()],
@@ -106,6 +106,7 @@ const MOUSE: [string, string][] = [
   ["right button on the figure", "lock or unlock a body: it stays where it is while others are posed"],
   ["drag the background", "orbit; right button or Shift: pan; wheel: zoom"],
   ["drag the ends of the bar above the keyframes", "playback range; double-click it to play all"],
+  ["drag a pose of the panel Pose", "to a keyframe or another time on the timeline"],
   ["drag a diamond", "move keyframes; Shift or Ctrl: select more; Ctrl-Alt: scale in time; Alt: do not snap"],
   ["drag over a point's row", "new contact; drag it or its ends; on a hand's row (select a joint of its arm): new grasp"],
   ["Ctrl-wheel, Shift-wheel", "zoom and move the timeline"],

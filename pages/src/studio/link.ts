@@ -12,7 +12,7 @@ const waiting = new Map<number, (answer: Answer) => void>();
 let socket: WebSocket | null = null;
 let number = 0;
 let pause = 250;
-const NUMBERED = new Set(["edit", "pin", "free", "rest", "mirror", "copy"]); // requests with numbers of tables in a revision
+const NUMBERED = new Set(["edit", "pin", "free", "mirror"]); // requests with numbers of tables in a revision
 const TAB = (sessionStorage["dynsplines-tab"] ??= String(Math.random())) as string; // this tab, also after it is loaded again
 const IN_USE = 4409; // close code: another tab shows the clip
 
@@ -162,6 +162,7 @@ const HANDLERS: Record<string, (message: Message) => void> = {
   status: (message) => { model.status = message as never; model.tell("status"); },
   kinds: (message) => { model.kinds = message.kinds; model.tell("kinds"); },
   curves: (message) => { model.curves = message.curves; model.tell("curves"); },
+  poses: (message) => { model.poses = message.names; model.tell("poses"); },
   task: notice,
   offer: notice,
   outside: notice,

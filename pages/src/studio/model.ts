@@ -37,7 +37,7 @@ export interface Course { value?: number; parts?: Record<string, number>; frames
 export type Which = "after" | "before" | "both" | "side" | "snapshot";
 export type Heard =
   | "stage" | "document" | "loaded" | "path" | "time" | "selection" | "settled" | "status" | "kinds" | "which" | "shown"
-  | "curves" | "theme" | "task" | "offer" | "outside" | "joint" | "line" | "zoom" | "range";
+  | "curves" | "theme" | "task" | "offer" | "outside" | "joint" | "line" | "zoom" | "range" | "poses";
 
 const HAND = /hand|grip|palm|wrist|finger|tool/i; // of the names of sites that can hold something
 const NEAR = 1e-4; // [s] distance up to which a time is that of a keyframe
@@ -53,6 +53,7 @@ class Model {
   violations: Violation[] = [];
   kinds: Kind[] = [];
   curves: Curves | null = null;
+  poses: string[] = []; // names of the saved ones
   status: { state: string; go: boolean; stop?: string; words?: string } = { state: "loading", go: true };
   time = 0;
   range = [-Infinity, Infinity]; // [s] that is played, as far as the motion reaches
@@ -101,6 +102,9 @@ class Model {
   }
 
   get fps(): number { return this.document?.fps ?? 30; }
+
+  /** The time [s] at which a keyframe is inserted or changed. */
+  get moment(): number { return this.here === null ? Math.round(this.time * 1e4) / 1e4 : this.document!.keys[this.here].time; }
 
   /** The keyframe at the present time, if one is there. */
   get here(): number | null {

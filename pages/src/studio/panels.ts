@@ -1,7 +1,10 @@
 // The side panel: joints of a keyframe, problems, weights, obstacles.
 import { $, el, fill, numberField, short, soon, strokeOf, toast } from "./dom";
 import { act, addressOf, change, edit, moveKeys } from "./link";
+import { savePose } from "./files";
 import { model, type Joint } from "./model";
+import { POSE } from "./timeline";
+import { applyPose } from "./transport";
 
 const tabs = ["pose", "problems", "weights", "scene"] as const;
 
@@ -88,13 +91,21 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
   return row;
 };
 
+/** The poses that can be applied. */
+const library = (): HTMLElement => el("div", { class: "buttons" },
+  ...["", ...model.poses].map((name) => el("button", {
+    type: "button", class: "pose", text: name || "rest", "data-id": `pose ${name}`, draggable: "true", title: "apply this pose here; or drag it to a time",
+    onclick: () => applyPose(name), ondragstart: (event) => (event as DragEvent).dataTransfer!.setData(POSE, name),
+  })),
+  el("button", { type: "button", text: "save pose …", title: "save the present pose as a file", onclick: savePose }));
+
 let chosen: string | null = null; // the joint that was scrolled to last
 
 const pose = (): void => {
   const box = $("panel-pose"), { stage, loaded, document } = model, key = model.here;
   if (!stage || !loaded || !document || loaded.revision !== document.revision) return; // the rest of what was edited follows at once
   if (key === null || !loaded.keys[key]) {
-    fill(box, el("p", { class: "hint" }, "No keyframe here. Drag any point of the figure, or press ", el("kbd", { text: "K" }), ", to make one from the path."));
+    fill(box, el("p", { class: "hint" }, "No keyframe here. Drag any point of the figure, or press ", el("kbd", { text: "K" }), ", to make one from the path, or apply a pose."), library());
     return;
   }
   const authored = document.keys[key], { revision } = document, joints = stage.joints.map((joint) => joint.name);
@@ -112,7 +123,8 @@ const pose = (): void => {
     el("div", { class: "heading" }, el("h2", { text: `Keyframe ${key + 1}` }), el("label", {}, "at ", time, " s")),
     el("div", { class: "buttons" },
       el("button", { type: "button", text: "mirror", title: "mirror left and right (M)", onclick: () => void act("mirror", { keys: [key], revision }) }),
-      doing("rest", "set every joint to rest", "rest", {}), doing("pin all", "pin every joint", "pin", { joints }), doing("free all", "free every joint", "free", { joints })),
+      doing("pin all", "pin every joint", "pin", { joints }), doing("free all", "free every joint", "free", { joints })),
+    library(),
     el("label", { class: "line" }, "other joints: ", others),
     ...["sites", "bodies"].flatMap((group) => Object.entries((authored as any)[group] ?? {}).map(([name, place]) =>
       el("div", { class: "line place", "data-id": `${group} ${name}` }, el("span", { text: `${name} → ${JSON.stringify(place)}` }),
@@ -236,7 +248,7 @@ export const beginPanels = (): void => {
     });
   }
   model.on(["time", "joint"], () => { if (!model.playing) panels.pose(); });
-  model.on(["loaded", "stage", "document"], panels.pose);
+  model.on(["loaded", "stage", "document", "poses"], panels.pose);
   model.on(["settled", "status", "loaded"], panels.problems);
   model.on(["kinds", "document", "loaded", "settled"], panels.weights);
   let later = 0;

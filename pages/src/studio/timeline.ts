@@ -3,9 +3,11 @@ import { Quaternion, Vector3 } from "three";
 import { $, el, menu, toast } from "./dom";
 import { act, change, edit, moveKeys } from "./link";
 import { model, type Bar } from "./model";
+import { applyPose } from "./transport";
 
 export const LABEL = 188; // [px] of the column of names
 export const PAD = 16; // [px] beside the first and the last moment
+export const POSE = "text/x-pose"; // type of the name of a pose that is dragged to a time
 const CLOSE = 6; // [px] that snap
 const EDGE = 7; // [px] of the ends of a bar
 const ROOM = 0.08; // of the motion that is shown after it, for more keyframes
@@ -50,6 +52,8 @@ export class Timeline {
     new ResizeObserver(() => { this.wide = 0; this.draw(); }).observe(this.box);
     this.box.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     this.box.addEventListener("pointerdown", (event) => this.down(event));
+    this.box.addEventListener("dragover", (event) => { if (event.dataTransfer?.types.includes(POSE)) event.preventDefault(); });
+    this.box.addEventListener("drop", (event) => { event.preventDefault(); applyPose(event.dataTransfer!.getData(POSE), this.snapped(this.timeAt(event), event, true)); });
     window.addEventListener("pointermove", (event) => this.drag?.move(this.timeAt(event), event));
     window.addEventListener("pointerup", (event) => {
       const { drag } = this;
@@ -63,7 +67,7 @@ export class Timeline {
     return Math.max(50, this.wide - LABEL - 2 * PAD);
   }
   private x(time: number): number { return LABEL + PAD + ((time - this.begin) / (this.end - this.begin)) * this.width; }
-  private timeAt(event: PointerEvent | WheelEvent): number {
+  private timeAt(event: MouseEvent): number {
     const left = this.box.getBoundingClientRect().left;
     return this.begin + ((event.clientX - left - LABEL - PAD) / this.width) * (this.end - this.begin);
   }

@@ -1,7 +1,7 @@
 // Play, scrub, loop, speed; undo, redo, save; the state of the search.
-import { $, button, el, say, short } from "./dom";
+import { $, button, el, say, short, toast } from "./dom";
 import { act, connection, edit } from "./link";
-import { model, type Which } from "./model";
+import { model, type KeyframeRow, type Which } from "./model";
 import type { Stage } from "./stage";
 import type { Timeline } from "./timeline";
 
@@ -34,12 +34,21 @@ export const save = async (): Promise<void> => {
   else $("files").dispatchEvent(new CustomEvent("save-as"));
 };
 export const addKey = async (): Promise<void> => {
-  await act("key", { time: Math.round(model.time * 1e4) / 1e4, ...(model.partial && model.limb ? { limb: model.limb.joints } : {}) });
+  await act("key", { time: model.moment, ...(model.partial && model.limb ? { limb: model.limb.joints } : {}) });
+};
+let copied: KeyframeRow[] = [];
+/** Copies keyframes by their indices. */
+export const copy = (keys: number[]): void => {
+  if (!keys.length) return;
+  copied = keys.map((i) => model.document!.keys[i]);
+  toast(`copied ${keys.length} keyframe${keys.length > 1 ? "s" : ""}`);
 };
 export const paste = async (): Promise<void> => {
-  const answer = await act("paste", { time: Math.round(model.time * 1e4) / 1e4 });
-  if (answer.ok) model.select(model.at(answer.times as number[]));
+  const time = model.moment;
+  if ((await edit("paste_keys", { copied, time })).ok) model.select(model.at(copied.map((key) => key.time - copied[0].time + time)));
 };
+/** Applies a saved pose, or without a name that of rest, at a time [s]. */
+export const applyPose = (name: string, time = model.moment): void => void act("pose", { time, name: name || null, partial: model.partial });
 export const remove = async (): Promise<void> => {
   if (model.bar) { const { kind, index } = model.bar; model.bar = null; await edit("remove", { at: [kind, index] }); return; }
   const keys = model.keys.size ? [...model.keys] : model.here === null ? [] : [model.here];

@@ -132,10 +132,45 @@ def test_what_is_free_next_to_the_figure_is_dragged_at_a_keyframe_and_between_tw
 def test_a_keyframe_at_rest_is_where_its_places_had_it(session):
     said = "root.position = [0.1, 0, 0.85]          # forward\nroot.rotation = {rotvec = [0, 0, 0]}\n"
     session.document.text = CLIP.replace(said, "", 1)
-    before, after, _ = done(session, ("rest", {"key": 1}))
+    before, after, _ = done(session, ("pose", {"time": 0.5}))
     assert fixed(before) == fixed(after) == set(COLUMNS)
     same(before, after, {"root", "crate"})
     np.testing.assert_allclose(after["qpos"][7:10], 0, atol=1e-6)
+
+
+def test_a_saved_pose_stays_at_the_place_and_heading_of_where_it_is_applied(session):
+    turned = "{rotvec = [0, 0, 90]}"
+    session.document.text = CLIP.replace("{rotvec = [0, 0, 0]}", turned, 1).replace(
+        "position = [0, 0,", "position = [0.3, 0.2,", 1
+    )
+    before, after, row = done(
+        session, ("save_pose", {"time": 0, "name": "stand"}), ("pose", {"time": 0.5, "name": "stand"})
+    )
+    first = session.loaded["keys"][0]
+    assert "sites" not in row
+    same(first, after, {"hip", "knee", "ankle"})
+    same(before, after, {"crate"})
+    np.testing.assert_allclose(after["qpos"][:2], before["qpos"][:2], atol=1e-4)
+    np.testing.assert_allclose(after["qpos"][2], first["qpos"][2], atol=1e-4)
+    np.testing.assert_allclose(after["qpos"][3:7], before["qpos"][3:7], atol=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("name", "said", "words"),
+    [
+        ("save_pose", {"time": 0, "name": "../stand"}, "plain name"),
+        ("pose", {"time": 0, "name": "none"}, "the pose 'none': "),
+        ("pose", {"time": 0, "name": "other"}, "the pose 'other': no joint 'tail'"),
+    ],
+)
+def test_what_is_no_pose_of_the_figure_is_refused(session, name, said, words):
+    poses = session.document.folder / "poses"
+    poses.mkdir()
+    (poses / "other.toml").write_text("[joints]\ntail = 3\n")
+    with pytest.raises(UserError) as error:
+        done(session, (name, said))
+    assert words in str(error.value)
+    assert session.document.text == CLIP
 
 
 def test_a_new_keyframe_of_one_limb_says_the_limb_that_was_turned(session):

@@ -358,6 +358,36 @@ def test_playback_keeps_to_its_range_which_the_timeline_shows_and_changes(tab):
     tab.press("z")
 
 
+QPOS = "studio.model.loaded.keys.map(({ qpos }) => qpos)"
+
+
+def test_a_pose_is_saved_and_applied_to_a_keyframe_and_dragged_to_a_time(tab):
+    page, file = tab.page, Path(tab.folder) / "poses" / "crouch.toml"
+    tab.seek(0.6)
+    page.get_by_role("button", name="save pose").click()
+    page.get_by_label("name of the pose").fill("crouch")
+    page.get_by_label("name of the pose").press("Enter")
+    pose = page.locator("[data-id='pose crouch']")
+    pose.wait_for()
+    assert "[joints]" in file.read_text()
+    tab.seek(0.3)
+    before = tab.evaluate(QPOS)
+    tab.changes(pose.click)
+    after = tab.evaluate(QPOS)
+    assert after[1][:2] == before[1][:2]
+    assert after[1][7:] == pytest.approx(before[2][7:], abs=1e-4)
+    assert [after[i] == before[i] for i in (0, 2, 3)] == [True] * 3
+    undo(tab)
+    timeline = page.locator("#timeline").bounding_box()
+    place = {"x": tab.on_timeline(0.8) - timeline["x"], "y": 40}
+    tab.changes(lambda: pose.drag_to(page.locator("#timeline"), target_position=place))
+    assert tab.evaluate(TIMES) == [0, 0.3, 0.6, 0.8, 1]
+    assert tab.evaluate(QPOS)[3][7:] == pytest.approx(before[2][7:], abs=1e-4)
+    undo(tab)
+    file.unlink()
+    pose.wait_for(state="detached")
+
+
 def test_a_file_that_another_program_changes_is_noticed_at_once(tab):
     file, notice = Path(tab.folder) / "dancer.toml", tab.page.locator("#outside")
     file.write_text(CLIP.replace("time = 1\n", "time = 1.1\n"), encoding="utf-8")
@@ -572,6 +602,12 @@ def test_a_grasp_is_drawn_for_the_hand_of_the_arm_that_is_chosen(tab):
     (grasp,) = tab.evaluate("studio.model.document.grasps")
     assert (grasp["hand"], grasp["body"]) == ("left_hand", names[0])
     assert (grasp["from"], grasp["to"]) == (pytest.approx(0.65, abs=0.04), pytest.approx(0.9, abs=0.04))
+    bar = page.locator("[data-bar='grasp']").bounding_box()
+    end = bar["x"] + bar["width"] - 3
+    tab.changes(lambda: tab.drag((end, bar["y"] + 8), (tab.on_timeline(0.8), bar["y"] + 8)))  # released earlier
+    (released,) = tab.evaluate("studio.model.document.grasps")
+    assert released == {**grasp, "to": pytest.approx(0.8, abs=0.001)}
+    undo(tab)
     undo(tab)
     tab.press("Escape")
     page.locator("[data-hand]").first.wait_for(state="detached")

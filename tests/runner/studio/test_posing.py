@@ -69,7 +69,7 @@ def test_feet_on_the_ground_stay_where_a_moved_root_lets_them(clip, poser):
         return kinematics(model, qpos).site_xpos[[model.site(name).id for name in SOLES]]
 
     def kept(**root):
-        return poser.kept(home, poser.with_entries(home, {"root": root}), ())
+        return poser.kept(home, poser.with_entries(home, {"root": root})[0], ())
 
     lower = kept(position=[place[0] + 0.03, "free", place[2] - 0.08])
     assert lower[start : start + 3] == pytest.approx(place + np.array([0.03, 0, -0.08]))
@@ -105,7 +105,7 @@ def test_a_locked_body_stays_while_others_are_dragged_turned_or_typed(clip, pose
         np.testing.assert_allclose(place_of(model, found, name), here, atol=3e-3)
         assert np.abs(found - home).max() > 0.01
     for joint in ("left_hip", "left_shoulder"):
-        typed = poser.with_entries(home, {"joints": {joint: {"rotvec": [4, -12, 2]}}})
+        typed = poser.with_entries(home, {"joints": {joint: {"rotvec": [4, -12, 2]}}})[0]
         after = poser.kept(home, typed, locks)
         np.testing.assert_allclose(place_of(model, after, name), here, atol=3e-3)
         link = next(link for link in clip.figure.links if link.name == joint)
@@ -115,7 +115,7 @@ def test_a_locked_body_stays_while_others_are_dragged_turned_or_typed(clip, pose
 def test_a_change_that_a_locked_body_cannot_follow_is_rejected(clip, poser):
     home = np.array(clip.keys[-1].state)
     place = home[clip.figure.links[clip.figure.root.link].qpos :][:3]
-    higher = poser.with_entries(home, {"root": {"position": [*place[:2], place[2] + 0.5]}})
+    higher = poser.with_entries(home, {"root": {"position": [*place[:2], place[2] + 0.5]}})[0]
     with pytest.raises(UserError, match="'left_foot': locked, and cannot stay"):
         poser.kept(home, higher, [clip.figure.model.body("left_foot").id])
 
