@@ -26,7 +26,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.array import Array
+from dynsplines.solver.array import SAMPLES_AT_ONCE, Array
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import Path as Curve
 from dynsplines.solver.curve.spline import path_of
@@ -34,16 +34,14 @@ from dynsplines.solver.figure.dynamics import velocities
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.search.minimum import Stop
-from dynsplines.solver.tolerances import ROUNDING
+from dynsplines.solver.tolerances import ROUNDING, SINGLE
 
 from .errors import UserError, import_first, words_of
 from .scene.assets import Scene
-from .scene.configuration import SHORTEST
 from .system import size_limit
 from .system.output import Replacement
 
 FORMAT_VERSION = 2  # 1: without assets
-AT_ONCE = 1000  # most samples evaluated at once, which bounds the memory
 MOST_SAMPLES = 1_000_000  # maximum number of samples of a motion
 PLACES = ("qpos", "frame_state", "time")  # endings of names of arrays that `FARTHEST` limits
 FARTHEST = 1e9  # [m, rad, s] maximum entry, whose powers do not overflow
@@ -235,8 +233,8 @@ def samples_at(figure: Figure, path: Curve, time: Array) -> Samples:
 
 def sample_runs(figure: Figure, path: Curve, time: Array) -> Iterator[Samples]:
     """Yield the same in runs of consecutive times (T,) [s]."""
-    for first in range(0, time.size, AT_ONCE):
-        yield samples_at(figure, path, time[first : first + AT_ONCE])
+    for first in range(0, time.size, SAMPLES_AT_ONCE):
+        yield samples_at(figure, path, time[first : first + SAMPLES_AT_ONCE])
 
 
 def continuous(figure: Figure, qpos: Array) -> Array:
@@ -420,7 +418,7 @@ def _check_timeline(figure: Figure, timeline: Timeline) -> None:
     if timeline.width != figure.width:
         raise ValueError(f"frames of {timeline.width} entries, the model has {figure.width}")
     for columns in figure.tables.quaternion_columns.T:
-        if np.any(np.linalg.norm(timeline.states[:, columns], axis=1) < SHORTEST):
+        if np.any(np.linalg.norm(timeline.states[:, columns], axis=1) < SINGLE):
             raise ValueError("a frame has a quaternion that is zero")
 
 

@@ -9,6 +9,9 @@ Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 Mask = NDArray[np.bool_]
 
+ENTRIES_AT_ONCE = 500_000  # largest number of entries of an array that is made in parts, 4 MB
+SAMPLES_AT_ONCE = 1000  # largest number of samples of a figure that are evaluated at once, which bounds the memory
+
 
 def frozen(values: ArrayLike) -> Array:
     """A read-only float copy."""

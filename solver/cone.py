@@ -16,10 +16,8 @@ from typing import NamedTuple
 import numpy as np
 
 from .array import Array, Mask
-from .tolerances import SMALLEST
+from .tolerances import LAST_STEP, NEWTON_STEPS, SMALLEST
 
-MOST_STEPS = 60  # maximum number of Newton steps
-SETTLED = 1e-14  # [1] predicted decrease relative to |w|², at which a step is the last
 FAR = 0.5  # [1] positive slope at a step's end, relative to the negative one at its start, above which it overshoots
 SECANTS = 8  # steps after which overshooting steps are shortened by exact line search instead of by the secant rule
 
@@ -51,7 +49,7 @@ def unsupplied(w: Array, edges: Array, softness: float) -> Unsupplied:
     todo = np.flatnonzero((pull > 0).any(axis=1))
     w_left, g, r, p = w[todo], edges[todo], w[todo], pull[todo]
     size, identity = np.einsum("sn,sn->s", w_left, w_left), np.eye(w.shape[1])
-    for number in range(MOST_STEPS):
+    for number in range(NEWTON_STEPS):
         if not todo.size:
             break
         pulls = p > 0
@@ -62,7 +60,7 @@ def unsupplied(w: Array, edges: Array, softness: float) -> Unsupplied:
         pulling = there > 0
         promised = -np.einsum("sn,sn->s", slope, step)
         # with an unchanged active set, the step ends at the minimum
-        done = (pulling == pulls).all(axis=1) | (promised <= SETTLED * size)
+        done = (pulling == pulls).all(axis=1) | (promised <= LAST_STEP * size)
         rise = _rise(w_left, r, step, there, change, softness)
         far = np.flatnonzero(~done & (rise > FAR * promised))
         if far.size:

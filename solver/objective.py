@@ -32,7 +32,6 @@ SMALL_SHARE = 0.01  # [1] share of the clip's length in the smallest divisor of 
 MOST_OF_TIME, VIOLENT, LEAST_TYPICAL = 0.8, 4.0, 0.1
 HEAVY = 10.0  # [1] multiple of the raw spline's cost; above this multiple, gross violations dominate E
 HIDDEN = 0.003  # [m] depth between samples that is ignored, of an adult
-NODES = 4  # [1] number of quadrature nodes per span in `segment_integrals`
 RUN = 400  # [1] smallest number of samples in a run
 RUN_ENTRIES = 8000  # [1] samples times columns of a run, small enough for its arrays to fit in the processor's cache
 
@@ -298,7 +297,7 @@ def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
     knots = np.asarray(path.spline.times)
     knots = knots[(knots >= times[0]) & (knots <= times[-1])]
     edges = np.union1d(knots, times)
-    t, w = gauss_nodes(edges, NODES)
+    t, w = gauss_nodes(edges)
     out = np.zeros((times.size - 1, len(objective.terms)))
     segment = segments_at(times, t)
     for piece in Sampling.of(path.spline, t).pieces(run_of(objective.figure)):

@@ -13,13 +13,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .array import Array
+from .tolerances import ROUNDING, SINGLE
 
 # Hamilton's table: the coefficient of p_i q_j, in row 4 i + j, in each component of p ⊗ q
 _PRODUCT = np.zeros((16, 4))
 _PRODUCT[[0, 1, 4, 2, 8, 3, 12, 11, 13, 6], [0, 1, 1, 2, 2, 3, 3, 1, 2, 3]] = 1
 _PRODUCT[[5, 10, 15, 14, 7, 9], [0, 0, 0, 1, 2, 3]] = -1
-OPPOSITE = -0.999999  # [1] cosine of the angle from which two directions count as opposite
-TINY = 1e-9  # [1] length of a unit quaternion's vector part below which its angle is twice this length
 
 
 def product(p: ArrayLike, q: ArrayLike) -> Array:
@@ -79,13 +78,13 @@ def rotation_vector(q: ArrayLike) -> Array:
         w, x, y, z = q.tolist() if q[0] >= 0 else (-q).tolist()
         vector = math.hypot(x, y, z)
         size = math.hypot(w, vector)
-        share = 2 * math.atan2(vector, w) / vector if vector >= TINY * size else 2 / size
+        share = 2 * math.atan2(vector, w) / vector if vector >= ROUNDING * size else 2 / size
         return np.array([share * x, share * y, share * z])
     q = normalised(q)
     q = np.where(q[..., :1] < 0, -q, q)
     vector = np.linalg.norm(q[..., 1:], axis=-1, keepdims=True)
     angle = 2 * np.arctan2(vector, q[..., :1])
-    tiny = vector < TINY
+    tiny = vector < ROUNDING
     return q[..., 1:] * np.where(tiny, 2.0, angle / np.where(tiny, 1.0, vector))
 
 
@@ -98,7 +97,7 @@ def swing(start: Array, end: Array, otherwise: Array) -> Array:
     """Return the shortest rotation (4,) of one direction (3,) to another; about `otherwise` if they are opposite."""
     start, end = start / np.linalg.norm(start), end / np.linalg.norm(end)
     cosine = float(start @ end)
-    if cosine < OPPOSITE:
+    if cosine < SINGLE - 1:
         across = otherwise - (otherwise @ start) * start
         return from_rotation_vector(np.pi * across / np.linalg.norm(across))
     return normalised(np.append(1 + cosine, np.cross(start, end)))

@@ -11,7 +11,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index, Mask
-from dynsplines.solver.curve.recording import groups, places
+from dynsplines.solver.curve.recording import UNLIKE, groups, places
 from dynsplines.solver.figure.figure import Figure
 
 from ..errors import UserError, listed
@@ -19,7 +19,6 @@ from ..exchange import gaps
 
 FEWEST = 5  # least number of samples of a motion
 LONGEST_GAP = 2.0  # [s] longest gap that is interpolated
-FAR_OFF = 8.0  # deviation of a jump from the mean of its neighbours, relative to the median deviation
 TURN, WAY = np.radians(10), 0.04  # [rad], [m] least deviation of a jump
 BESIDE = 0.5  # largest distance between the neighbours of a jump, relative to its deviation
 
@@ -128,7 +127,7 @@ def _jumps(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[st
         bound = WAY if metres[columns[0]] else TURN * (0.5 if columns.size == 4 else 1.0)
         off = np.linalg.norm(values[1:-1] - 0.5 * (values[:-2] + values[2:]), axis=1)
         apart = np.linalg.norm(values[2:] - values[:-2], axis=1)
-        far = (off > np.maximum(bound, FAR_OFF * np.median(off))) & (apart < BESIDE * off)
+        far = (off > np.maximum(bound, UNLIKE * np.median(off))) & (apart < BESIDE * off)
         far &= known[:-2, columns[0]] & known[1:-1, columns[0]] & known[2:, columns[0]]
         out[1:-1, columns] = far[:, None]
     has_jump = out.any(axis=1)

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.tolerances import SINGLE
 
 from ..scene.mujoco_versions import lamp
 from ..scene.triangles import MESHES, half_extent, picture_repeat, piece_of, texels, triangles
@@ -34,7 +35,6 @@ HAZE_START, HAZE_LENGTH = 9.0, 28.0  # [m] distance at which haze begins, and le
 SHADE, SHADE_HEIGHT = 0.6, 0.25  # share of light that a foot on the ground takes, and length scale of its decrease [m]
 SHADE_TEXELS = 1024  # width and height of the map of heights above the ground
 FADING = 4.0  # [1] reciprocal of the share of a repetition of a texture at whose extent per pixel it has faded
-OFF_EDGES = 1e-6  # [1] of a texture, so that rounding does not decide about pixels on the edge of a texel
 
 
 class Projection(NamedTuple):
@@ -187,7 +187,8 @@ class Pattern:
         patch (n,) [m] is the largest extent of a pixel on the plane.
         """
         height, width = self._texels.shape[:2]
-        column, row = (((points[:, :2] * self._repeat + OFF_EDGES) % 1) * [width, height]).astype(int).T
+        # off edges of texels, where rounding would decide
+        column, row = (((points[:, :2] * self._repeat + SINGLE) % 1) * [width, height]).astype(int).T
         strength = (1 - FADING * patch * self._repeat.max()).clip(0, 1).astype(np.float32)[:, None]
         return self._mean + strength * (self._texels[row % height, column % width] - self._mean)
 

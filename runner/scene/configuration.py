@@ -10,10 +10,9 @@ import numpy as np
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.model import joint_names, set_qpos
+from dynsplines.solver.tolerances import SINGLE
 
 from ..system.quantity import LARGEST
-
-SHORTEST = 1e-6  # [1] minimum norm of a quaternion
 
 
 def posed(model: mujoco.MjModel, qpos: Array) -> Iterator[mujoco.MjData]:
@@ -40,7 +39,7 @@ def first_wrong(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[int, s
     ]
     for joint, columns in quaternions(model).items():
         with np.errstate(over="ignore"):
-            is_unit = np.linalg.norm(qpos[:, columns], axis=1) >= SHORTEST
+            is_unit = np.linalg.norm(qpos[:, columns], axis=1) >= SINGLE
         checks.append((is_unit, f"the quaternion of '{model.joint(joint).name or f'joint {joint}'}' is zero"))
     wrong = [(int(np.argmin(well)), problem) for well, problem in checks if not well.all()]
     return min(wrong, key=lambda each: each[0], default=None)

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from .. import quaternion as quat
-from ..array import Array, Mask
+from ..array import SAMPLES_AT_ONCE, Array, Mask
 from ..curve.recording import Track
 from ..figure.figure import Figure, JointKind, quaternion_columns
 from ..figure.kinematics import Samples
@@ -24,7 +24,6 @@ from .thresholds import Thresholds
 LOWEST = 2.0  # [%] of the samples that may be below the ground
 MOST = np.radians(25)  # [rad] largest tilt of a sole that counts as an offset; beyond, the figure stands on its toes
 ENOUGH = 5  # least number of samples in which a whole sole stands
-RUN = 1000  # most samples evaluated at once, which bounds the memory
 
 
 def align_to_ground(recorded: Track, stances: Sequence[Contact], surfaces: Sequence[Surface]) -> Track:
@@ -78,8 +77,8 @@ def _level(recorded: Track, stances: Sequence[Contact], link: int) -> Track:
 
 def _runs(figure: Figure, states: Array) -> Iterator[Samples]:
     """Yield poses (T, N) in runs."""
-    for first in range(0, len(states), RUN):
-        yield Samples.still(figure, states[first : first + RUN])
+    for first in range(0, len(states), SAMPLES_AT_ONCE):
+        yield Samples.still(figure, states[first : first + SAMPLES_AT_ONCE])
 
 
 def _places(recorded: Track, points: Sequence[Point]) -> Array:

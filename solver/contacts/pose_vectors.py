@@ -18,10 +18,10 @@ from ..curve.frame import Timeline
 from ..curve.mirror import Mirror
 from ..curve.symmetry import MirrorError
 from ..figure.figure import Figure
+from ..tolerances import SINGLE
 from .thresholds import Thresholds
 
 LOPSIDED = 0.05  # largest asymmetry of a measured body, relative to its size
-STILL = 1e-6  # [rad] difference below which poses carry no information
 FEW = 8  # most poses for which the heading is only a linear function of time
 EVEN, BENT = 1, 3  # degrees of the heading's polynomial for few and for more poses
 
@@ -116,7 +116,7 @@ class PoseVectors:
         links, hinges, limits = tables.quaternion_links, tables.hinge_columns, Thresholds.of(figure)
         drawn = PoseMap(heading, links, root, columns, means, hinges, heights, mean_height, limits.height_turn)
         rows = drawn.vectors(poses)
-        return None if np.ptp(rows, axis=0).max() < STILL else cls(drawn, times, rows, len(poses) // len(qpos), limits)
+        return None if np.ptp(rows, axis=0).max() < SINGLE else cls(drawn, times, rows, len(poses) // len(qpos), limits)
 
 
 def heading_of(times: Array, rotations: Array) -> Polynomial:

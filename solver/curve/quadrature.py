@@ -71,7 +71,7 @@ class Quadrature:
         return np.union1d(edges, cuts[is_inside & (np.abs(cuts[:, None] - edges).min(axis=1) > CLOSEST)])
 
 
-def gauss_nodes(edges: Array, points: int) -> tuple[Array, Array]:
+def gauss_nodes(edges: Array, points: int = 4) -> tuple[Array, Array]:
     """Return Gauss-Legendre nodes and weights [s] in every panel between neighbouring edges [s], flattened."""
     x, w = _legendre(points)
     half = np.diff(edges)[:, None] / 2

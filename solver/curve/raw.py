@@ -19,13 +19,12 @@ from numpy.typing import ArrayLike
 from .. import quaternion as quat
 from ..array import Array, Mask, segments_at
 from ..figure.figure import Figure, JointKind, Link, quaternion_columns
-from ..tolerances import ROUNDING
+from ..tolerances import ROUNDING, TINY
 from .frame import Frame, Timeline, TimelineError
 from .loop_keys import close_loop
 from .seam import Seam, sameness
 from .spline import Sampling, Spline, natural_end_slopes
 
-SURELY_MORE = 1e-17  # [1] squared norm of quaternions above which keyframes need no further checks
 NEARLY_HALF = np.radians(150.0)  # [rad] angle above which a free body's direction of rotation is ambiguous
 
 
@@ -161,7 +160,7 @@ def _check(figure: Figure, keys: list[Frame]) -> None:
         q = np.array([frame.state for frame in keys]).reshape(-1, figure.width)[:, columns]
         is_specified = specified.all(axis=1)
         whole = all(np.array_equal(mask.all(axis=1), mask.any(axis=1)) for mask in (fixed, specified))
-        if whole and np.all(np.einsum("kin,kin->kn", q, q)[is_specified] > SURELY_MORE):
+        if whole and np.all(np.einsum("kin,kin->kn", q, q)[is_specified] > TINY):
             return
     for number, frame in enumerate(keys, start=1):
         _check_masks(figure, frame, number)

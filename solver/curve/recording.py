@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike
 from .. import quaternion as quat
 from ..array import Array, Index, Mask
 from ..figure.figure import Figure
-from ..tolerances import TINY
+from ..tolerances import ROUNDING, TINY
 from . import banded
 from .spline import Path, natural_spline
 
@@ -29,7 +29,6 @@ FAINT, FINE = np.radians(0.5), 0.002  # [rad], [m] least noise of samples at 120
 ROBUST = 2.5  # deviation of a sample, in standard deviations, from which it has less weight
 UNLIKE = 8.0  # deviation from the mean of the neighbours, in medians, from which the first curve omits a sample
 ROUNDS = 4  # most updates of the weights
-SPARSE = 1e-9  # added weight relative to the largest; in gaps acceleration alone determines the curve
 
 
 def groups(figure: Figure) -> list[Index]:
@@ -206,7 +205,7 @@ class Track:
         inner = 0.5 * (h[1:] + h[:-1])
         rows = np.stack([1 / h[:-1], -1 / h[:-1] - 1 / h[1:], 1 / h[1:]]) / np.sqrt(inner * prior)
         band = np.zeros((count, 3))
-        band[:, 0] = weight + SPARSE * max(float(weight.max()), 1.0)
+        band[:, 0] = weight + ROUNDING * max(float(weight.max()), 1.0)  # in gaps, by acceleration alone
         for a in range(3):
             for b in range(a, 3):
                 band[a : count - 2 + a, b - a] += rows[a] * rows[b]

@@ -13,10 +13,8 @@ from functools import cached_property
 
 import numpy as np
 
-from ..array import Array, Index, add_rows_at
+from ..array import ENTRIES_AT_ONCE, Array, Index, add_rows_at
 from ..figure.kinematics import Samples
-
-ENTRIES_AT_ONCE = 500_000  # [1] largest number of array entries that are copied at once, 4 MB
 
 
 class Curvature:

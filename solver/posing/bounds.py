@@ -11,7 +11,7 @@ import numpy as np
 from .. import quaternion as quat
 from ..array import Array, Index, Mask
 from ..figure.figure import Figure, JointKind
-from ..penalty.joints.bend import ALONG, FLAT, BendLimits, bent
+from ..penalty.joints.bend import BendLimits, bent
 from ..tolerances import ROUNDING
 
 STRAIGHT = 3.0  # [1] weight of sideways and twist angles of knees and elbows, relative to rotations of a limb joint
@@ -173,9 +173,9 @@ class Bends:
         (x, z, y), (a, b, q) = np.einsum("bnj,cnj->cbn", turned, child)
         # derivatives with respect to rotations about the child's axes, (6, k, 3): dx, dz, dy, da, db, dq
         slopes = _cross(child[:, None], turned).reshape(6, x.size, 3)
-        planar = np.maximum(np.hypot(x, z), ALONG)
+        planar = np.maximum(np.hypot(x, z), ROUNDING)
         p = (x * b - z * a) / planar
-        both = np.maximum(p**2 + q**2, FLAT)
+        both = np.maximum(p**2 + q**2, ROUNDING**2)
         flexion, sideways, twist = np.arctan2(x, z), np.arctan2(y, planar), np.arctan2(p, q)
         by_six, square, of_p = np.zeros((3, 6, x.size)), planar**2, q / both / planar
         by_six[0, :2] = z / square, -x / square

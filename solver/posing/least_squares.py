@@ -16,7 +16,7 @@ from ..array import Array, Mask
 from ..tolerances import TINY
 
 # [1] damping relative to the squared weights of the unknowns: of the first step, smallest and largest
-FIRST_DAMPING, LEAST_DAMPING, MOST_DAMPING = 0.1, 1e-12, 1e8
+FIRST_DAMPING, MOST_DAMPING = 0.1, 1e8
 # [1] divisor of damping after a step that reduces the cost; multiplier of damping after any other step
 BOLDER, MORE_CAREFUL = 5, 6
 ACTIVE_SETS = 4  # [1] largest number of solves of a step, until the positive one-sided residuals no longer change
@@ -85,7 +85,7 @@ class LeastSquares:
             ends = np.abs(step).max(initial=0.0) < self.smallest
             if decrease > 0:
                 ends |= decrease <= self.settled * here.cost and damping <= FIRST_DAMPING
-                qpos, here, damping = pose, there, max(damping / BOLDER, LEAST_DAMPING)
+                qpos, here, damping = pose, there, max(damping / BOLDER, TINY)
             else:
                 damping *= MORE_CAREFUL
             if ends or damping > MOST_DAMPING:

@@ -18,12 +18,13 @@ from ..array import Array, Index, Mask
 from ..figure.figure import Figure, JointKind
 from ..figure.model import set_qpos
 from ..penalty.joints.bend import BendLimits
+from ..tolerances import NEWTON_STEPS, ROUNDING, SINGLE
 from .bounds import Bends, Part, Ranges, joined
 from .goals import Goal, moved_by, reached
 from .least_squares import LeastSquares, Residuals
 
-# [m, rad] largest residual norm of a goal that counts as met; residual at which the search ends
-MET, EXACT = 1e-6, 1e-9
+# [m, rad] largest residual norm of a goal that counts as met
+MET = SINGLE
 # [rad/m, 1] weights of goals, relative to 1 rad of a limb joint: rough search, first round, upper limit
 COARSE, FIRM, FIRMEST = 30.0, 1e2, 1e5
 FIRMER = 30.0  # [1] weight of ranges and bend bounds, relative to the weight of goals
@@ -35,8 +36,7 @@ SPREAD = 0.4  # [rad] standard deviation of random rotations in starting poses
 HOPELESS = 0.05  # [m, rad] largest residual of a rough pose that is refined further
 # [1] largest number of multiplier updates; ratio of successive residuals that counts as no progress
 ROUNDS, STALLED = 20, 0.7
-STEPS = 60  # [1] largest number of steps of a descent
-ROUGHLY, SETTLED = 1e-3, 1e-9  # [1] relative decrease of the cost at which a descent ends: rough search, exact search
+ROUGHLY = 1e-3  # [1] relative decrease of the cost at which a descent of the rough search ends
 SMALLEST_STEP = 1e-11  # [rad, m] largest change of a joint by a step at which a descent ends
 
 
@@ -172,13 +172,13 @@ class PoseSearch:
         """Return the minimum nearest to a pose, with multipliers updated until the goals are met."""
         weight, last, shifts = FIRM, np.inf, None
         for _ in range(ROUNDS):
-            qpos, _ = self._nearest(qpos, weight, shifts, SETTLED)
+            qpos, _ = self._nearest(qpos, weight, shifts, ROUNDING)
             off, over = (values for values, _ in self.linearise(qpos)[1:])
             shifts = (
                 (off, np.maximum(over, 0)) if shifts is None else (off + shifts[0], np.maximum(over + shifts[1], 0))
             )
             worst = max(np.abs(off).max(initial=0), over.max(initial=0))
-            if worst <= EXACT:
+            if worst <= ROUNDING:
                 break
             if worst > STALLED * last:  # a nearly straight limb bends only at a large weight
                 if weight >= FIRMEST or worst > HOPELESS:
@@ -201,7 +201,7 @@ class PoseSearch:
             parts = [near, (weight * off, weight * by_off), (firm * over, firm * by_over)]
             return Residuals(*joined(parts), near[0].size + off.size)
 
-        return self.minimise(residuals, qpos, STEPS, settled=settled)
+        return self.minimise(residuals, qpos, NEWTON_STEPS, settled=settled)
 
     def minimise(
         self,

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..array import Array, Index
+from ..array import ENTRIES_AT_ONCE, Array, Index
 from ..curve.quadrature import gauss_nodes
 from ..curve.spline import Path, Sampling, Spline
 from ..objective import Objective
@@ -24,7 +24,7 @@ from ..tolerances import ROUNDING, SMALLEST
 
 NODES = 8  # nodes per span of the strong form's integrals
 GRADIENT_NODES, HESSIAN_NODES = 5, 2  # nodes per span of the weak form's first and second derivatives
-WINDOW, ENTRIES = 60, 200_000  # maximum number of spans whose curvature is in memory: 60, or 200 000 / N²
+WINDOW = 60  # maximum number of spans whose curvature is in memory
 REACH = 4  # spans on either side of a frame in which its cardinal function is used
 
 
@@ -105,7 +105,7 @@ class WeakForm:
         """Return ∫ Σ φ⁽ᵃ⁾φ⁽ᵇ⁾ ∂²f/∂y⁽ᵃ⁾∂y⁽ᵇ⁾ dt for the frames' cardinal functions φ, window by window, (C, N, N)."""
         times = np.asarray(spline.times)
         out = np.zeros((place.size, self.path.rows.shape[1], self.path.rows.shape[1]))
-        spans = max(1, min(WINDOW, ENTRIES // self.path.rows.shape[1] ** 2))
+        spans = max(1, min(WINDOW, ENTRIES_AT_ONCE // self.path.rows.shape[1] ** 2))
         for first in range(0, times.size - 1, spans):
             last = min(first + spans, times.size - 1)
             near = np.flatnonzero((place + REACH > first) & (place - REACH < last))

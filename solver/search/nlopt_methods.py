@@ -8,6 +8,7 @@ import nlopt
 import numpy as np
 
 from ..array import Array
+from ..tolerances import TINY
 from .minimum import MOST_EVALUATIONS, NEGLIGIBLE, TOLERANCE, Minimum, Stop, StopSearch
 
 LBFGS, NONE = "lbfgs", "none"
@@ -17,7 +18,6 @@ DENSE = {"slsqp": 300}  # unknowns up to which an iteration takes at most 0.2 s;
 # NLopt 2.11 raises its own class for a general failure, which is not a RuntimeError
 FAILURES = (nlopt.RoundoffLimited, RuntimeError, getattr(nlopt, "runtime_error", RuntimeError))
 NOT_FINITE = 1e300  # replaces values of E that are not finite, which NLopt does not accept
-XTOL = 1e-12  # [1] relative change of x below which a search ends
 
 
 def algorithm(method: str) -> int:
@@ -76,7 +76,7 @@ def minimise(
     search.set_min_objective(recorder.objective)
     search.set_ftol_rel(tolerance)
     search.set_ftol_abs(NEGLIGIBLE * tolerance)
-    search.set_xtol_rel(XTOL)
+    search.set_xtol_rel(TINY)
     search.set_maxeval(max_evaluations)
     try:
         search.optimize(recorder.x.copy())

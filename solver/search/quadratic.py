@@ -27,7 +27,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .. import compiled
-from ..array import Array, Index, Mask
+from ..array import ENTRIES_AT_ONCE, Array, Index, Mask
 from ..curve import banded
 from ..curve.elimination import LOCAL, Elimination
 from ..curve.quadrature import gauss_nodes
@@ -37,16 +37,14 @@ from ..figure.kinematics import Samples
 from ..objective import Discretised, EvaluatedRun
 from ..penalty.block import one_sided_residuals
 from ..penalty.curvature import Curvature, OneSidedResiduals
-from ..tolerances import TINY
+from ..tolerances import ROUNDING, TINY
 
 POINTS = 2  # nodes per span for the curvature of smooth terms, which needs fewer nodes than E
 SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000  # spans in a run: at least 32, else 2000 / columns, to stay in cache
 STIFF = 1e6  # [1] stiffness of springs relative to the median curvature, so that fixed entries hardly move
-FAINT = 1e-9  # [1] regularisation relative to the median curvature, so that the Cholesky factor exists
 SHARE_OF_POSITION = 0.3  # [1] weight of positions in F, relative to accelerations at the keyframes' spacing
 MOST_CHANGES = 15  # maximum number of changes of the active set
 SETTLED = 0.1  # [1] gain of a change of the active set, relative to the total reduction, at which it is the last
-ENTRIES_AT_ONCE = 2_000_000  # entries of rows over four coefficients in memory at once, 16 MB
 BLOCKED = 0.1  # [1] share of a Newton step below which inactive residuals block it, so that another change follows
 
 
@@ -459,7 +457,7 @@ class QuadraticModel:
         layout.add_rows(matrix, *rows)
         diagonal = layout.diagonal(matrix)[:, 0]
         size = max(middle(diagonal[layout.used]), TINY)
-        diagonal += FAINT * size
+        diagonal += ROUNDING * size  # so that the Cholesky factor exists
         place, springs = layout.springs
         matrix.reshape(-1)[place] += STIFF * size * springs
         return max(middle(np.concatenate(sizes)), TINY) if scale is None else scale

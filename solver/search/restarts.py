@@ -18,7 +18,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..array import Array, Index
+from ..array import ENTRIES_AT_ONCE, Array, Index
 from ..curve.frame import Timeline
 from ..curve.quadrature import Quadrature
 from ..curve.raw import straight
@@ -27,16 +27,14 @@ from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..objective import Objective
 from ..penalty import Guide, Role
-from ..tolerances import ROUNDING
+from ..tolerances import ROUNDING, SINGLE
 
 NOTABLE = 0.02  # [1] share of violations in E from which a limb far from its path may be on the wrong side of a bound
 COST_RATIO = 2.0  # [1] cost relative to the raw spline, above which a shorter route round an obstacle may exist
 MAX_DEVIATION = 0.5  # [1] relative to the distance from the figure's root to its farthest joint at rest
 MAX_QUATERNION_LENGTH = 2.0  # [1] norm above which a search no longer shortens a quaternion
 SAMPLES_PER_SEGMENT = 4  # between neighbouring frames with specified degrees of freedom
-EQUAL_WITHIN = 1e-6  # [1] relative difference of E below which two timelines are equally good
 SUBDIVISIONS = 3  # parts of each span between the frames of all timelines
-SPANS_AT_ONCE = 100  # spans between frames whose samples are in memory at once
 SAMPLES_PER_SPAN = 32  # samples between two frames, to detect short quaternions
 SHORT = 0.1  # norm of a quaternion below which its joint turns fast
 MIN_DURATION = 1e-4  # [1] shortest moment that is resolved, relative to the time between two samples
@@ -153,7 +151,7 @@ def select_best(objective: Objective, timelines: Sequence[Timeline]) -> Timeline
     objective = _summable(objective, times)
     values = [objective.value(path_of(timeline), times) for timeline in timelines]
     values = [value if np.isfinite(value) else np.inf for value in values]
-    bound = min(values) * (1 + EQUAL_WITHIN)
+    bound = min(values) * (1 + SINGLE)
     return next(timeline for timeline, value in zip(timelines, values, strict=True) if value <= bound)
 
 
@@ -190,8 +188,9 @@ def _flips(timeline: Timeline, quaternions: Sequence[Index] | Index) -> Iterator
     if not len(quaternions):
         return
     path, edges = path_of(timeline), timeline.times
-    for first in range(0, edges.size - 1, SPANS_AT_ONCE):
-        for times in _flips_between(path, edges[first : first + SPANS_AT_ONCE + 1], quaternions):
+    at_once = max(1, ENTRIES_AT_ONCE // (SAMPLES_PER_SPAN * path.coefficients.shape[1]))
+    for first in range(0, edges.size - 1, at_once):
+        for times in _flips_between(path, edges[first : first + at_once + 1], quaternions):
             yield times[(times > edges[0]) & (times < edges[-1])]
 
 

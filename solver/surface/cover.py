@@ -21,7 +21,7 @@ from ..cache import cached_by_content
 from ..figure.dynamics import Size
 from ..figure.figure import Figure
 from ..figure.model import geom_name
-from ..tolerances import TINY
+from ..tolerances import ROUNDING, SINGLE, TINY
 from . import Hull, hull_of, moving_surface
 from .points import Point, mesh_vertices
 from .touch import movers
@@ -36,8 +36,6 @@ CLOSEST = 0.02  # [m] spacing of points on sharp edges
 FINEST = 16  # maximum number of points along a mesh that is thick
 MOST = 40  # maximum number of points along any mesh
 TOUCHED = 0.002  # [m] distance of a sphere up to which a point on a mesh needs no other sphere
-SLIVER = 1e-9  # [m²] doubled area up to which a triangle is ignored
-FLAT = 1e-6  # [1] 1 − cosine of the angle up to which two faces are parallel
 CORNERS = 60  # maximum number of corners of a mesh's hull
 HIDDEN = 0.0002  # [m] protrusion up to which a sphere counts as inside a larger one
 CLOSE = 0.001  # [m] minimum spacing of spheres' centres
@@ -166,8 +164,8 @@ def _touching(corners: Array, faces: Index, pace: float) -> tuple[Array, Array]:
     sides = np.stack([places[k - 1] - places[k - 2] for k in range(3)])  # opposite each corner
     normals = np.cross(sides[2], -sides[1])
     areas = np.linalg.norm(normals, axis=1)
-    places, sides, normals = places[:, areas > SLIVER], sides[:, areas > SLIVER], normals[areas > SLIVER]
-    normals /= areas[areas > SLIVER, None]
+    places, sides, normals = places[:, areas > ROUNDING], sides[:, areas > ROUNDING], normals[areas > ROUNDING]
+    normals /= areas[areas > ROUNDING, None]
     offsets, lengths = np.sum(normals * places[0], axis=1), np.linalg.norm(sides, axis=2)
     middles = np.sum(places * (lengths / lengths.sum(axis=0))[:, :, None], axis=0)  # of the inscribed circles
     counts = np.ceil(np.sort(lengths, axis=0)[1] / pace).astype(int)  # the grid is along the two shorter sides
@@ -178,7 +176,7 @@ def _touching(corners: Array, faces: Index, pace: float) -> tuple[Array, Array]:
         grid = np.einsum("sk,kfi->fsi", shares, places[:, which])
         points = np.concatenate([grid, middles[which, None]], axis=1)
         gaps, turn = np.maximum(offsets - points @ normals.T, 0), 1 - normals[which, None] @ normals.T
-        radii = np.min(np.where(turn > FLAT, gaps / np.maximum(turn, FLAT), np.inf), axis=2)
+        radii = np.min(np.where(turn > SINGLE, gaps / np.maximum(turn, SINGLE), np.inf), axis=2)
         touched.append(points.reshape(-1, 3))
         centres.append((points - radii[:, :, None] * normals[which, None]).reshape(-1, 3))
     return np.concatenate(touched), np.concatenate(centres)

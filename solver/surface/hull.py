@@ -7,13 +7,10 @@ from functools import cached_property
 
 import numpy as np
 
-from ..array import Array, Index
-from ..tolerances import TINY
+from ..array import ENTRIES_AT_ONCE, Array, Index
+from ..tolerances import SINGLE, TINY
 from .solid import Solid, lengths
 from .surface import GROUNDED, UPRIGHT
-
-SAME_FACE = 1e-7  # [m] distance up to which planes are the same
-AT_ONCE = 200_000  # pairs of a point and an edge processed at once
 
 
 @dataclass(frozen=True)
@@ -38,9 +35,9 @@ class Hull(Solid):
         foot = points - distance * outward
         # outside, if the foot on the plane is not on the face, an edge is nearest
         out = np.flatnonzero(distance > 0)
-        aside = out[np.any(normals @ foot[:, out] - offsets[:, None] > SAME_FACE, axis=0)]
+        aside = out[np.any(normals @ foot[:, out] - offsets[:, None] > SINGLE, axis=0)]
         outward = outward.copy()
-        few = max(1, AT_ONCE // len(self._edges))
+        few = max(1, ENTRIES_AT_ONCE // len(self._edges))
         for run in (aside[i : i + few] for i in range(0, aside.size, few)):
             away = self._from_edges(points[:, run])
             distance[run] = lengths(away)
@@ -83,7 +80,7 @@ class Hull(Solid):
             is_exit &= (normals[:, 2] > -UPRIGHT * sizes) | (np.max([a[:, 2], b[:, 2], c[:, 2]], axis=0) > bottom)
         normals = normals[is_exit] / sizes[is_exit, None]
         planes = np.column_stack([normals, np.sum(normals * a[is_exit], axis=1)])
-        _, first = np.unique(np.round(planes / SAME_FACE), axis=0, return_index=True)
+        _, first = np.unique(np.round(planes / SINGLE), axis=0, return_index=True)
         return planes[first, :3], planes[first, 3]
 
     @cached_property

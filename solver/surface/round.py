@@ -13,11 +13,8 @@ from functools import cached_property
 import numpy as np
 
 from ..array import Array
-from ..tolerances import TINY
+from ..tolerances import LAST_STEP, NEWTON_STEPS, TINY
 from .solid import Solid, directions, lengths, roots
-
-STEPS = 60  # maximum number of Newton steps
-SETTLED = 1e-14  # [1] relative size of a Newton step that is the last
 
 
 @dataclass(frozen=True)
@@ -179,12 +176,12 @@ class Ellipsoid(Solid):
         there = np.maximum(np.abs(local), TINY * shortest)
         pull = half * there
         s = np.max(pull - offset, axis=0)  # t + the smallest a²
-        for _ in range(STEPS):
+        for _ in range(NEWTON_STEPS):
             share = pull / (s + offset)
             squared = share * share
             step = (squared.sum(axis=0) - 1) / (2 * np.sum(squared / (s + offset), axis=0))
             s += np.maximum(step, 0)
-            if np.all(step <= SETTLED * s):
+            if np.all(step <= LAST_STEP * s):
                 break
         share = pull / (s + offset)
         return np.copysign(half * share / np.sqrt(np.sum(share * share, axis=0)), local)

@@ -16,6 +16,7 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.tolerances import SINGLE
 
 from ...motion import Sampled
 from ...scene.assets import Scene
@@ -74,7 +75,7 @@ def skeleton(sampled: Sampled) -> Skeleton:
         is_root = body == rows[0]
         relative = quat.product(quat.conjugate(turn[:, above]), turn[:, body])
         moved = quat.rotated(quat.conjugate(turn[:, above]), place[:, body] - place[:, above])
-        moves = is_root or float(np.ptp(moved, axis=0).max()) > hierarchy.STILL
+        moves = is_root or float(np.ptp(moved, axis=0).max()) > SINGLE
         order = "YXZ" if is_root or body in tops else "ZYX"
         end = CENTIMETRES * y_up(quat.rotated(at_rest.rotation[0, body], hierarchy.end(model, body)))
         joints.append(

@@ -22,6 +22,7 @@ from numpy.typing import NDArray
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.tolerances import SINGLE
 
 from ...motion import Sampled
 from ...scene.triangles import MeshPiece, Triangles, joined, linear, pieces, png, triangles
@@ -94,7 +95,7 @@ def _add_animation(document: _Document, sampled: Sampled, position: Array, rotat
         (body, path): track[:, body]
         for body in range(sampled.model.nbody)
         for path, track in (("translation", position), ("rotation", rotation))
-        if np.ptp(track[:, body], axis=0).max() > hierarchy.STILL
+        if np.ptp(track[:, body], axis=0).max() > SINGLE
     }
     if not tracks:
         return

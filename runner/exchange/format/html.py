@@ -16,6 +16,8 @@ from typing import Any
 
 import numpy as np
 
+from dynsplines.solver.tolerances import SINGLE
+
 from ...motion import Bodies, Sampled
 from ...scene.triangles import is_still, pieces
 from ..model_json import drawn, packed
@@ -47,7 +49,7 @@ def content(sampled: Sampled) -> dict[str, Any]:
     model, start = sampled.model, float(sampled.time[0])
     before = Sampled.of(sampled.motion.before, sampled.fps).bodies
     changed = any(
-        np.abs(getattr(before, part) - getattr(sampled.bodies, part)).max() > hierarchy.STILL
+        np.abs(getattr(before, part) - getattr(sampled.bodies, part)).max() > SINGLE
         for part in ("position", "rotation")
     )
     visible = pieces(model)

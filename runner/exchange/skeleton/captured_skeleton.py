@@ -16,7 +16,7 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.tolerances import TINY
+from dynsplines.solver.tolerances import SINGLE, TINY
 
 from ...errors import GIVE_UNIT, listed
 from ...scene.roles import apply_bone_map, first_hinge, lineage, mapped_roles, roles, unique
@@ -208,8 +208,8 @@ def _from_body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> tuple[Sk
     above = lineage(root, skeleton.parents)[1:]
     subtree = [i for i in range(root, len(skeleton.joints)) if root in lineage(i, skeleton.parents)]
     beside = [i for i in range(len(skeleton.joints)) if i not in subtree and i not in above]
-    beside = [i for i in beside if any(np.ptp(part[:, i], axis=0).max() > hierarchy.STILL for part in skeleton.world)]
-    if beside and np.ptp(skeleton.local[0][:, root], axis=0).max() <= hierarchy.STILL:
+    beside = [i for i in beside if any(np.ptp(part[:, i], axis=0).max() > SINGLE for part in skeleton.world)]
+    if beside and np.ptp(skeleton.local[0][:, root], axis=0).max() <= SINGLE:
         return skeleton, ()
     place, turn = (
         np.concatenate([world[:, [root]], local[:, subtree[1:]]], axis=1)
@@ -235,7 +235,7 @@ def _body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> int:
     root, joint = 0, 0
     while parents.count(joint) == 1:
         joint = parents.index(joint)
-        if np.ptp(skeleton.local[0][:, joint], axis=0).max() > hierarchy.STILL:
+        if np.ptp(skeleton.local[0][:, joint], axis=0).max() > SINGLE:
             root = joint
     return root
 

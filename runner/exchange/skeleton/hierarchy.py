@@ -11,13 +11,12 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.tolerances import SINGLE
 
 from ...motion import Bodies
 from ...scene.roles import unique
 
-STILL = 1e-7  # [1 for quaternions, m, or a file's unit of length] largest change that counts as no motion
 LISTED = 12  # most names of joints or bodies in a message
-LOCKED = 1e-6  # [1] cosine of the middle of three angles below which the first and the last are not unique
 # Figures here face x, with y to their left and z up; in animation they face z, with x to their left and y up
 Y_UP = np.array([0.5, -0.5, -0.5, -0.5])  # wxyz rotation of x to z, y to x, z to y
 
@@ -55,7 +54,7 @@ def euler_angles(q: Array, order: str) -> Array:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # in gimbal lock, the last angle is 0
         solved = Rotation.from_quat(q.reshape(-1, 4), scalar_first=True).as_euler(order.upper()).reshape(shape)
-    is_locked = np.abs(np.cos(solved[..., 1])) < LOCKED
+    is_locked = np.abs(np.cos(solved[..., 1])) < SINGLE
     parity = 1 if order in "xyzxy" else -1
     side = parity * np.sign(solved[..., 1])  # in gimbal lock, a + side * c determines the rotation
     out, before = np.zeros(shape), np.zeros(shape[1:])

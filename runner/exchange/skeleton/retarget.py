@@ -23,10 +23,11 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
+from dynsplines.solver.contacts.ground_alignment import LOWEST
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.model import boxes
 from dynsplines.solver.figure.root import Root, roots_of, subtree
-from dynsplines.solver.posing import PoseSearch, Residuals, joined
+from dynsplines.solver.posing import STARTS, PoseSearch, Residuals, joined
 from dynsplines.solver.tolerances import TINY
 
 from ...errors import GIVE_MAP, UserError, listed
@@ -37,7 +38,6 @@ from .captured_skeleton import CapturedSkeleton, standing_turn, unit
 
 NEXT = {**ONWARD, "foot": "toe", "clavicle": "upper_arm"}
 BENT = 0.15  # least mean sine of an elbow's or knee's bend that determines its axis
-LOWEST = 2.0  # [%] of the samples whose soles may be below the ground
 LEVEL = 0.001  # [m] largest distance of soles from the ground that is not reported
 LEG, ARM = ("thigh", "shin", "foot"), ("upper_arm", "forearm", "hand")
 ENDS = ("foot", "hand")
@@ -47,7 +47,6 @@ TURN, TURN_OF_END, TURN_OF_TRUNK = np.radians((15, 4, 1))  # [rad] errors of a l
 RANGE = 1e3  # [1/rad] weight of joint ranges
 STEPS, LONGEST = 30, 0.3  # most iterations of least squares; [rad] largest change of a joint in one
 STILL = 1e-3  # [rad] step below which a pose has converged
-STARTS = 12  # starting poses of the first sample
 FAR = 4.0  # [1] increase of the cost between two samples after which the rest pose is another start
 
 

@@ -21,12 +21,11 @@ from ...figure.wrenches import of_point
 from ...surface import Surface
 from ...surface.heights import clearance_gradients, clearances
 from ...surface.points import Point, arrays_of
-from ...tolerances import SMALLEST
+from ...tolerances import ROUNDING, SMALLEST
 from ..block import Block
 from ..penalty import Normalization, Penalty, Role
 
 NEAR = 0.01  # [m] height that the body of an adult may gain in one step of the search
-NEGLIGIBLE = 1e-9  # of the lowest point's share
 FIRM = 10.0  # [1] factor of residuals in intervals in which only the ground carries the body
 
 
@@ -66,7 +65,7 @@ class HoverPenalty(Penalty):
         centre, offset = samples.links.points(links, positions)
         height, origin = clearances(self.surfaces, centre, radius)
         least = height.min(axis=0)
-        which, at = np.nonzero(height < least + self.blend * np.log(1 / NEGLIGIBLE))
+        which, at = np.nonzero(height < least + self.blend * np.log(1 / ROUNDING))
         share = np.exp((least[at] - height[which, at]) / self.blend)
         total = np.bincount(at, share, samples.count)
         lowest = least - self.blend * np.log(total)

@@ -20,12 +20,12 @@ from ...figure.algebra import cross, dot, rotation_matrix
 from ...figure.figure import Figure, on_links, quaternion_columns
 from ...figure.kinematics import Samples
 from ...figure.wrenches import of_turn
+from ...tolerances import ROUNDING
 from ..allowance import Allowance
 from ..block import Block
 from ..penalty import NEAR_ANGLE, Normalization, Penalty, Role
 
 RARE = 2.0  # [%] share of samples beyond extended limits
-ALONG, FLAT = 1e-9, 1e-18  # [1] sine of the angle between limb and hinge axis without defined flexion, and its square
 ANGLE, SIGN = np.array([0, 1, 1, 2, 2]), np.array([-1.0, 1, -1, 1, -1])  # of the five bounds, as in `_excess`
 JointFrames = tuple[Array, Array, Array, Array, Array, Array]
 
@@ -152,7 +152,7 @@ def _turning_axes(frames: JointFrames, angle: Index, joint: Index, at: Index) ->
     (x, z, _), v, planar, p = (part[..., joint, at] for part in frames[2:])
     flexes, leans, twists = ((angle == k).astype(float) for k in range(3))
     q = v[2]
-    both = np.maximum(p**2 + q**2, FLAT)
+    both = np.maximum(p**2 + q**2, ROUNDING**2)
     # derivatives by v and u along the parent's axes
     bars = np.empty((2, 3, at.size))
     by_p = twists * q / (both * planar)
@@ -177,7 +177,7 @@ def bent(figure: Figure, joints: Sequence[Bend], relative: Array) -> Array:
 def _bent(u: Array, v: Array) -> tuple[Array, Array, Array]:
     """Return the three angles of axes u and v in parent coordinates (3, ...), |(x, z)|, and the normal's part p."""
     x, z, y = u
-    planar = np.maximum(np.hypot(x, z), ALONG)
+    planar = np.maximum(np.hypot(x, z), ROUNDING)
     p = (x * v[1] - z * v[0]) / planar
     angles = np.empty(u.shape)
     np.arctan2(x, z, out=angles[0])

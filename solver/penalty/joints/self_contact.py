@@ -38,7 +38,6 @@ from ..penalty import NEAR_LENGTH, Normalization, Penalty, Role
 # [m] of figures up to the size of an adult; in proportion for larger ones, as for models in centimetres
 GAP = 0.008  # maximum gap between spheres and the geom that they fill
 HAIR = 0.015  # protrusion from a thicker shape up to which a shape is omitted
-PARALLEL = 1e-16  # [1] squared sine of the angle below which two segments are parallel
 UNWATCHED = 0.005  # [m] depth up to which links of an adult need not be watched
 FARTHEST = 0.01  # [m] limit of MuJoCo's distance computation, of which only the sign is used
 
@@ -237,7 +236,7 @@ def nearest_on_segments(d: Array, u: Array, v: Array, h: Array, g: Array) -> tup
     b, c, f = dot(u, v), dot(u, d), dot(v, d)
     across = cross(u, v)
     steep = dot(across, across)  # for nearly parallel axes, 1 − b² would be rounding
-    s = np.clip(np.where(steep > PARALLEL, (b * f - c) / np.maximum(steep, PARALLEL), 0.0), -h, h)
+    s = np.clip(np.where(steep > TINY, (b * f - c) / np.maximum(steep, TINY), 0.0), -h, h)
     t = np.clip(b * s + f, -g, g)
     s = np.clip(b * t - c, -h, h)
     return s, t, d + s * u - t * v

@@ -26,7 +26,6 @@ MENDED = 3.0  # [1/s³], [m²/s³] minimum liveliness, which permits corrections
 EASED = 0.01  # [1] factor on the weight of poses at a keyframe that edits the recording
 COARSE, FINEST = 0.2, 1 / 60  # [s] maximum and minimum spacing of frames that track a recording
 DETAIL = 30.0  # [1] default of the cost per segment of detail that a spline may lose, see `times`
-NODES = 4  # nodes per span of Gauss's rule
 REMEMBERED = 20_000  # cached samples, each 3 kB for a human figure; a search evaluates the same times repeatedly
 SHORTEST = 0.05  # [m] minimum length of a limb
 
@@ -106,9 +105,9 @@ class TrackingPenalty(Guide):
         times = np.sort(np.append(times, [first + FINEST, last - FINEST])) if last - first > 4 * FINEST else times
         while True:
             path = natural_spline(times, rec.path.at(times))
-            t, w = gauss_nodes(times, NODES)
-            lost = (w * self.evaluate(Samples(rec.figure, *path.motion(t), t=t))).reshape(-1, NODES).sum(axis=1)
-            split = (lost > detail) & (np.diff(times) > 2 * FINEST)
+            t, w = gauss_nodes(times)
+            lost = w * self.evaluate(Samples(rec.figure, *path.motion(t), t=t))
+            split = (lost.reshape(times.size - 1, -1).sum(axis=1) > detail) & (np.diff(times) > 2 * FINEST)
             if not split.any():
                 return times
             times = np.sort(np.append(times, 0.5 * (times[:-1] + times[1:])[split]))

@@ -273,7 +273,7 @@ def test_a_crowd_of_points_is_measured_in_parts_and_all_the_same(monkeypatch, rn
     points = rng.normal(size=(3, 50)) * 3
     distance, outward = CUBE.distance(points)
     for most in (1, 100, 10**6):
-        monkeypatch.setattr(hull, "AT_ONCE", most)
+        monkeypatch.setattr(hull, "ENTRIES_AT_ONCE", most)
         again, direction = CUBE.distance(points)
         np.testing.assert_array_equal(again, distance)
         np.testing.assert_array_equal(direction, outward)
