@@ -36,7 +36,7 @@ TILES: dict[str, tuple[float, str]] = {  # clips in their order: the time that i
     "stairs": (2.0, "side"),
     "jump_over_box": (1.07, CAMERA),
     "sit_down": (1.3, CAMERA),
-    "cartwheel": (1.0, "side"),
+    "cartwheel": (1.3, "side"),
     "hand_on_rail": (1.0, CAMERA),
     "carry_box": (5.4, CAMERA),
 }

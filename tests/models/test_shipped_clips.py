@@ -50,7 +50,7 @@ PROMISES = {
     "cartwheel": Promise(raw=0.02, contacts=16, travel=2.98),
     "hand_on_rail": Promise(raw=0.02, contacts=11, travel=0.5),
     "jump_over_box": Promise(raw=0.1, contacts=14, travel=1.175),
-    "run_and_step": Promise(raw=0.05, contacts=9, travel=3.55, climb=0.404, deepest=0.001),
+    "run_and_step": Promise(raw=0.05, contacts=11, travel=3.55, climb=0.404, deepest=0.001),
     "run_loop": Promise(raw=0.02, contacts=4, travel=2.0, mirrored=1e-3, **LEVEL),
     "sit_down": Promise(raw=0.02, contacts=12, travel=-0.35, climb=-0.37),
     "stairs": Promise(raw=0.05, contacts=32, travel=1.19, climb=0.68, **LEVEL),
