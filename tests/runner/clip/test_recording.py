@@ -35,7 +35,7 @@ file = "run.npz"
 {said}
 [[keyframe]]
 time = {time}
-sites.left_hand = {{position = [3.95, 0.3, 1.75]}}
+sites.left_hand = [3.95, 0.3, 1.75]
 """
 BARE = 'figure = "human"\n[recording]\nfile = "run.npz"\n'
 
