@@ -83,14 +83,14 @@ def recorded(source: Parsed, figure_file: str | None = None, following: tuple[st
         raise UserError(f"{where}: '{name}' lies outside the clip's folder; --allow-outside lets it be read")
     if file.suffix == ".toml":
         return _solve(str(file), str(file.resolve()), where, following)
-    if motion.is_motion(str(file)):
-        return motion.load(file)
     figure = figure_file or source.table.figure
     if figure_file is None and figure not in models.figures() and source.folder is not None:
         figure = str(source.folder / figure)
-    from .clean import command  # imported here because it imports many formats
-
     try:
+        if motion.is_motion(str(file)):
+            return motion.load(file)
+        from .clean import command  # imported here because it imports many formats
+
         return command.moving(file, figure, source.table.scene)
     except UserError as error:
         raise UserError(f"{where}: {error}") from None
