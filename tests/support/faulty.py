@@ -4,6 +4,7 @@ A line of JSON in, one out: `words` of the command, `before`, Python that makes 
 sends to itself `at` a call of one of our functions, or `calls`, to count them. Out come exit code, both streams, calls.
 """
 
+import gc
 import importlib
 import json
 import os
@@ -15,6 +16,7 @@ import tempfile
 import threading
 import time
 import traceback
+from functools import cache
 from pathlib import Path
 
 PATIENCE = 120.0  # [s]
@@ -28,6 +30,7 @@ def main() -> None:
     for module in pkgutil.walk_packages(dynsplines.__path__, "dynsplines."):
         if not re.search(r"\.(__main__|batch|studio)\b", module.name):
             importlib.import_module(module.name)
+    gc.freeze()  # forks share what no collection visits
     for line in sys.stdin:
         print(json.dumps(tried(json.loads(line))), flush=True)
 
@@ -99,12 +102,13 @@ def _run(case: dict, calls: Path) -> None:
 
 def _count(case: dict) -> list[int]:
     """Counts calls of our own functions from now on, and sends the signal at the one that was asked for."""
-    counted, wanted = [0], case.get("at")
+    counted, wanted, is_own = [0], case.get("at"), cache(lambda name: any(part in name for part in OWN))
 
     def trace(frame, event, _):  # of calls of Python functions alone
-        if any(part in frame.f_code.co_filename for part in OWN):
+        if is_own(frame.f_code.co_filename):
             counted[0] += 1
             if counted[0] == wanted:
+                sys.settrace(None)
                 os.kill(os.getpid(), case["signal"])
 
     if wanted is not None or "calls" in case:
