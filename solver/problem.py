@@ -21,12 +21,10 @@ from .curve.spline import path_of
 from .figure.figure import Figure
 from .objective import Objective
 from .penalty import Guide, Penalty, Posture, Role
-from .refine.subdivision import CRITERIA
+from .refine.subdivision import CRITERIA, FEW, MORE
 from .search.minimum import Optimiser
 from .search.nlopt_methods import LBFGS
 
-# default initial number of variable frames per segment: FEW if the clip is solved as a whole, MORE if in windows
-FEW, MORE = 2, 3
 TINY = 0.05  # [1] longest segment without a variable frame, relative to the frame spacing of adjacent segments
 SPACING = 0.3  # [s] maximum initial spacing of frames
 

@@ -15,8 +15,8 @@ from pydantic import ValidationError
 
 from dynsplines import models
 from dynsplines.solver.curve.quadrature import Quadrature
-from dynsplines.solver.problem import FEW, Settings
-from dynsplines.solver.refine.subdivision import CRITERIA
+from dynsplines.solver.problem import Settings
+from dynsplines.solver.refine.subdivision import CRITERIA, FEW
 from dynsplines.solver.search.descent import check_method
 from dynsplines.solver.tolerances import ROUNDING
 

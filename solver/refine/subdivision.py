@@ -16,6 +16,9 @@ from ..curve.spline import path_of
 from ..objective import Objective
 from .euler_lagrange import WeakForm, residual
 
+# default initial number of variable frames per segment: FEW if the clip is solved as a whole, MORE if in windows
+FEW, MORE = 2, 3
+
 
 def midpoints(timeline: Timeline) -> Array:
     """Return the middle of every segment, (M − 1,) [s]."""

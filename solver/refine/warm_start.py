@@ -17,8 +17,8 @@ from ..curve.frame import Frame, Timeline
 from ..curve.raw import raw_timeline
 from ..curve.spline import path_of
 from ..figure.figure import Figure
-from ..problem import FEW
 from ..tolerances import ROUNDING
+from .subdivision import FEW
 
 CLOSE = 0.15  # [1] distance from a keyframe, relative to the segment, below which a variable frame is omitted
 TINY = 0.02  # [s] length of a segment up to which it gets no variable frames
