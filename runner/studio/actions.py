@@ -208,7 +208,14 @@ class Actions:
                 raise UserError("none of these joints can be set on its own; select another limb")
         return await self.session.edit("add_key", {"entries": {"time": time, **entries}})
 
-    async def kept(self, at: Sequence[Any], entries: TomlTable, locks: Sequence[int], *, plant: bool) -> TomlTable:
+    async def edit(self, *, name: str, plant: bool = False, locks: Sequence[int] = (), **arguments: Any) -> str:
+        """Apply an edit by name. With `plant`, feet on the ground stay in place, and so do locked bodies."""
+        if plant or locks:
+            kept = self._kept(arguments["at"], arguments["entries"], locks, plant=plant)
+            arguments["entries"] = await kept
+        return await self.session.edit(name, arguments)
+
+    async def _kept(self, at: Sequence[Any], entries: TomlTable, locks: Sequence[int], *, plant: bool) -> TomlTable:
         """Return changed entries of a keyframe, with limbs that keep locked bodies and feet on the ground in place.
 
         Feet with a target position keep it without this, and free joints stay free.

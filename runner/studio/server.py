@@ -45,8 +45,10 @@ PAGE = {
     "studio.css": ("studio.css", "text/css; charset=utf-8"),
 }
 NOT_HERE, IN_USE = 4403, 4409  # close codes of the websocket: rejected; another tab is open
-POSING = ("grip", "drag", "turn", "drop", "cancel", "key", "pose", "save_pose", "pin", "free", "mirror")
-BACKGROUND = ("export", "render", "stop_task")  # requests that need not wait for others
+OF_ACTIONS = ("edit", "grip", "drag", "turn", "drop", "cancel", "key", "pose", "save_pose", "pin", "free", "mirror")
+OF_SESSION = ("undo", "redo", "reload", "keep", "take_offer", "want_curves", "search")
+OF_FILES = ("save", "export", "render", "formats", "figures", "new", "stop")
+BACKGROUND = ("export", "render", "stop")  # requests that need not wait for others
 MOST_WAITING = 64  # queued messages of a slow page above which paths are omitted
 MOST_BYTES = 4_000_000  # [bytes] maximum size of a message from a page
 
@@ -108,7 +110,8 @@ class _Desk:
 
     def __init__(self, session: Session) -> None:
         self.session = session
-        self.actions, self.writer = Actions(session), Files(session)
+        self.actions = Actions(session)
+        self._owners = (self.actions, OF_ACTIONS), (session, OF_SESSION), (Files(session), OF_FILES)
         self._turn = asyncio.Lock()  # requests are performed one after another
         self._tasks: set[asyncio.Task[None]] = set()
         self._tab = ""
@@ -179,31 +182,10 @@ class _Desk:
         put(json.dumps(answer))
 
     async def _done(self, do: str, arguments: Message) -> Any:
-        session, actions, writer = self.session, self.actions, self.writer
-        if do in POSING:
-            return await getattr(actions, do)(**arguments)
-        match do:
-            case "edit":
-                plant, locks = arguments.pop("plant", False), arguments.pop("locks", [])
-                if plant or locks:
-                    kept = actions.kept(arguments["at"], arguments["entries"], locks, plant=plant)
-                    arguments["entries"] = await kept
-                return await session.edit(arguments.pop("name"), arguments)
-            case "undo" | "redo" | "reload" | "keep":
-                return await getattr(session, do)(**arguments)
-            case "save" | "export" | "render" | "formats" | "figures" | "new":
-                return await getattr(writer, do)(**arguments)
-            case "stop_task":
-                return await writer.stop()
-            case "offer":
-                return await session.take_offer(yes=bool(arguments["take"]))
-            case "curves":
-                session.want_curves(bool(arguments["on"]))
-            case "go" | "stop":
-                session.search(go=do == "go")
-            case _:
-                raise UserError(f"'{do}': unknown request; reload the page")
-        return ""
+        owner = next((owner for owner, names in self._owners if do in names), None)
+        if owner is None:
+            raise UserError(f"'{do}': unknown request; reload the page")
+        return await getattr(owner, do)(**arguments)
 
 
 def _is_path(message: str | bytes) -> TypeGuard[bytes]:

@@ -75,7 +75,7 @@ class Session:
 
     def enter(self, send: Send) -> None:
         """Show the session on a page instead of the present one."""
-        self.want_curves(False)
+        self._switch_curves(on=False)
         self._page = send
         for kind in ANSWERS:
             if kind in self._shown:
@@ -84,7 +84,7 @@ class Session:
     def leave(self, send: Send) -> None:
         """Remove a page, unless another one has replaced it."""
         if self._page == send:
-            self.want_curves(False)
+            self._switch_curves(on=False)
             self._page = None
 
     def tell(self, message: Message) -> None:
@@ -272,13 +272,19 @@ class Session:
 
     # ---- the search
 
-    def search(self, *, go: bool) -> None:
+    async def search(self, *, go: bool) -> str:
         """Continue or stop the search; the state applies to later edits."""
         self.go = go
         self.solver.send({"do": "go" if go else "stop"})
         self._show_state(self._state)
+        return ""
 
-    def want_curves(self, on: bool) -> None:
+    async def want_curves(self, *, on: bool) -> str:
+        """Switch the curves on or off."""
+        self._switch_curves(on=on)
+        return ""
+
+    def _switch_curves(self, *, on: bool) -> None:
         if on or self._has_curves:
             self.solver.send({"do": "curves", "on": on})
         self._has_curves = on
@@ -325,5 +331,5 @@ class Session:
         """Resume after a crash: the new process gets the present text."""
         self._show_state("loading")
         self.tell({"is": "note", "words": words})
-        self.want_curves(self._has_curves)
+        self._switch_curves(on=self._has_curves)
         self.solver.send(self._load_request(self.document.text, self.document.revision))

@@ -41,15 +41,4 @@ export class Path {
     const [i, share] = this.found(time), j = Math.min(i + 1, this.count - 1), c = this.centre;
     return [0, 1, 2].map((k) => c[3 * i + k] + share * (c[3 * j + k] - c[3 * i + k])) as [number, number, number];
   }
-
-  /** How far it goes [m]. */
-  get extent(): number {
-    let most = 0;
-    for (let k = 0; k < 2; k++) {
-      let low = Infinity, high = -Infinity;
-      for (let i = k; i < this.centre.length; i += 3) { low = Math.min(low, this.centre[i]); high = Math.max(high, this.centre[i]); }
-      most = Math.max(most, high - low);
-    }
-    return most;
-  }
 }

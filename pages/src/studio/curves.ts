@@ -20,7 +20,7 @@ export const toggleCurves = (): void => {
   shown = !shown;
   $("curves").hidden = !shown;
   $("show-curves").setAttribute("aria-pressed", String(shown));
-  void ask("curves", { on: shown });
+  void ask("want_curves", { on: shown });
   if (shown) draw();
 };
 
@@ -110,5 +110,5 @@ export const beginCurves = (timeline: Timeline): void => {
   model.on("time", () => { if (shown) plot?.redraw(false); });
   model.on(["theme", "which"], draw);
   new ResizeObserver(() => { if (shown) plot?.setSize({ width: Math.max(200, $("plot").clientWidth), height: Math.max(90, $("plot").clientHeight) }); }).observe($("plot"));
-  model.on("line", () => { if (shown) void ask("curves", { on: true }); });
+  model.on("line", () => { if (shown) void ask("want_curves", { on: true }); });
 };

@@ -90,8 +90,8 @@ export const rendered = (): void => {
 
 export const beginFiles = (): void => {
   const answers: Record<string, () => unknown> = {
-    "outside-reload": () => act("reload"), "outside-keep": () => act("keep"), "outside-save-as": saveAs, "task-stop": () => act("stop_task"),
-    "offer-take": () => act("offer", { take: true }), "offer-drop": () => act("offer", { take: false }), "take-over": () => connect(true),
+    "outside-reload": () => act("reload"), "outside-keep": () => act("keep"), "outside-save-as": saveAs, "task-stop": () => act("stop"),
+    "offer-take": () => act("take_offer", { yes: true }), "offer-drop": () => act("take_offer", { yes: false }), "take-over": () => connect(true),
   };
   for (const [id, done] of Object.entries(answers)) $(id).addEventListener("click", done);
   const menu = $("files");

@@ -53,7 +53,7 @@ export const deeds = (stage: Stage, timeline: Timeline, hands: Hands): Deed[] =>
     which.dispatchEvent(new Event("change"));
   }],
   ["H", "onion skin: the figure at every keyframe", click("ghosts")],
-  ["T", "motion paths and contact points", click("trails")],
+  ["T", "motion paths", click("trails")],
   ["C", "curves", toggleCurves],
   ["U", "limb rows on the timeline", () => { timeline.unfolded = !timeline.unfolded; timeline.draw(); }],
   ["Z", "show all of the timeline", () => timeline.fit()],

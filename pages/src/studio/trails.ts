@@ -1,4 +1,4 @@
-// Where hands, feet and the centre of mass go, as lines with beads at keyframes; contact points by how they are.
+// Where hands, feet and the centre of mass go, as lines with beads at keyframes.
 import * as THREE from "three";
 import type { Path } from "../scene/path";
 import { model, type Marked } from "./model";
@@ -9,18 +9,10 @@ const CENTRE = 0xf5f5f5;
 
 export class Trails {
   private readonly lines = new THREE.Group();
-  private readonly dots = new THREE.Group();
-  private readonly spot = new THREE.SphereGeometry(0.016, 12, 8);
-  private readonly paints: Record<string, THREE.MeshBasicMaterial> = {
-    rests: new THREE.MeshBasicMaterial({ color: 0x5fd38d, depthTest: false, transparent: true }),
-    stands: new THREE.MeshBasicMaterial({ color: 0x58a6ff, depthTest: false, transparent: true }),
-    free: new THREE.MeshBasicMaterial({ color: 0x9aa4b0, depthTest: false, transparent: true, opacity: 0.5 }),
-  };
 
   constructor(private readonly stage: Stage) {
-    stage.extra.add(this.lines, this.dots);
+    stage.extra.add(this.lines);
     model.on(["path", "shown", "stage", "document"], () => this.draw());
-    stage.sights.push(() => this.colour());
   }
 
   /** Hands, feet, or what else lies at the ends of limbs. */
@@ -58,26 +50,5 @@ export class Trails {
     const beads = document.keys.map((key) => points[Math.min(points.length - 1, Math.max(0, Math.round((key.time - now.first) * now.rate)))]);
     const dots = new THREE.PointsMaterial({ color: colour, size: 5, sizeAttenuation: false });
     this.lines.add(new THREE.Points(new THREE.BufferGeometry().setFromPoints(beads), dots));
-  }
-
-  /** Contact points: green that rest in a contact, blue that stand, grey that are free. */
-  private colour(): void {
-    const { stage, loaded, document, time } = model;
-    const shown = model.trails && stage !== null && this.stage.figure !== null;
-    const soles = shown ? stage.soles : [];
-    while (this.dots.children.length < soles.length) {
-      const dot = new THREE.Mesh(this.spot, this.paints.free);
-      dot.renderOrder = 9;
-      this.dots.add(dot);
-    }
-    this.dots.children.forEach((dot, i) => {
-      dot.visible = i < soles.length;
-      if (!dot.visible) return;
-      const sole = soles[i], in_ = (bar: { from: number; to: number }) => bar.from - 1e-6 <= time && time <= bar.to + 1e-6;
-      const rests = document?.contacts.some((bar) => bar.point === sole.name && in_(bar));
-      const stands = loaded?.stances.some((bar) => bar.point === sole.name && in_(bar));
-      (dot as THREE.Mesh).material = this.paints[rests ? "rests" : stands ? "stands" : "free"];
-      dot.position.copy(this.stage.placeOf(sole.body, sole.offset));
-    });
   }
 }

@@ -89,7 +89,7 @@ export const transport = (stage: Stage, timeline: Timeline): void => {
   $("fit").addEventListener("click", () => timeline.fit());
   $("zoom-in").addEventListener("click", () => timeline.zoom(0.7));
   $("zoom-out").addEventListener("click", () => timeline.zoom(1.4));
-  $("go").addEventListener("click", () => void act(model.status.go ? "stop" : "go"));
+  $("go").addEventListener("click", () => void act("search", { go: !model.status.go }));
 
   const now = el("b"), whole = el("span");
   $("clock").replaceChildren(now, whole);
