@@ -1,68 +1,112 @@
-"""Curves beside the timeline: angles, speeds and torques of joints."""
+"""Curves beside the timeline: coordinates, speeds and torques of joints, and where they overshoot keyframes."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.curve.frame import Timeline
+from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.dynamics import generalised_forces, velocities
-from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
+from dynsplines.solver.figure.figure import Figure, JointKind, Link, quaternion_columns
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.solution import Solution
+from dynsplines.solver.tolerances import ROUNDING
 
 from ..motion import samples_at
 
 RATE = 100.0  # [1/s] sampling rate of a short motion
 MOST = 1500  # number of samples of a long motion
+OVERSHOOT = 10.0  # [degrees] beyond two keyframes, up to which a joint is not marked
+UNITS = {"angle": "°", "position": "m", "speed": "°/s", "torque": "N m"}
+ONE = ("",)
+AXES = {JointKind.BALL: ("x", "y", "z"), JointKind.FREE: ("x", "y", "z", "turn x", "turn y", "turn z")}
 
 
 def curves(figure: Figure, solution: Solution) -> dict[str, Any]:
-    """Return groups of series, with a unit each, at times [s]."""
-    first, last = float(solution.timeline.times[0]), float(solution.timeline.times[-1])
-    time = np.linspace(first, last, int(np.clip((last - first) * RATE, 20, MOST)) + 1)
+    """Return groups of series, with a unit each, at times [s]. Those of coordinates have the number of an axis."""
     sides = {"after": solution.timeline}
     if solution.timeline is not solution.raw:
         sides["before"] = solution.raw
-    by_side = {side: _side(figure, timeline, time) for side, timeline in sides.items()}
-    groups = []
-    for name, unit in (("angle", "°"), ("speed", "°/s"), ("torque", "N m")):
-        names = list(by_side["after"][name])
-        series = [{"name": label, **{side: by_side[side][name].get(label, []) for side in by_side}} for label in names]
-        groups.append({"name": name, "unit": unit, "series": series})
-    return {"time": time.round(4).tolist(), "groups": groups}
+    time = _times(solution.timeline)
+    by_side = {side: _series(figure, samples_at(figure, path_of(line), time)) for side, line in sides.items()}
+    groups: dict[str, list[dict[str, Any]]] = {name: [] for name in UNITS}
+    for i, (group, link, axis, values) in enumerate(by_side["after"]):
+        name = link.name if axis is None else f"{link.name} {AXES.get(link.kind, ONE)[axis]}".strip()
+        series = {"name": name, "joint": link.name, "axis": axis, "after": _rounded(values)}
+        if "before" in by_side:
+            series["before"] = _rounded(by_side["before"][i][-1])
+        groups[group].append(series)
+    listed = [{"name": name, "unit": UNITS[name], "series": series} for name, series in groups.items()]
+    return {"time": time.round(4).tolist(), "groups": listed}
 
 
-def _side(figure: Figure, timeline: Timeline, time: Array) -> dict[str, dict[str, list[float]]]:
-    samples = samples_at(figure, path_of(timeline), time)
-    qpos, (qvel, _) = figure.to_qpos(samples.y), velocities(samples)
-    forces = generalised_forces(samples)
-    names = {i: figure.links[i].name for i in range(1, len(figure.links))}
-    kinds = {i: figure.links[i].kind for i in names}
-    turning = [i for i in names if kinds[i] is not JointKind.SLIDE]
-    jointed = [i for i in names if kinds[i] is not JointKind.FREE]
-    return {
-        "angle": {names[i]: _rounded(_angle(figure, i, qpos)) for i in turning},
-        "speed": {names[i]: _rounded(np.degrees(_size(figure, i, qvel))) for i in turning},
-        "torque": {names[i]: _rounded(_size(figure, i, forces)) for i in jointed},
-    }
+def overshoots(figure: Figure, keys: Sequence[Frame], timeline: Timeline) -> list[dict[str, Any]]:
+    """Return where joints go beyond the values of both neighbouring keyframes that fix them, one for each interval."""
+    time = _times(timeline)
+    worst: dict[tuple[float, float], tuple[float, dict[str, Any]]] = {}
+    for group, link, axis, values in _coordinates(figure, figure.to_qpos(path_of(timeline).at(time))):
+        fixed = [key.time for key in keys if key.fixed[link.qpos]] if group == "angle" else []
+        for first, last in pairwise(fixed if link.kind is not JointKind.FREE else ()):
+            begin, end = np.interp([first, last], time, values)
+            inside = np.where((time > first) & (time < last), values, begin)
+            beyond = np.maximum(inside - max(begin, end), min(begin, end) - inside)
+            at = int(beyond.argmax())
+            if beyond[at] > max(OVERSHOOT, worst.get((first, last), (0.0,))[0]):
+                name = f"{link.name} {AXES.get(link.kind, ONE)[axis]}".strip()
+                text = f"{name} goes from {begin:.0f}° to {values[at]:.0f}°, and then to {end:.0f}°"
+                mark = {"time": float(time[at]), "joint": link.name, "text": text}
+                worst[first, last] = float(beyond[at]), mark
+    return [mark for _, mark in worst.values()]
 
 
-def _angle(figure: Figure, index: int, qpos: Array) -> Array:
-    """Return the rotation of a joint, (T,) [degrees]."""
-    link = figure.links[index]
-    columns = quaternion_columns(link)
-    if columns is None:
-        return np.degrees(qpos[:, link.qpos])
-    return np.degrees(np.linalg.norm(quat.rotation_vector(qpos[:, columns]), axis=-1))
+def _times(timeline: Timeline) -> Array:
+    first, last = float(timeline.times[0]), float(timeline.times[-1])
+    return np.linspace(first, last, int(np.clip((last - first) * RATE, 20, MOST)) + 1)
 
 
-def _size(figure: Figure, index: int, values: Array) -> Array:
+def _series(figure: Figure, samples: Samples) -> list[tuple[str, Link, int | None, Array]]:
+    """Return group, joint, axis and values (T,) of every series."""
+    (qvel, _), forces = velocities(samples), generalised_forces(samples)
+    out: list[tuple[str, Link, int | None, Array]] = [*_coordinates(figure, figure.to_qpos(samples.y))]
+    out += [("speed", link, None, np.degrees(_norm(link, qvel))) for link in figure.links[1:] if not _slides(link)]
+    return out + [
+        ("torque", link, None, _norm(link, forces)) for link in figure.links[1:] if link.kind is not JointKind.FREE
+    ]
+
+
+def _coordinates(figure: Figure, qpos: Array) -> Iterator[tuple[str, Link, int, Array]]:
+    """Yield group, joint, axis and values (T,) of the coordinates of poses (T, nq): rotations as rotation vectors."""
+    for link in figure.links[1:]:
+        columns = quaternion_columns(link)
+        values = np.degrees(qpos[:, [link.qpos]] if columns is None else _continuous(qpos[:, columns]))
+        lengths = qpos[:, link.qpos : link.qpos + (1 if _slides(link) else 3 if link.kind is JointKind.FREE else 0)]
+        values = lengths if _slides(link) else np.hstack([lengths, values])
+        for axis in range(values.shape[1]):
+            yield "position" if axis < lengths.shape[1] else "angle", link, axis, values[:, axis]
+
+
+def _continuous(rotations: Array) -> Array:
+    """Return the rotation vectors (T, 3) [rad] of quaternions (T, 4), also beyond half a turn without a jump."""
+    vectors = quat.rotation_vector(rotations)
+    sizes = np.linalg.norm(vectors, axis=1)
+    axes = vectors / np.maximum(sizes, ROUNDING)[:, None]
+    signs = np.cumprod([1.0, *np.where((axes[1:] * axes[:-1]).sum(axis=1) < 0, -1.0, 1.0)])
+    return (signs * np.unwrap(signs * sizes))[:, None] * axes
+
+
+def _slides(link: Link) -> bool:
+    return link.kind is JointKind.SLIDE
+
+
+def _norm(link: Link, values: Array) -> Array:
     """Return the norm of a joint's part of velocities or forces (T, nv), of a free joint's rotation only, (T,)."""
-    components = values[:, figure.links[index].dofs]
+    components = values[:, link.dofs]
     return np.linalg.norm(components[:, -3:], axis=1) if components.shape[1] > 1 else components[:, 0]
 
 

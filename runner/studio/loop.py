@@ -33,6 +33,7 @@ from ..clip.parse import table_of
 from ..errors import UserError, located, one_line
 from ..scene.file_access import allowed
 from . import paths
+from .curves import curves, overshoots
 from .solver import Message, release_memory
 from .stage import kinds, outline, stage
 
@@ -182,6 +183,7 @@ class SolverLoop:
         self.solution = Solution(clip.figure, objective, begin or problem.raw, problem.raw)
         self.is_near = begin is None
         self._send_path(self.solution.timeline, "initial")
+        self._send_curves()
 
     def do_go(self) -> None:
         """Continue the search."""
@@ -196,8 +198,7 @@ class SolverLoop:
     def do_curves(self, on: bool) -> None:
         """Switch the curves on or off; computing them takes a moment."""
         self.has_curves = on
-        if on:
-            self._send_curves()
+        self._send_curves()
 
     def do_save(self, file: str, id: int | None = None) -> None:
         """Write the present motion to a file for further use."""
@@ -280,15 +281,13 @@ class SolverLoop:
 
         listed = plain(violations(clip, solution.timeline, solution.raw))
         frames = solution.timeline.times.tolist()
-        self._report("settled", revision=self.revision, stop=stop, violations=listed, frames=frames)
-        if self.has_curves:
-            self._send_curves()
+        marks = overshoots(clip.figure, clip.authored_keys, solution.timeline)
+        self._report("settled", revision=self.revision, stop=stop, violations=listed, frames=frames, overshoots=marks)
+        self._send_curves()
         release_memory()
 
     def _send_curves(self) -> None:
-        if self.clip is not None and self.solution is not None:
-            from .curves import curves  # imported late: curves are rarely shown
-
+        if self.has_curves and self.clip is not None and self.solution is not None:
             self._report("curves", curves=curves(self.clip.figure, self.solution))
 
     def _send_path(self, timeline: Timeline, kind: str, **details: Any) -> None:

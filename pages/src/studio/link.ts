@@ -158,7 +158,7 @@ const HANDLERS: Record<string, (message: Message) => void> = {
     if (isRenumbered("keys")) model.select(model.at(model.keys.size > 1 ? times : [model.time]));
   },
   loaded: (message) => { server.loaded = message as never; show(); model.tell("loaded"); },
-  settled: (message) => { model.violations = message.violations; model.tell("settled"); },
+  settled: (message) => { model.violations = message.violations; model.overshoots = message.overshoots; model.tell("settled"); },
   status: (message) => { model.status = message as never; model.tell("status"); },
   kinds: (message) => { model.kinds = message.kinds; model.tell("kinds"); },
   curves: (message) => { model.curves = message.curves; model.tell("curves"); },

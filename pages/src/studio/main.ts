@@ -1,7 +1,7 @@
 // The studio's page: everything that it is made of, begun in order.
 import "uplot/dist/uPlot.min.css";
 import "./style.css";
-import { beginCurves } from "./curves";
+import { beginCurves, dots, onPlot } from "./curves";
 import { $, el, icon } from "./dom";
 import { beginFiles } from "./files";
 import { Gizmo } from "./gizmo";
@@ -44,7 +44,7 @@ try {
   model.on("status", () => { if (!model.stage && model.status.words) { $("waiting").textContent = model.status.words; $("waiting").hidden = false; } });
   model.tell("theme");
   // For tests and measures
-  Object.assign(window, { studio: { ask, pending, model, stage, hands, gizmo, timeline } });
+  Object.assign(window, { studio: { ask, pending, model, stage, hands, gizmo, timeline, dots, onPlot } });
 } catch (error) {
   $("waiting").replaceChildren(el("p", { text: `This browser cannot draw in three dimensions: WebGL 2 is missing or switched off. (${error})` }));
 }

@@ -31,7 +31,9 @@ export interface Stage extends Drawn {
 }
 export interface Violation { kind: string; name: string; time: number | null; amount: number; unit: string; keyframe: number | null; text: string; }
 export interface Kind { kind: string; part: string; term: string; weight: number; quantity: string; "is on": boolean; }
-export interface Curves { time: number[]; groups: { name: string; unit: string; series: { name: string; after: number[]; before?: number[] }[] }[]; }
+export interface Series { name: string; joint: string; axis: number | null; after: number[]; before?: number[]; }
+export interface Curves { time: number[]; groups: { name: string; unit: string; series: Series[] }[]; }
+export interface Mark { time: number; joint: string; text: string; }
 export interface Course { value?: number; parts?: Record<string, number>; frames: number[]; kind: string; }
 
 export type Which = "after" | "before" | "both" | "side" | "snapshot";
@@ -51,6 +53,7 @@ class Model {
   snapshot: Path | null = null;
   course: Course | null = null;
   violations: Violation[] = [];
+  overshoots: Mark[] = []; // of joints beyond their values in keyframes
   kinds: Kind[] = [];
   curves: Curves | null = null;
   poses: string[] = []; // names of the saved ones
@@ -125,6 +128,14 @@ class Model {
     const here = this.here === null ? [] : [this.here];
     if (this.keys.size <= 1 && String([...this.keys]) !== String(here) && this.bar === null) this.select(here);
     this.tell("time");
+  }
+
+  /** Goes to a time and selects a joint, if there is one of this name. */
+  visit(time: number | null, joint: string): void {
+    this.playing = false;
+    if (time !== null) this.seek(time);
+    this.joint = this.stage?.joints.find(({ name }) => name === joint)?.name ?? this.joint;
+    this.tell("joint");
   }
 
   /** The keyframes at times [s]. */

@@ -25,10 +25,22 @@ const rotvec = ([w, x, y, z]: number[]): number[] => {
   return [x, y, z].map((value) => (sine > 1e-12 ? (sign * value * angle) / sine : 0));
 };
 
-const values = (joint: Joint, qpos: number[]): number[] => {
+/** A joint's numbers: positions [m] and rotations [degrees], those of a free joint in this order. */
+export const values = (joint: Joint, qpos: number[]): number[] => {
   if (joint.kind === "free") return [...qpos.slice(joint.qpos, joint.qpos + 3), ...rotvec(qpos.slice(joint.qpos + 3, joint.qpos + 7))];
   if (joint.kind === "ball") return rotvec(qpos.slice(joint.qpos, joint.qpos + 4));
   return [joint.kind === "hinge" ? (qpos[joint.qpos] * 180) / Math.PI : qpos[joint.qpos]];
+};
+
+const isRoot = (joint: Joint): boolean => joint === model.stage!.joints.find((each) => each.kind === "free"); // or another free body
+const rooted = (joint: Joint, part: object): object => (isRoot(joint) ? { root: part } : { roots: { [joint.name]: part } });
+
+/** Sets one of a joint's numbers in a keyframe. Feet on the ground and locked bodies stay where they are. */
+export const setNumbers = (key: number, joint: Joint, now: number[], i: number, revision: number, stroke?: string): Promise<unknown> => {
+  const isFree = (k: number): boolean => k !== i && !model.loaded!.keys[key].fixed[joint.qpos + k];
+  let entries: object = { joints: { [joint.name]: joint.kind === "ball" ? { rotvec: now } : now[i] } };
+  if (joint.kind === "free") entries = rooted(joint, i >= 3 ? { rotation: { rotvec: now.slice(3) } } : { position: now.slice(0, 3).map((each, k) => (isFree(k) ? "free" : each)) });
+  return edit("change", { at: ["keyframe", key], entries, revision, plant: isRoot(joint), locks: model.locked }, stroke);
 };
 
 const poseRow = (key: number, joint: Joint): HTMLElement => {
@@ -37,8 +49,7 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
   const start = joint.kind === "free" ? joint.qpos + 3 : joint.qpos;
   const fixed = state.fixed[start];
   const numbers = values(joint, state.qpos);
-  const at = ["keyframe", key], isRoot = joint === model.stage!.joints.find((each) => each.kind === "free"); // or another free body
-  const rooted = (part: object) => (isRoot ? { root: part } : { roots: { [joint.name]: part } });
+  const at = ["keyframe", key];
   const explicit = joint.kind === "free" || authored.joints?.[joint.name] !== undefined;
   const mode = fixed ? "pin" : "free";
   const choice = el("select", {
@@ -61,10 +72,7 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
   const send = (i: number, value: number, stroke?: string): void => {
     const present = model.loaded?.keys[key] ?? state, now = values(joint, present.qpos);
     now[i] = value;
-    let entries: object = { joints: { [joint.name]: joint.kind === "ball" ? { rotvec: now } : value } };
-    if (joint.kind === "free" && i >= 3) entries = rooted({ rotation: { rotvec: now.slice(3) } });
-    else if (joint.kind === "free") entries = rooted({ position: now.slice(0, 3).map((each, k) => (k !== i && !present.fixed[joint.qpos + k] ? "free" : each)) });
-    void edit("change", { at, entries, revision, plant: isRoot, locks: model.locked }, stroke); // feet on the ground and locked bodies stay where they are
+    void setNumbers(key, joint, now, i, revision, stroke);
   };
   const names = joint.kind === "free" ? ["x", "y", "z", "turn x", "turn y", "turn z"] : joint.kind === "ball" ? ["x", "y", "z"] : [""];
   const pins: HTMLElement[] = [];
@@ -81,7 +89,7 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
       "aria-label": `${label}: ${axisFixed ? "pinned; press to free it" : "free; press to pin it"}`, title: axisFixed ? "free this axis" : "pin this axis",
       onclick: () => {
         const axes = numbers.slice(0, 3).map((each, k) => ((k === i ? axisFixed : !state.fixed[joint.qpos + k]) ? "free" : each));
-        void change(at, rooted({ position: axes }), revision);
+        void change(at, rooted(joint, { position: axes }), revision);
       },
     }));
   });
@@ -149,9 +157,7 @@ const problems = (): void => {
     el("li", {}, el("button", {
       type: "button", class: violation.keyframe === null ? "" : "own", text: violation.text,
       onclick: () => {
-        if (violation.time !== null) { model.playing = false; model.seek(violation.time); }
-        const joint = model.stage?.joints.find((each) => each.name === violation.name);
-        if (joint) { model.joint = joint.name; model.tell("joint"); }
+        model.visit(violation.time, violation.name);
         if (violation.keyframe !== null) model.select([violation.keyframe - 1]);
         if (violation.time === null) toast("it concerns the whole motion", "note");
       },

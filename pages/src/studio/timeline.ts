@@ -40,7 +40,7 @@ export class Timeline {
 
   constructor() {
     this.box.append(this.ruler, this.rows, this.band, this.head);
-    model.on(["document", "loaded", "selection", "stage", "joint", "range"], () => this.draw());
+    model.on(["document", "loaded", "selection", "stage", "joint", "range", "settled"], () => this.draw());
     let span = "";
     model.on("path", () => {
       const now = `${model.first}|${model.last}`;
@@ -170,6 +170,11 @@ export class Timeline {
     const row = el("div", { class: "row keys" }, this.label("keyframes", fold));
     row.append(this.frames);
     this.ticks();
+    for (const { time, joint, text } of model.overshoots.filter(({ time: at }) => at >= this.begin && at <= this.end)) {
+      const mark = el("button", { type: "button", class: "overshoot", text: "▲", title: text, "aria-label": text, onclick: () => model.visit(time, joint) });
+      mark.style.left = `${this.x(time)}px`;
+      row.append(mark);
+    }
     model.document!.keys.forEach((key, i) => {
       const state = model.loaded?.keys[i], partial = state ? !state.fixed.every(Boolean) : false;
       const time = this.preview.get(i) ?? key.time;

@@ -358,6 +358,48 @@ def test_playback_keeps_to_its_range_which_the_timeline_shows_and_changes(tab):
     tab.press("z")
 
 
+DOT = """(() => { const dot = studio.dots().find(({ key, series }) => key === 1 && series.name === 'left_hip y');
+  const { left, top } = document.querySelector('.u-over').getBoundingClientRect(), [x, y] = studio.onPlot(dot);
+  return [left + x, top + y, dot.value]; })()"""
+
+
+def test_keyframes_are_dragged_in_time_and_value_on_the_curves_of_an_axis(tab):
+    tab.seek(0.3)
+    tab.evaluate("void (studio.model.joint = 'left_hip', studio.model.tell('joint'))")
+    tab.press("c")
+    tab.until("document.querySelector('#curve-names label') !== null")
+    names = tab.page.locator("#curve-names label").all_inner_texts()
+    assert names == ["left_hip x", "left_hip y", "left_hip z"]
+    before, step = tab.evaluate("studio.model.document.keys"), tab.evaluate("studio.model.document.undo")
+    x, y, value = tab.evaluate(DOT)
+    right = x + tab.on_timeline(0.4) - tab.on_timeline(0.3)
+    tab.drag((x, y), (right, y - 20))
+    tab.until("studio.model.document.keys[1].time > 0.3 && !studio.pending.size")
+    after = tab.evaluate("studio.model.document.keys[1]")
+    assert after["time"] == pytest.approx(0.4, abs=0.02)
+    old, new = (key["joints"]["left_hip"]["rotvec"] for key in (before[1], after))
+    assert new[::2] == pytest.approx(old[::2], abs=0.5)
+    assert new[1] > value + 1
+    tab.until("studio.model.loaded.revision === studio.model.document.revision")
+    undo(tab)
+    assert (tab.evaluate("studio.model.document.keys"), tab.evaluate("studio.model.document.undo")) == (before, step)
+    tab.press("c")
+    tab.press("Escape")
+
+
+def test_what_overshoots_between_keyframes_is_marked_on_the_timeline(tab):
+    tab.seek(0)
+    tab.evaluate(
+        """void (studio.model.overshoots = [{ time: 0.45, joint: 'left_knee', text: 'left_knee goes' }],
+        studio.model.tell('settled'))"""
+    )
+    mark = tab.page.locator("button.overshoot")
+    mark.click()
+    assert tab.evaluate("[studio.model.time, studio.model.joint]") == [0.45, "left_knee"]
+    assert mark.get_attribute("title") == "left_knee goes"
+    tab.press("Escape")
+
+
 QPOS = "studio.model.loaded.keys.map(({ qpos }) => qpos)"
 
 

@@ -4,6 +4,7 @@ import itertools
 import json
 import pickle
 import platform
+import re
 import struct
 from dataclasses import replace
 
@@ -16,6 +17,7 @@ from processes import Recorded
 
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.studio import paths
+from dynsplines.studio.curves import overshoots
 from dynsplines.studio.solver import release_memory
 
 
@@ -105,11 +107,34 @@ def test_curves_are_of_joints(work, tmp_path):
     work.loaded(tmp_path, problems.CLIP)
     (told,) = work.asked("curves", on=True)
     groups = {group["name"]: group for group in told["curves"]["groups"]}
-    assert set(groups) == {"angle", "speed", "torque"}
-    knee = next(each for each in groups["angle"]["series"] if each["name"] == "left_knee")
+    assert set(groups) == {"angle", "position", "speed", "torque"}
+    knee = next(each for each in groups["angle"]["series"] if each["name"] == "left_knee y")
     at = told["curves"]["time"].index(min(told["curves"]["time"], key=lambda t: abs(t - 0.2)))
     assert knee["after"][at] == pytest.approx(40, abs=1)
     assert len(knee["after"]) == len(told["curves"]["time"])
+
+
+def test_a_rotation_beyond_half_a_turn_is_a_curve_without_jumps(work, tmp_path):
+    turned = problems.changed("rotvec = [0, 10, 170]", "rotvec = [0, 0, 170]")
+    turned += "\n[[keyframe]]\ntime = 0.6\nroot.position = [0.5, 0, 1]\nroot.rotation = {rotvec = [0, 0, 200]}\n"
+    work.loaded(tmp_path, turned)
+    (told,) = work.asked("curves", on=True)
+    angles = next(group["series"] for group in told["curves"]["groups"] if group["name"] == "angle")
+    heading = np.array(next(each["after"] for each in angles if each["name"] == "root turn z"))
+    assert heading[-1] == pytest.approx(200, abs=0.1)
+    assert np.abs(np.diff(heading)).max() < 30
+
+
+def test_a_joint_that_goes_beyond_both_its_keyframes_is_marked_at_the_peak(work, tmp_path):
+    fast = problems.changed("rotvec = [0, 10, 170]", "rotvec = [0, 0, 0]").replace("[0, 40, 0]", "[0, 140, 0]")
+    at = fast.rindex("joints.left_knee")
+    work.loaded(tmp_path, fast[:at] + "joints.left_knee = {rotvec = [0, 140, 0]}\n")
+    clip = work.clip
+    (mark,) = overshoots(clip.figure, clip.authored_keys, clip.problem.raw)
+    assert mark["joint"] == "left_knee"
+    assert 0.2 < mark["time"] < 0.41
+    assert re.fullmatch(r"left_knee y goes from 140° to 15\d°, and then to 140°", mark["text"])
+    assert overshoots(clip.figure, clip.authored_keys[:2], clip.problem.raw) == []
 
 
 def test_the_present_motion_is_kept_for_what_is_made_of_it(work, tmp_path):
