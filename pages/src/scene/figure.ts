@@ -5,7 +5,6 @@ import type { Part, Piece, Shapes } from "./shapes";
 
 export interface Pose { position: ArrayLike<number>; rotation: ArrayLike<number>; }
 
-const OUTLINED = 90; // triangles of a body in its shadow
 const ROUGH = 240; // triangles of a body where few points are drawn
 
 export const UNSEEN = 1; // the layer of what is only taken hold of
@@ -32,7 +31,6 @@ export class Figure {
   readonly groups: THREE.Group[];
   readonly planes: { mesh: THREE.Mesh; part: Part }[] = [];
   readonly merged: Merged | null = null;
-  readonly outline: Merged | null = null; // of few triangles, for its shadow
   private readonly rough: Merged | null = null; // of fewer, in place of the merged one
 
   /** veils: materials of a ghost; none for the figure itself, which may be one mesh */
@@ -41,7 +39,6 @@ export class Figure {
     const parts = shapes.parts(pieces), joined = merge ? parts.filter((part) => part.joined) : [];
     if (joined.length) {
       this.merged = new Merged(joined, joined[0].material);
-      this.outline = new Merged(joined, joined[0].material, OUTLINED, true);
       this.rough = new Merged(joined, joined[0].material, ROUGH);
       this.root.add(this.merged.mesh, this.rough.mesh);
       this.isRough = false;
@@ -63,7 +60,6 @@ export class Figure {
   dispose(): void {
     this.root.removeFromParent();
     this.merged?.dispose();
-    this.outline?.dispose();
     this.rough?.dispose();
   }
 
@@ -80,7 +76,6 @@ export class Figure {
       group.quaternion.fromArray(pose.rotation as number[], 4 * body);
     });
     for (const mesh of [this.merged, this.rough]) if (mesh?.mesh.visible) mesh.put(pose);
-    this.outline?.put(pose);
   }
 }
 

@@ -9,9 +9,9 @@ export class Merged {
   private readonly points: Float32Array;
   private readonly normals: Float32Array;
 
-  /** parts: with colours at their points, in their bodies' axes; most: triangles of each; plain: without colours */
-  constructor(given: Part[], material: THREE.Material, most = Infinity, plain = false) {
-    const parts = given.map((part) => ({ body: part.body, geometry: fewer(part.geometry, most, plain) }));
+  /** parts: with colours at their points, in their bodies' axes; most: triangles of each */
+  constructor(given: Part[], material: THREE.Material, most = Infinity) {
+    const parts = given.map((part) => ({ body: part.body, geometry: fewer(part.geometry, most) }));
     const size = parts.reduce((sum, part) => sum + part.geometry.attributes.position.count, 0);
     this.points = new Float32Array(3 * size);
     this.normals = new Float32Array(3 * size);
@@ -54,10 +54,10 @@ export class Merged {
   dispose(): void { this.mesh.geometry.dispose(); }
 }
 
-const fewer = (geometry: THREE.BufferGeometry, most: number, plain: boolean): THREE.BufferGeometry => {
+const fewer = (geometry: THREE.BufferGeometry, most: number): THREE.BufferGeometry => {
   const { position, color } = geometry.attributes, corners = geometry.index?.array ?? Uint32Array.from({ length: position.count }, (_, i) => i);
   if (corners.length <= 3 * most) return geometry;
-  return clustered(position.array as Float32Array, Uint32Array.from(corners), most, plain ? undefined : color?.array);
+  return clustered(position.array as Float32Array, Uint32Array.from(corners), most, color?.array);
 };
 
 /** Points turned by a matrix, column by column, and moved. */

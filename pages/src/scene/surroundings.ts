@@ -11,7 +11,7 @@ export interface Drawing { canvas: HTMLCanvasElement; renderer: THREE.WebGLRende
 /** The renderer on a canvas, and whether it runs in software, which limits detail; throws without
  * WebGL 2. The canvas may be another one in its place: smooth edges are for those who do not draw by the processor. */
 export const drawingOn = (given: HTMLCanvasElement): Drawing => {
-  const wishes = { alpha: false, antialias: false, stencil: true, powerPreference: "high-performance" } as const; // shadows laid flat count on it
+  const wishes = { alpha: false, antialias: false, stencil: false, powerPreference: "high-performance" } as const;
   const about = (gl: WebGL2RenderingContext): boolean => {
     const known = gl.getExtension("WEBGL_debug_renderer_info");
     return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(String(gl.getParameter(known ? known.UNMASKED_RENDERER_WEBGL : gl.RENDERER)));
@@ -23,7 +23,7 @@ export const drawingOn = (given: HTMLCanvasElement): Drawing => {
     canvas = given.cloneNode() as HTMLCanvasElement;
     given.replaceWith(canvas);
     context.getExtension("WEBGL_lose_context")?.loseContext();
-    context = canvas.getContext("webgl2", { ...wishes, antialias: true, stencil: false }) as WebGL2RenderingContext;
+    context = canvas.getContext("webgl2", { ...wishes, antialias: true }) as WebGL2RenderingContext;
   }
   const renderer = new THREE.WebGLRenderer({ canvas, context });
   renderer.debug.checkShaderErrors = false; // they are known to be right, and to ask waits for each of them
@@ -86,23 +86,14 @@ export class Surroundings {
     this.sun.position.copy(here).add(SUN);
   }
 
-  /** Where the sun is, from wherever one looks. */
-  get sunward(): THREE.Vector3 { return SUN; }
-
   /** Whether objects in the sun cast a visible shadow. */
   set shadows(yes: boolean) { this.sun.castShadow = yes; }
 
-  /** By how much a screen is darker on level ground where the sun does not come. */
-  get shade(): number {
-    const lit = this.onGround(true), dark = this.onGround(false);
-    return 1 - (dark.g / lit.g) ** (1 / 2.2);
-  }
-
   /** The light on level ground, by which colours there are multiplied. */
-  onGround(sunny = true): THREE.Color {
+  onGround(): THREE.Color {
     const shining = (lamp: THREE.DirectionalLight, from: THREE.Vector3) => lamp.color.clone().multiplyScalar(lamp.intensity * from.z / from.length());
     const { sky } = this, up = 0.5 + 0.5 * sky.position.clone().normalize().z;
     const light = sky.groundColor.clone().lerp(sky.color, up).multiplyScalar(sky.intensity).add(shining(this.fill, FILL));
-    return (sunny ? light.add(shining(this.sun, SUN)) : light).multiplyScalar(1 / Math.PI);
+    return light.add(shining(this.sun, SUN)).multiplyScalar(1 / Math.PI);
   }
 }

@@ -67,7 +67,6 @@ const PATHS: Record<string, string> = {
   theme: "M12 3a9 9 0 1 0 0 18zM12 5.200v13.600a6.800 6.800 0 0 0 0-13.600z",
   key: "M12 3.500 20.500 12 12 20.500 3.500 12z",
   bin: "M9 3h6l1 2h4v2.200H4V5h4zM5.500 8.500h13L17.500 21h-11z",
-  fold: "M8 5l8 7-8 7z",
 };
 
 export const icon = (name: string): SVGSVGElement => {

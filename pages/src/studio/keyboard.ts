@@ -107,7 +107,7 @@ const MOUSE: [string, string][] = [
   ["drag the background", "orbit; right button or Shift: pan; wheel: zoom"],
   ["drag the ends of the bar above the keyframes", "playback range; double-click it to play all"],
   ["drag a pose of the panel Pose", "to a keyframe or another time on the timeline"],
-  ["drag a diamond", "move keyframes; Shift or Ctrl: select more; Ctrl-Alt: scale in time; Alt: do not snap"],
+  ["drag a diamond", "move keyframes; Shift or Ctrl: select more; Alt: do not snap"],
   ["drag over a point's row", "new contact; drag it or its ends; on a hand's row (select a joint of its arm): new grasp"],
   ["Ctrl-wheel, Shift-wheel", "zoom and move the timeline"],
 ];

@@ -3,7 +3,6 @@ import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { Figure, UNSEEN, veil, type Pose } from "../scene/figure";
 import type { Path } from "../scene/path";
-import { Cast } from "../scene/cast";
 import { COARSE, FINE, Shapes } from "../scene/shapes";
 import { DAY, DUSK, drawingOn, Surroundings } from "../scene/surroundings";
 import { VIEWS } from "../scene/views";
@@ -53,7 +52,6 @@ export class Stage {
   private quick = 0; // images in a row that came fast
   private drawnAt = SCALES[this.step]; // the scale of the last image, or of the first
   private box = [0, 0]; // [px] of the canvas on the page
-  private cast: Cast | null = null;
   private stamp = 0;
   private moved = 0;
   private then: number | null = null;
@@ -79,8 +77,6 @@ export class Stage {
     model.on("shown", () => this.haunt());
     model.on("theme", () => {
       this.around.light(document.documentElement.dataset.theme === "light" ? DAY : DUSK);
-      this.cast?.dispose();
-      this.cast = null;
       this.draw();
     });
     new ResizeObserver(() => this.resize()).observe(this.canvas.parentElement!);
@@ -168,8 +164,6 @@ export class Stage {
     const { stage } = model;
     if (!stage) return;
     for (const each of [this.figure, this.still, ...Object.values(this.sides).map((s) => s.figure), ...this.ghosts]) each?.dispose();
-    this.cast?.dispose();
-    this.cast = null;
     this.shapes?.dispose();
     const shapes = (this.shapes = new Shapes(stage, this.software ? 1 : this.renderer.capabilities.getMaxAnisotropy(), () => this.draw(), this.software ? COARSE : FINE));
     const moving = stage.pieces.filter((piece) => !piece.still);
@@ -274,22 +268,16 @@ export class Stage {
     }
   }
 
-  /** What a processor draws while something moves: no lights on the floor, a shadow laid flat; else all of it. */
+  /** What a processor draws while something moves: no shadows, no lights on the floor; else all of it. */
   private simplified(yes: boolean): void {
-    const { still, figure, around } = this;
-    if (!this.software || !still || !figure) return;
+    const { still, around } = this;
+    if (!this.software || !still) return;
     around.shadows = !yes;
     const light = around.onGround();
     for (const { mesh, part } of still.planes) {
       part.plain!.color.copy(part.plain!.userData.own as THREE.Color).multiply(light);
       mesh.material = yes ? part.plain! : part.material;
     }
-    if (!this.cast && figure.outline && model.stage) {
-      const pieces = model.stage.pieces.filter((piece) => piece.still);
-      this.cast = new Cast(figure.outline.mesh.geometry, pieces, still.groups, around.sunward, around.shade);
-      around.scene.add(this.cast.root);
-    }
-    if (this.cast) this.cast.root.visible = yes && figure.root.visible;
   }
 
   private render(scale: number): void {

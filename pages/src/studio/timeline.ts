@@ -331,13 +331,8 @@ export class Timeline {
     model.playing = false;
     model.seek(was[index]);
     let moved = false;
-    const scale = event.ctrlKey && event.altKey;
     const times = (time: number, e: PointerEvent): Map<number, number> => {
       const to = this.snapped(was[index] + time - begin, e);
-      if (scale && keys.length > 1) {
-        const first = Math.min(...keys.map((i) => was[i])), factor = Math.max(0.01, (to - first) / Math.max(1e-6, was[index] - first));
-        return new Map(keys.map((i) => [i, Math.round((first + factor * (was[i] - first)) * 1e4) / 1e4]));
-      }
       return new Map(keys.map((i) => [i, Math.round((was[i] + to - was[index]) * 1e4) / 1e4]));
     };
     this.drag = {
