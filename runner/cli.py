@@ -201,15 +201,12 @@ def render(
 def studio(
     source: option.StudioSource = "run_and_step",
     port: Annotated[int, number("PORT", "TCP port; 0 selects a free one", 0, 65535, kind=int)] = 0,
-    host: option.Host = "127.0.0.1",
     browser: Annotated[bool, flag("--browser/--no-browser", "Open the page in a browser")] = True,
-    allow_remote: option.AllowRemote = False,
     allow_outside: option.Outside = False,
 ) -> None:
     """Edit a clip in the browser; it is solved after every edit."""
     launch.check_packages()
-    launch.check_host(host, allow_remote=allow_remote)
-    launch.run(document.opened(source), host=host, port=port, browser=browser, allow_remote=allow_remote)
+    launch.run(document.opened(source), port=port, browser=browser)
 
 
 @app.command(rich_help_panel="Create")

@@ -255,8 +255,6 @@ StudioSource = Annotated[
         help="Clip (.toml), or name of a shipped clip",
     ),
 ]
-Host = Annotated[str, value("ADDRESS", "Address to listen on; one that is not local needs --allow-remote")]
-AllowRemote = Annotated[bool, flag("--allow-remote", "Allow other machines to edit the clip and write files")]
 ThinSolve = Annotated[
     bool, flag("--solve", "Also solve the thinned clip, and keep its solution within the error bound")
 ]

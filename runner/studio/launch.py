@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ipaddress
 import secrets
 import socket
 import sys
@@ -17,40 +16,27 @@ from .session import Session
 
 PACKAGES = ("starlette", "uvicorn", "websockets", "tomlkit")
 PRINT = partial(print, flush=True)
-LOCAL = ("127.0.0.1", "localhost", "[::1]")
+LOCAL = ("127.0.0.1", "localhost")
 
 
 def run(
     document: Document,
     *,
-    host: str,
     port: int,
     browser: bool,
-    allow_remote: bool,
     report: Callable[[str], None] = PRINT,
 ) -> None:
-    """Serve a document until Ctrl-C. Raises UserError for an unavailable host or port."""
-    check_host(host, allow_remote=allow_remote)
-    listening = _bound(host, port)
+    """Serve a document on this machine until Ctrl-C. Raises UserError for an unavailable port."""
+    listening = _bound(port)
     session = Session(document)
     session.start()  # before the server's imports, so that both run in parallel
     token, port = secrets.token_urlsafe(24), listening.getsockname()[1]
-    shown = f"[{host}]" if ":" in host else host
-    hosts = frozenset(f"{name}:{port}" for name in {*LOCAL, shown})
-    if host in ("0.0.0.0", "::"):  # every address of the machine
-        hosts |= frozenset(f"{name}:{port}" for name in (socket.gethostname(), socket.getfqdn(), *_own_addresses()))
-        shown = socket.gethostname()
-    address = f"http://{shown}:{port}/?token={token}"
+    address = f"http://{LOCAL[0]}:{port}/?token={token}"
     report(address)
-    if not _is_loopback(host):
-        report(
-            "note: anyone with this address and access to this machine can edit the clip and write files next to it;"
-        )
-        report("note: the connection is not encrypted")
     if browser:
         webbrowser.open(address)
     try:
-        _serve(session, listening, token, hosts)
+        _serve(session, listening, token, frozenset(f"{name}:{port}" for name in LOCAL))
     except KeyboardInterrupt:
         pass
     finally:
@@ -84,40 +70,14 @@ def check_packages() -> None:
             raise missing_package("the studio", name, "studio")
 
 
-def check_host(host: str, *, allow_remote: bool) -> None:
-    """Raise UserError for an address that other machines can reach, unless this was allowed."""
-    if not _is_loopback(host) and not allow_remote:
-        raise UserError(
-            f"--host {host}: other machines could reach the studio, edit the clip and write files next to it, "
-            "unencrypted; add --allow-remote to allow it, or omit --host"
-        )
-
-
-def _is_loopback(host: str) -> bool:
-    if host == "localhost":
-        return True
-    try:
-        return ipaddress.ip_address(host).is_loopback
-    except ValueError:
-        return False
-
-
-def _own_addresses() -> list[str]:
-    try:
-        return socket.gethostbyname_ex(socket.gethostname())[2]
-    except OSError:
-        return []
-
-
-def _bound(host: str, port: int) -> socket.socket:
+def _bound(port: int) -> socket.socket:
     """Return a listening socket. Raises UserError for a port that is in use."""
-    family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    listening = socket.socket(family, socket.SOCK_STREAM, socket.IPPROTO_TCP)  # named: asyncio then sets TCP_NODELAY
+    listening = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)  # asyncio then sets TCP_NODELAY
     listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
     try:
-        listening.bind((host, port))
-    except (OSError, OverflowError) as error:
+        listening.bind((LOCAL[0], port))
+    except OSError as error:
         listening.close()
-        raise UserError(f"--host {host} --port {port}: {getattr(error, 'strerror', None) or error}") from None
+        raise UserError(f"--port {port}: {error.strerror or error}") from None
     listening.listen()
     return listening
