@@ -162,7 +162,6 @@ export const beginCurves = (timeline: Timeline): void => {
   const choice = $<HTMLSelectElement>("curve-group");
   choice.addEventListener("change", () => { group = choice.value; draw(); });
   $("curves-before").addEventListener("change", draw);
-  $("show-curves").addEventListener("click", toggleCurves);
   let first = true;
   model.on("curves", () => {
     const { curves } = model;

@@ -55,7 +55,7 @@ const liken = (old: Node, made: Node): void => {
   }
 };
 
-const PATHS: Record<string, string> = {
+export const PATHS: Record<string, string> = {
   play: "M7 4.5v15l12.500-7.500z",
   pause: "M6 4.5h4.200v15H6zM13.800 4.500H18v15h-4.200z",
   previous: "M5 5h2.4v14H5zM19 5v14L8.600 12z",
@@ -82,13 +82,6 @@ export const icon = (name: string): SVGSVGElement => {
 
 /** Sets an element's text if it differs: unchanged text is not laid out again. */
 export const say = (where: Element, text: string): void => { if (where.textContent !== text) where.textContent = text; };
-
-/** A button with an icon; its name is for the tooltip and for screen readers. */
-export const button = (name: string, title: string, onclick: () => void, keys = ""): HTMLButtonElement => {
-  const made = el("button", { type: "button", class: "tool", title: keys ? `${title} (${keys})` : title, "aria-label": title, onclick });
-  made.append(icon(name));
-  return made;
-};
 
 let fading = 0;
 /** A line at the bottom of the stage; what went wrong stays longer. */

@@ -1,5 +1,5 @@
-// Every key, in one table, which `?` shows.
-import { $, el, strokeOf } from "./dom";
+// Every command in one table, with its keys and its button; `?` shows it.
+import { $, el, icon, PATHS, strokeOf } from "./dom";
 import { act, moveKeys } from "./link";
 import { model, type Which } from "./model";
 import { toggleCurves } from "./curves";
@@ -9,7 +9,7 @@ import type { Stage } from "./stage";
 import type { Timeline } from "./timeline";
 import { addKey, copy, paste, play, remove, save, step, toKey } from "./transport";
 
-type Deed = [keys: string, says: string, done: () => void];
+type Command = [keys: string, says: string, done: () => void, button?: string];
 
 const click = (id: string) => () => $(id).click();
 const selected = (): number[] => (model.keys.size ? [...model.keys].sort((a, b) => a - b) : model.here === null ? [] : [model.here]);
@@ -21,12 +21,12 @@ const move = (change: (time: number, first: number) => number): void => {
 const nudge = (by: number): void => move((time) => time + by / model.fps);
 const scaled = (factor: number): void => { if (selected().length > 1) move((time, first) => first + factor * (time - first)); };
 
-export const deeds = (stage: Stage, timeline: Timeline, hands: Hands): Deed[] => [
-  ["Space", "play or pause", () => play()],
+export const commands = (stage: Stage, timeline: Timeline, hands: Hands): Command[] => [
+  ["Space", "play or pause", () => play(), "play"],
   ["ArrowLeft", "previous frame", () => step(-1)],
   ["ArrowRight", "next frame", () => step(1)],
-  ["PageUp", "previous keyframe", () => toKey(-1)],
-  ["PageDown", "next keyframe", () => toKey(1)],
+  ["PageUp", "previous keyframe", () => toKey(-1), "previous"],
+  ["PageDown", "next keyframe", () => toKey(1), "next"],
   ["Home", "first frame", () => model.seek(model.played[0])],
   ["End", "last frame", () => model.seek(model.played[1])],
   ["Ctrl-Home", "play from here; at the first frame: from the beginning", () => model.setRange(0, model.time)],
@@ -35,12 +35,7 @@ export const deeds = (stage: Stage, timeline: Timeline, hands: Hands): Deed[] =>
   ["-", "slower", () => speed(-1)],
   ["L", "loop", click("loop")],
   ["F", "camera follows the figure", click("follow")],
-  ["1", "view: three-quarter", () => stage.aim("quarter")],
-  ["2", "view: right side", () => stage.aim("side")],
-  ["3", "view: left side", () => stage.aim("left")],
-  ["4", "view: front", () => stage.aim("front")],
-  ["5", "view: back", () => stage.aim("back")],
-  ["6", "view: top", () => stage.aim("top")],
+  ...[...$<HTMLSelectElement>("views").options].slice(0, -1).map(({ value, text }, i): Command => [String(i + 1), `view: ${text}`, () => stage.aim(value)]),
   ["0", "view: fit figure and obstacles", () => {
     const name = $<HTMLSelectElement>("views").value;
     stage.aim(name === "free" ? "quarter" : name, true);
@@ -54,14 +49,14 @@ export const deeds = (stage: Stage, timeline: Timeline, hands: Hands): Deed[] =>
   }],
   ["H", "onion skin: the figure at every keyframe", click("ghosts")],
   ["T", "motion paths", click("trails")],
-  ["C", "curves", toggleCurves],
+  ["C", "curves", toggleCurves, "show-curves"],
   ["U", "limb rows on the timeline", () => { timeline.unfolded = !timeline.unfolded; timeline.draw(); }],
-  ["Z", "show all of the timeline", () => timeline.fit()],
-  ["[", "timeline: zoom out", () => timeline.zoom(1.4)],
-  ["]", "timeline: zoom in", () => timeline.zoom(0.7)],
-  ["K", "insert a keyframe from the path", () => void addKey()],
+  ["Z", "show all of the timeline", () => timeline.fit(), "fit"],
+  ["[", "timeline: zoom out", () => timeline.zoom(1.4), "zoom-out"],
+  ["]", "timeline: zoom in", () => timeline.zoom(0.7), "zoom-in"],
+  ["K", "insert a keyframe from the path", () => void addKey(), "key"],
   ["N", "new keyframes: of one limb, or of the whole figure", click("partial")],
-  ["Delete", "delete keyframes, a contact or grasp", () => void remove()],
+  ["Delete", "delete keyframes, a contact or grasp", () => void remove(), "bin"],
   ["Alt-ArrowLeft", "move the keyframe one frame earlier", () => nudge(-1)],
   ["Alt-ArrowRight", "move the keyframe one frame later", () => nudge(1)],
   ["Alt-ArrowUp", "spread selected keyframes by 10 %", () => scaled(1.1)],
@@ -71,14 +66,11 @@ export const deeds = (stage: Stage, timeline: Timeline, hands: Hands): Deed[] =>
   ["Ctrl-C", "copy keyframes", () => copy(selected())],
   ["Ctrl-V", "paste keyframes here, in place of those that are there", () => void paste()],
   ["Ctrl-D", "duplicate keyframes to here", () => { if (selected().length) { copy(selected()); void paste(); } }],
-  ["Ctrl-Z", "undo", () => void act("undo")],
-  ["Ctrl-Shift-Z", "redo", () => void act("redo")],
-  ["Ctrl-S", "save", () => void save()],
-  ["G", "stop or continue optimising", click("go")],
-  ["P", "panel: pose", () => { showTab("pose"); $("tab-pose").focus(); }],
-  ["O", "panel: problems", () => { showTab("problems"); $("tab-problems").focus(); }],
-  ["W", "panel: weights", () => { showTab("weights"); $("tab-weights").focus(); }],
-  ["S", "panel: scene", () => { showTab("scene"); $("tab-scene").focus(); }],
+  ["Ctrl-Z", "undo", () => void act("undo"), "undo"],
+  ["Ctrl-Shift-Z", "redo", () => void act("redo"), "redo"],
+  ["Ctrl-S", "save", () => void save(), "save"],
+  ["G", "stop or continue optimising", () => void act("search", { go: !model.status.go }), "go"],
+  ...([["P", "pose"], ["O", "problems"], ["W", "weights"], ["S", "scene"]] as const).map(([keys, name]): Command => [keys, `panel: ${name}`, () => { showTab(name); $(`tab-${name}`).focus(); }]),
   ["J", "next joint, with rotation rings", () => {
     const joints = model.stage?.joints.map((joint) => joint.name) ?? [];
     model.joint = joints[(joints.indexOf(model.joint ?? "") + 1) % joints.length] ?? null;
@@ -90,7 +82,7 @@ export const deeds = (stage: Stage, timeline: Timeline, hands: Hands): Deed[] =>
     if (hands.busy) { void hands.cancel(); return; }
     if (model.joint !== null || model.obstacle !== null) { model.joint = model.obstacle = null; model.tell("joint"); } else model.select([]);
   }],
-  ["?", "this list", () => help(stage, timeline, hands)],
+  ["?", "this list", () => help(stage, timeline, hands), "help"],
 ];
 
 const speed = (by: number): void => {
@@ -116,7 +108,7 @@ const help = (stage: Stage, timeline: Timeline, hands: Hands): void => {
   const shown = (keys: string) => keys.replace("Arrow", "").replace("Left", "←").replace("Right", "→").replace("Up", "↑").replace("Down", "↓").replace("Page↑", "PgUp").replace("Page↓", "PgDn");
   const row = (keys: string, says: string) => el("div", {}, el("kbd", { text: keys }), el("span", { text: says }));
   const box = el("dialog", { class: "help", "aria-label": "keys" }, el("h2", { text: "Keys" }),
-    el("div", { class: "columns" }, ...deeds(stage, timeline, hands).map(([keys, says]) => row(shown(keys), says))),
+    el("div", { class: "columns" }, ...commands(stage, timeline, hands).map(([keys, says]) => row(shown(keys), says))),
     el("h2", { text: "Mouse" }), el("div", { class: "columns wide" }, ...MOUSE.map(([keys, says]) => row(keys, says))),
     el("form", { method: "dialog" }, el("div", { class: "buttons end" }, el("button", { type: "submit", class: "main", text: "Close" }))));
   box.addEventListener("close", () => box.remove());
@@ -126,8 +118,14 @@ const help = (stage: Stage, timeline: Timeline, hands: Hands): void => {
 };
 
 export const beginKeyboard = (stage: Stage, timeline: Timeline, hands: Hands): void => {
-  const table = new Map(deeds(stage, timeline, hands).map(([keys, , done]) => [keys, done]));
-  $("help").addEventListener("click", () => table.get("?")!());
+  const table = new Map(commands(stage, timeline, hands).map(([keys, , done]) => [keys, done]));
+  for (const [keys, says, done, name] of commands(stage, timeline, hands)) {
+    if (!name) continue;
+    const made = $(name);
+    Object.assign(made, { title: `${says} (${keys})`, onclick: done });
+    if (!made.textContent) made.setAttribute("aria-label", says);
+    if (PATHS[name]) made.append(icon(name));
+  }
   window.addEventListener("keydown", (event) => {
     const target = event.target as HTMLElement;
     if (document.querySelector("dialog[open]")) return;

@@ -28,11 +28,11 @@ try {
   const hands = new Hands(stage);
   const timeline = new Timeline();
   new Trails(stage);
-  transport(stage, timeline);
   beginPanels();
   beginCurves(timeline);
   beginFiles();
   beginKeyboard(stage, timeline, hands);
+  transport(stage);
   $("files").prepend(icon("menu"));
   $("theme").append(icon("theme"));
   $("theme").addEventListener("click", () => {

@@ -1,11 +1,9 @@
 // Play, scrub, loop, speed; undo, redo, save; the state of the search.
-import { $, button, el, say, short, toast } from "./dom";
+import { $, el, PATHS, say, short, toast } from "./dom";
 import { act, connection, edit } from "./link";
 import { model, type KeyframeRow, type Which } from "./model";
 import type { Stage } from "./stage";
-import type { Timeline } from "./timeline";
 
-const PLAY = "M7 4.5v15l12.500-7.500z", PAUSE = "M6 4.5h4.200v15H6zM13.800 4.500H18v15h-4.200z";
 const READ = 30; // [ms] that a number stays while it plays
 const SPEEDS = [0.1, 0.25, 0.5, 1, 1.5, 2];
 const STATES: Record<string, string> = {
@@ -56,20 +54,8 @@ export const remove = async (): Promise<void> => {
   await edit("delete_keys", { keys });
 };
 
-export const transport = (stage: Stage, timeline: Timeline): void => {
+export const transport = (stage: Stage): void => {
   const icon = $("play").querySelector("path")!;
-  $("play").addEventListener("click", () => play());
-  const row = $("transport");
-  row.prepend(button("previous", "previous keyframe", () => toKey(-1), "page up"));
-  $("play").after(button("next", "next keyframe", () => toKey(1), "page down"));
-  $("tools").append(
-    button("key", "insert a keyframe from the path", () => void addKey(), "K"),
-    button("bin", "delete the selection", () => void remove(), "Delete"),
-  );
-  $("history").append(
-    button("undo", "undo", () => void act("undo"), "Ctrl-Z"), button("redo", "redo", () => void act("redo"), "Ctrl-Shift-Z"),
-    button("save", "save", () => void save(), "Ctrl-S"),
-  );
   const speed = $<HTMLSelectElement>("speed");
   for (const each of SPEEDS) speed.append(el("option", { value: each, text: `${each}×`, selected: each === 1 }));
   speed.addEventListener("change", () => { model.speed = Number(speed.value); });
@@ -86,16 +72,12 @@ export const transport = (stage: Stage, timeline: Timeline): void => {
     model.tell("which");
   });
   $<HTMLSelectElement>("views").addEventListener("change", (event) => stage.aim((event.target as HTMLSelectElement).value));
-  $("fit").addEventListener("click", () => timeline.fit());
-  $("zoom-in").addEventListener("click", () => timeline.zoom(0.7));
-  $("zoom-out").addEventListener("click", () => timeline.zoom(1.4));
-  $("go").addEventListener("click", () => void act("search", { go: !model.status.go }));
 
   const now = el("b"), whole = el("span");
   $("clock").replaceChildren(now, whole);
   let told = -Infinity;
   model.on(["time", "path"], () => {
-    const sign = model.playing ? PAUSE : PLAY;
+    const sign = PATHS[model.playing ? "pause" : "play"];
     if (icon.getAttribute("d") !== sign) icon.setAttribute("d", sign);
     else if (model.playing && performance.now() - told < READ) return;
     told = performance.now();
@@ -119,10 +101,9 @@ export const transport = (stage: Stage, timeline: Timeline): void => {
     $("name").textContent = document.file ?? `${document.name} (no file yet)`;
     $("dirty").hidden = !document.dirty;
     window.document.title = `${document.dirty ? "• " : ""}${document.name} – dynsplines studio`;
-    const [undo, redo] = [...$("history").querySelectorAll("button")];
-    undo.disabled = !document.undo;
-    redo.disabled = !document.redo;
-    undo.title = document.undo ? `undo: ${document.undo} (Ctrl-Z)` : "nothing to undo";
-    redo.title = document.redo ? `redo: ${document.redo} (Ctrl-Shift-Z)` : "nothing to redo";
+    for (const [verb, keys] of [["undo", "Ctrl-Z"], ["redo", "Ctrl-Shift-Z"]] as const) {
+      $<HTMLButtonElement>(verb).disabled = !document[verb];
+      $(verb).title = document[verb] ? `${verb}: ${document[verb]} (${keys})` : `nothing to ${verb}`;
+    }
   });
 };
