@@ -79,6 +79,10 @@ export class Figure {
   }
 }
 
+/** Where a point of a body is in a pose, whose bodies begin at a number. */
+export const pointOf = ({ position, rotation }: Pose, { body, offset }: { body: number; offset: number[] }, begin = 0): THREE.Vector3 =>
+  new THREE.Vector3().fromArray(offset).applyQuaternion(turn.fromArray(rotation as number[], 4 * (begin + body))).add(new THREE.Vector3().fromArray(position as number[], 3 * (begin + body)));
+
 /** A pose that is a share of the way from one to another, written into the third. */
 export const mixed = (a: Pose, b: Pose, share: number, out: { position: Float32Array; rotation: Float32Array }): void => {
   const other = new THREE.Quaternion();

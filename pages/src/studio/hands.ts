@@ -1,36 +1,31 @@
 // Hands on the figure: what the mouse lies on lights up; a drag of any point of it is posed by the server.
 import * as THREE from "three";
-import { $, el, menu, toast } from "./dom";
-import { act, ask } from "./link";
+import { pointOf } from "../scene/figure";
+import { $, el, menu, PATHS, toast } from "./dom";
+import { act, ask, edit } from "./link";
 import { axesOf } from "./axes";
-import { model, type Obstacle } from "./model";
+import { model, type Joint, type Marked, type Obstacle } from "./model";
 import { showTab } from "./panels";
 import type { Stage } from "./stage";
 
 const STILL = 4; // [px] that a click may move
+const PLANTED = 0.05; // [m] that keyframes may move a foot that stays planted
 const NEAR = 6; // [px] beside the figure at which a figure is still picked
 
-/** A drag: the grabbed point, the plane in which it moves, where it is on the page, and its next target while an answer is
- * pending. */
+/** A drag: the grabbed point, the joint that it rotates if the limb is posed by joints, the plane in which it moves, where it is on
+ * the page, and its next target while an answer is pending. */
 interface Held {
-  body: number; offset: number[]; plane: THREE.Plane; x: number; y: number; clientX: number; clientY: number; time: number;
+  body: number; joint: Joint | null; begin: THREE.Vector3; pivot: THREE.Vector3; offset: number[]; plane: THREE.Plane; x: number; y: number; clientX: number; clientY: number; time: number;
   moved: boolean; waits: boolean; next: THREE.Vector3 | null; ended: boolean;
 }
 
 /** A padlock, drawn. */
 const padlock = (): THREE.CanvasTexture => {
-  const canvas = el("canvas", { width: 64, height: 64 }), pen = canvas.getContext("2d")!;
-  for (const [colour, wide] of [["#14171c", 10], ["#ffb454", 0]] as const) {
-    pen.strokeStyle = pen.fillStyle = colour;
-    pen.lineWidth = 7 + wide;
-    pen.beginPath();
-    pen.arc(32, 23, 11, Math.PI, 0);
-    pen.lineTo(43, 32);
-    pen.moveTo(21, 23);
-    pen.lineTo(21, 32);
-    pen.stroke();
-    pen.fillRect(14 - wide / 2, 29 - wide / 2, 36 + wide, 26 + wide);
-  }
+  const canvas = el("canvas", { width: 64, height: 64 }), pen = canvas.getContext("2d")!, shape = new Path2D(PATHS.lock);
+  pen.scale(2.6, 2.6);
+  Object.assign(pen, { fillStyle: "#ffb454", strokeStyle: "#14171c", lineWidth: 3 });
+  pen.stroke(shape);
+  pen.fill(shape, "evenodd");
   return new THREE.CanvasTexture(canvas);
 };
 
@@ -58,8 +53,6 @@ export class Hands {
   private readonly padlocks = new THREE.Group();
   private readonly paint = new THREE.SpriteMaterial({ map: padlock(), depthTest: false, sizeAttenuation: false });
   private over: number | null = null; // the body at the pointer
-  times: number[] = []; // [ms] of the server for every pose of drags, for measures
-  trips: number[] = []; // [ms] from asking to having it
 
   constructor(private readonly stage: Stage) {
     const { canvas } = stage;
@@ -107,12 +100,39 @@ export class Hands {
   private offer(event: PointerEvent): void {
     const body = this.hit(event)?.body, name = model.stage?.bodies[body ?? -1];
     if (!name) return;
-    const entry = model.locks.has(name) ? "Unlock" : "Lock", feet = model.stage!.soles.map((sole) => sole.body);
-    menu(name, event, [entry, ...(model.locks.size ? ["Unlock all"] : []), ...(feet.includes(body!) ? ["Flat on the ground"] : [])], (chosen) => {
-      if (chosen === entry) this.lock(body);
-      else if (chosen === "Unlock all") { model.locks.clear(); this.stage.draw(); }
-      else if (chosen) void this.flatten(body!);
-    });
+    const soles = model.stage!.soles.filter((sole) => sole.body === body), limb = this.limbOf(body!);
+    const entries: [string, boolean, () => void][] = [
+      [model.locks.has(name) ? "Unlock" : "Lock", true, () => this.lock(body)],
+      ["Unlock all", model.locks.size > 0, () => { model.locks.clear(); this.stage.draw(); }],
+      ["Flat on the ground", soles.length > 0, () => void this.flatten(body!)],
+      ["Plant from here", soles.length > 0, () => void this.plant(soles)],
+      [`${limb}: drag by joints (FK)`, limb !== undefined && !model.fk.has(limb), () => model.fk.add(limb!)],
+      [`${limb}: drag by its end (IK)`, limb !== undefined && model.fk.has(limb), () => model.fk.delete(limb!)],
+    ];
+    const offered = entries.filter(([, isOffered]) => isOffered);
+    menu(name, event, offered.map(([text]) => text), (chosen) => offered.find(([text]) => text === chosen)?.[2]());
+  }
+
+  /** The joint that moves a body. */
+  private jointOf(body: number): Joint | undefined {
+    const { joints, parents } = model.stage!;
+    return joints.find((joint) => joint.body === body) ?? (body ? this.jointOf(parents[body]) : undefined);
+  }
+
+  /** The name of the limb of a body. */
+  private limbOf(body: number): string | undefined {
+    const joint = this.jointOf(body);
+    return joint && model.stage!.limbs.find((limb) => limb.joints.includes(joint.name))?.name;
+  }
+
+  /** Keeps a foot in its place from here to the next keyframe, and on as long as keyframes leave it there. */
+  private async plant(soles: Marked[]): Promise<void> {
+    this.toKey();
+    const from = model.moment, later = model.document!.keys.map((key) => key.time).filter((time) => time > from), stroke = String(Math.random());
+    const place = (time: number): THREE.Vector3 => pointOf(model.now!.at(time), soles[0]), here = place(from);
+    const leaves = later.findIndex((time) => place(time).distanceTo(here) > PLANTED), to = later[Math.max(leaves === -1 ? later.length - 1 : leaves - 1, 0)];
+    if (to === undefined) { toast("no keyframe follows, up to which the foot could stay", "note"); return; }
+    for (const { name } of soles) await edit("add", { at: ["contact"], entries: { point: name, from, to } }, stroke);
   }
 
   /** Puts a foot that is near the ground flat on it, as a drag does that ends there. */
@@ -199,7 +219,8 @@ export class Hands {
     const group = this.stage.figure!.groups[found.body];
     const offset = found.point.clone().sub(group.position).applyQuaternion(group.quaternion.clone().invert()).toArray();
     const plane = new THREE.Plane().setFromNormalAndCoplanarPoint(this.stage.camera.getWorldDirection(new THREE.Vector3()), found.point);
-    this.held = { body: found.body, offset, plane, x: event.clientX, y: event.clientY, clientX: event.clientX, clientY: event.clientY, time: model.time, moved: false, waits: false, next: null, ended: false };
+    const limb = this.limbOf(found.body), joint = limb !== undefined && model.fk.has(limb) ? this.jointOf(found.body)! : null;
+    this.held = { body: found.body, joint, begin: found.point.clone(), pivot: joint ? this.stage.placeOf(joint.body, joint.anchor) : found.point, offset, plane, x: event.clientX, y: event.clientY, clientX: event.clientX, clientY: event.clientY, time: model.time, moved: false, waits: false, next: null, ended: false };
     this.stage.canvas.style.cursor = "grabbing";
     $("hover").hidden = true;
   }
@@ -212,8 +233,9 @@ export class Hands {
     }
     if (!held.moved && Math.hypot(event.clientX - held.x, event.clientY - held.y) < STILL) return;
     if (!held.moved) {
-      held.moved = held.waits = true;
-      void ask("grip", { time: held.time, body: held.body, offset: held.offset, plant: !event.altKey, alone: model.partial && model.here === null, locks: model.locked })
+      held.moved = true;
+      held.waits = !held.joint;
+      if (!held.joint) void ask("grip", { time: held.time, body: held.body, offset: held.offset, plant: !event.altKey, alone: model.partial && model.here === null, locks: model.locked })
         .then((answer) => this.answered(held, answer.ok, answer.words));
     }
     if (event.ctrlKey) held.plane.constant += (event.clientY - held.y) * this.stage.perPixel(held.plane); // up: away
@@ -233,16 +255,22 @@ export class Hands {
     else void this.cancel();
   }
 
+  /** The rotation about a drag's joint to a place, wxyz. */
+  private turnOf({ begin, pivot }: Held, to: THREE.Vector3): number[] {
+    const [from, now] = [begin, to].map((place) => place.clone().sub(pivot).normalize());
+    const { x, y, z, w } = new THREE.Quaternion().setFromUnitVectors(from, now);
+    return [w, x, y, z];
+  }
+
   /** Requests the pose for the mouse's last position. */
   private pull(held: Held): void {
     if (!held.next) return;
-    const position = held.next.toArray(), asked = performance.now();
+    const position = held.next.toArray();
+    const answered = held.joint ? ask("turn", { time: held.time, joint: held.joint.name, turn: this.turnOf(held, held.next), locks: model.locked }) : ask("drag", { position });
     held.next = null;
     held.waits = true;
-    void ask("drag", { position }).then((answer) => {
+    void answered.then((answer) => {
       if (answer.ok && !held.ended && (this.held === held || !this.held)) {
-        this.times.push(answer.ms as number);
-        this.trips.push(performance.now() - asked);
         this.stage.show(answer);
         this.stage.figure!.put(this.stage.override!);
         this.mark.visible = this.held === held;
@@ -267,7 +295,6 @@ export class Hands {
       this.stage.draw();
       return;
     }
-    dropped = performance.now();
     this.pull(held);
     await act("drop", { time: held.time, partial: model.partial });
     held.ended = true;
@@ -275,5 +302,3 @@ export class Hands {
     this.stage.draw();
   }
 }
-
-export let dropped = 0; // [ms] when a drag last ended, for measures

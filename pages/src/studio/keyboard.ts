@@ -31,8 +31,6 @@ export const commands = (stage: Stage, timeline: Timeline, hands: Hands): Comman
   ["End", "last frame", () => model.seek(model.played[1])],
   ["Ctrl-Home", "play from here; at the first frame: from the beginning", () => model.setRange(0, model.time)],
   ["Ctrl-End", "play up to here; at the last frame: to the end", () => model.setRange(1, model.time)],
-  ["+", "faster", () => speed(1)],
-  ["-", "slower", () => speed(-1)],
   ["L", "loop", click("loop")],
   ["F", "camera follows the figure", click("follow")],
   ...[...$<HTMLSelectElement>("views").options].slice(0, -1).map(({ value, text }, i): Command => [String(i + 1), `view: ${text}`, () => stage.aim(value)]),
@@ -85,17 +83,11 @@ export const commands = (stage: Stage, timeline: Timeline, hands: Hands): Comman
   ["?", "this list", () => help(stage, timeline, hands), "help"],
 ];
 
-const speed = (by: number): void => {
-  const choice = $<HTMLSelectElement>("speed");
-  choice.selectedIndex = Math.min(Math.max(choice.selectedIndex + by, 0), choice.length - 1);
-  choice.dispatchEvent(new Event("change"));
-};
-
 const MOUSE: [string, string][] = [
   ["drag the figure", "pose it: the limb bends, then the whole figure follows; planted soles stay (Alt: they may move; Ctrl: nearer or farther)"],
   ["click the figure", "select a joint and rotate it by its rings"],
   ["select an obstacle in the panel Scene", "arrows move it, or resize it (R)"],
-  ["right button on the figure", "lock or unlock a body: it stays where it is while others are posed"],
+  ["right button on the figure", "lock a body: it stays where it is while others are posed; plant a foot; drag a limb by its joints (FK)"],
   ["drag the background", "orbit; right button or Shift: pan; wheel: zoom"],
   ["drag the ends of the bar above the keyframes", "playback range; double-click it to play all"],
   ["drag a pose of the panel Pose", "to a keyframe or another time on the timeline"],
@@ -137,7 +129,7 @@ export const beginKeyboard = (stage: Stage, timeline: Timeline, hands: Hands): v
     if (target.matches("[role=tab]") && event.key.startsWith("Arrow")) return;
     const name = event.key === " " ? "Space" : event.key.length === 1 ? event.key.toUpperCase() : event.key === "Backspace" ? "Delete" : event.key;
     const shift = event.shiftKey && ctrl ? "Shift-" : "";
-    const keys = `${ctrl ? "Ctrl-" : ""}${shift}${event.altKey ? "Alt-" : ""}${name === "=" ? "+" : name}`;
+    const keys = `${ctrl ? "Ctrl-" : ""}${shift}${event.altKey ? "Alt-" : ""}${name}`;
     const done = table.get(keys === "Ctrl-Y" ? "Ctrl-Shift-Z" : keys);
     if (!done) return;
     if (ctrl && name === "C" && String(getSelection())) return;

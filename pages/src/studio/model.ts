@@ -74,6 +74,7 @@ class Model {
   joint: string | null = null;
   obstacle: { kind: string; index: number } | null = null;
   resizes = false; // whether the arrows of an obstacle resize it
+  readonly fk = new Set<string>(); // names of limbs whose joints a drag rotates
   readonly locks = new Set<string>(); // bodies that stay where they are while others are posed
   private readonly ears = new Map<Heard, (() => void)[]>();
 

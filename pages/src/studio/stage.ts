@@ -40,7 +40,6 @@ export class Stage {
   figure: Figure | null = null;
   override: Pose | null = null; // a pose that is being dragged, in place of the path's
   sights: (() => void)[] = []; // called before every image
-  longest = 0; // [ms] between two images while it plays
   images = 0;
   private shapes: Shapes | null = null;
   private still: Figure | null = null;
@@ -231,7 +230,6 @@ export class Stage {
     if (model.playing) {
       if (this.then !== null) {
         const gap = stamp - this.then;
-        this.longest = Math.max(this.longest, gap);
         const next = model.time + (Math.min(250, gap) / 1000) * model.speed;
         const [begin, end] = model.played;
         if (next > end && !model.loop) { model.playing = false; model.seek(end); }

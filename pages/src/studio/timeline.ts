@@ -1,5 +1,5 @@
 // The timeline: a ruler, keyframes as diamonds, limbs when unfolded, contacts, grasps and flights as bars.
-import { Quaternion, Vector3 } from "three";
+import { pointOf } from "../scene/figure";
 import { $, el, menu, toast } from "./dom";
 import { act, change, edit, moveKeys } from "./link";
 import { model, type Bar } from "./model";
@@ -226,14 +226,12 @@ export class Timeline {
         if (!state || key.time < this.begin || key.time > this.end) return;
         const fixed = columns.map((joint) => state.fixed[joint.kind === "free" ? joint.qpos + 3 : joint.qpos]);
         const hollow = !fixed.every(Boolean), none = !fixed.some(Boolean);
+        const toggle = (): void => void act(none ? "pin" : "free", { key: i, revision, joints: limb.joints });
         const words = `${limb.name}, keyframe ${i + 1}: ${none ? "free" : hollow ? "partly free" : "fixed"}; Enter or double click ${none ? "pins" : "frees"} it`;
         const mark = el("button", {
           type: "button", class: `diamond small${hollow ? " hollow" : ""}${none ? " none" : ""}`, title: words, "aria-label": words,
           "data-id": `limb${limb.name}${i}`,
-          ondblclick: () => void act(none ? "pin" : "free", { key: i, revision, joints: limb.joints }),
-        });
-        mark.addEventListener("keydown", (event) => {
-          if (event.key === "Enter") void act(none ? "pin" : "free", { key: i, revision, joints: limb.joints });
+          ondblclick: () => toggle(), onkeydown: (event) => { if ((event as KeyboardEvent).key === "Enter") toggle(); },
         });
         mark.style.left = `${this.x(key.time)}px`;
         row.append(mark);
@@ -411,13 +409,9 @@ export class Timeline {
     const { stage, now } = model, site = stage?.sites.find((each) => each.name === hand);
     if (!stage || !now || !site) { done(null); return; }
     const pose = now.at(time), root = (body: number): number => (stage.parents[body] ? root(stage.parents[body]) : body);
-    const place = (body: number, offset: number[]) => {
-      const turn = new Quaternion().fromArray(pose.rotation as number[], 4 * body);
-      return new Vector3().fromArray(offset).applyQuaternion(turn).add(new Vector3().fromArray(pose.position as number[], 3 * body));
-    };
-    const here = place(site.body, site.offset);
+    const here = pointOf(pose, site);
     const own = stage.limbs.find((limb) => stage.joints.some((joint) => joint.body === site.body && limb.joints.includes(joint.name)));
-    const bodies = stage.bodies.map((name, body) => ({ name, body, away: here.distanceTo(place(body, [0, 0, 0])), other: root(body) !== root(site.body) }))
+    const bodies = stage.bodies.map((name, body) => ({ name, body, away: here.distanceTo(pointOf(pose, { body, offset: [0, 0, 0] })), other: root(body) !== root(site.body) }))
       .filter(({ name, body }) => body && name && !stage.still[body] && body !== site.body && stage.joints.some((joint) => joint.body === body)
         && !own?.joints.some((joint) => stage.joints.find((each) => each.name === joint)?.body === body))
       .sort((a, b) => Number(b.other) - Number(a.other) || a.away - b.away).slice(0, 8);

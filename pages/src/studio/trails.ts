@@ -1,5 +1,6 @@
 // Where hands, feet and the centre of mass go, as lines with beads at keyframes.
 import * as THREE from "three";
+import { pointOf } from "../scene/figure";
 import type { Path } from "../scene/path";
 import { model, type Marked } from "./model";
 import type { Stage } from "./stage";
@@ -35,11 +36,7 @@ export class Trails {
   }
 
   private places(path: Path, mark: Marked): THREE.Vector3[] {
-    const turn = new THREE.Quaternion(), offset = new THREE.Vector3().fromArray(mark.offset);
-    return Array.from({ length: path.count }, (_, i) => {
-      const at = i * path.bodies + mark.body;
-      return offset.clone().applyQuaternion(turn.fromArray(path.rotation, 4 * at)).add(new THREE.Vector3().fromArray(path.position, 3 * at));
-    });
+    return Array.from({ length: path.count }, (_, i) => pointOf(path, mark, i * path.bodies));
   }
 
   private line(points: THREE.Vector3[], colour: number): void {

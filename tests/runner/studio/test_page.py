@@ -358,6 +358,37 @@ def test_playback_keeps_to_its_range_which_the_timeline_shows_and_changes(tab):
     tab.press("z")
 
 
+def choose(tab, body, entry):
+    """An entry of the menu of a body."""
+    tab.page.mouse.click(*tab.grip(body), button="right")
+    tab.page.locator("dialog.menu").get_by_role("button", name=entry).click()
+
+
+def test_a_foot_is_planted_and_a_limb_is_dragged_by_its_joints_from_the_menu_of_a_body(tab):
+    tab.seek(0.6)
+    tab.press("2")
+    tab.shown()
+    tab.changes(lambda: choose(tab, "left_foot", "Plant from here"))
+    tab.until("studio.model.document.contacts.length === 2 && !studio.pending.size")
+    contacts = tab.evaluate("studio.model.document.contacts")
+    assert {bar["point"] for bar in contacts} == {"left_heel", "left_toe"}
+    assert {(bar["from"], bar["to"]) for bar in contacts} == {(0.6, 1)}
+    undo(tab)
+    assert tab.evaluate("studio.model.document.contacts.length") == 0
+
+    before = tab.evaluate("studio.model.document.keys[2].joints")
+    tab.press("3")
+    tab.shown()
+    choose(tab, "left_forearm", "by joints")
+    x, y = tab.grip("left_forearm")
+    tab.changes(lambda: tab.drag((x, y), (x + 25, y - 25)))
+    joints = tab.evaluate("studio.model.document.keys[2].joints")
+    assert {name for name in joints if joints[name] != before[name]} == {"left_elbow"}
+    undo(tab)
+    choose(tab, "left_forearm", "by its end")
+    assert tab.evaluate("studio.model.fk.size") == 0
+
+
 DOT = """(() => { const dot = studio.dots().find(({ key, series }) => key === 1 && series.name === 'left_hip y');
   const { left, top } = document.querySelector('.u-over').getBoundingClientRect(), [x, y] = studio.onPlot(dot);
   return [left + x, top + y, dot.value]; })()"""
