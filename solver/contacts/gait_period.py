@@ -33,10 +33,6 @@ OUTSIDE = 0.2  # least increase of the gain for each keyframe left out
 FEWEST, MOST = 3, 100  # numbers of complete keyframes for which a cycle is inferred
 CYCLES = 0.8  # least number of cycles in a clip
 SLIP = 0.33  # largest slip of a cycle, see `GaitCycle`
-# largest slip of the likeliest cycle if its rivals slip RIVAL times as much and the body travels steadily
-LOOSE = 0.85
-RIVAL, AS_LIKELY = 1.5, 0.3  # ratio of slips; difference of gains up to which a period is a rival
-UNSTEADY = 0.25  # coefficient of variation of the speed between keyframes from which travel is not steady
 TRUST = 0.4  # least mean trust of a gait cycle over the clip
 LOWEST = 0.25  # fraction of the keyframes with the lowest soles, which stand
 TRIED = 4  # most candidates that are examined
@@ -96,21 +92,9 @@ class Gait:
         shortest, longest = self._periods
         longest = min(longest, poses.sides / 2 * (poses.times[-1] - poses.times[0]) / CYCLES)
         cycles = self.candidates(PoseProcess(poses), (shortest, longest))
-        sure = [r for r in cycles if r.slip <= SLIP] or self._without_rival(cycles)
+        sure = [gait_cycle for gait_cycle in cycles if gait_cycle.slip <= SLIP]
         best = max(sure, key=lambda gait_cycle: gait_cycle.gain, default=None)
         return None if best is None or best.trust.mean() < TRUST else best
-
-    def _without_rival(self, cycles: list[GaitCycle]) -> list[GaitCycle]:
-        """Return the likeliest cycle, if travel is steady and feet slip much more in all cycles of similar likelihood.
-
-        Sparse keyframes blur the feet of the true cycle, but those of an alias more. Three keyframes are too few: if
-        the last pose is that of the first, any motion is a cycle.
-        """
-        if not cycles or self._unsteadiness >= UNSTEADY or len(self.keys.frames) <= FEWEST:
-            return []
-        best, *others = cycles
-        rivals = [r for r in others if r.gain > best.gain - AS_LIKELY]
-        return [best] if best.slip <= LOOSE and all(r.slip >= RIVAL * best.slip for r in rivals) else []
 
     def likeliest(self) -> GaitCycle | None:
         """Return the likeliest cycle of the keyframes, without a threshold; None for too few keyframes."""
@@ -169,20 +153,10 @@ class Gait:
         return self.keys.states[:, self.figure.tables.position_columns[:, 0]]
 
     @cached_property
-    def _lengths(self) -> Array:
-        """Horizontal distances (K − 1,) [m] of the root between keyframes."""
-        return np.asarray(np.linalg.norm(np.diff(self._root[:, :2], axis=0), axis=1))
-
-    @cached_property
     def _travel(self) -> float:
         """Horizontal speed of the root [m/s]."""
-        return float(self._lengths.sum()) / float(self.keys.times[-1] - self.keys.times[0])
-
-    @property
-    def _unsteadiness(self) -> float:
-        """The coefficient of variation of the root's speed between keyframes."""
-        speeds = self._lengths / np.diff(self.keys.times)
-        return float(speeds.std() / speeds.mean())
+        lengths = np.linalg.norm(np.diff(self._root[:, :2], axis=0), axis=1)
+        return float(lengths.sum()) / float(self.keys.times[-1] - self.keys.times[0])
 
     @cached_property
     def _standing(self) -> tuple[Array, Array]:
