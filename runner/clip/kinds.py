@@ -49,7 +49,6 @@ from dynsplines.solver.penalty import (
     couplings,
     joint_ranges,
     overshoot,
-    root_ranges,
 )
 from dynsplines.solver.surface import Box, Plane, Surface
 from dynsplines.solver.surface.cover import covering_points, wide_points
@@ -412,11 +411,6 @@ def _trunk(context: Context, options: Options) -> Penalty | None:
     return Upright(context.leans) if context.leans else None
 
 
-def _root(context: Context, options: Options) -> Penalty | None:
-    ranges = root_ranges(context.figure, context.keys, context.schedule.flights, context.schedule.grasped)
-    return JointRange(tuple(ranges), name="upright.root") if ranges else None
-
-
 def _bodies(context: Context, options: Options) -> Penalty | None:
     movable, links = moving_bodies(context.figure), list[int]()
     for name in options.bodies or ():
@@ -476,7 +470,6 @@ KINDS = {
         Kind("equality", (Part(300.0, "violation of <equality> constraints", _equality),)),
         Kind("upright", (
             Part(1.0, "deviation from the posed tilt of a trunk whose rotation keyframes leave free", _trunk, "trunk"),
-            Part(0.1, "movement of a root beyond its poses in two neighbouring keyframes", _root, "root"),
             Part(30.0, "tilt of listed bodies, such as a head or a tray", _bodies, "bodies", "bodies"),
         ), ("bodies", "axis")),
         Kind("flight", (

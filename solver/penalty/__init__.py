@@ -33,7 +33,6 @@ from .joints.joint_range import Speed as Speed
 from .joints.joint_range import joint_ranges as joint_ranges
 from .joints.overshoot import holds as holds
 from .joints.overshoot import overshoot as overshoot
-from .joints.overshoot import root_ranges as root_ranges
 from .joints.self_contact import SelfContact as SelfContact
 from .joints.upright import Lean as Lean
 from .joints.upright import Upright as Upright

@@ -261,7 +261,6 @@ STATED = {  # the only figures outside generated parts: text, and its numbers in
     "Without `blend`, it is {:g} s": recording.EASE,
     "a time T > {:g} s apart": objective.LONG,
     "(T / {:g} s)⁴": objective.LONG,
-    "plus {:g} % of the distance": 100 * overshoot.ASTRAY,
     "less than {:g} s": prior.BRIEF,
     "more than {:g} s apart": prior.ENDLESS,
     "at least {:g} s apart share": overshoot.BRIEF,

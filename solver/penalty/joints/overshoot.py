@@ -6,7 +6,7 @@ sides of a peak may have the same value; loops and gait cycles therefore have no
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -24,11 +24,6 @@ SWINGS = {"angle": np.radians(3), "length": 0.03}  # [rad, m] overshoot of the r
 ROOM = {"angle": np.radians(1), "length": 0.01}  # [rad, m] distance that a held joint may move
 LOOKS = 12  # samples per segment
 BRIEF = 0.3  # [s] shorter segments are no holds
-SWAY = np.radians(8)  # [rad] angle by which a root may turn beyond its rotations in two keyframes
-LITTLE = np.radians(20)  # [rad] change of its rotation up to which it is bounded
-ASIDE = 0.03  # [m] distance by which it may move beyond its positions in two keyframes up to BRIEFLY [s] apart
-BRIEFLY = 0.5  # [s] in longer segments, this distance is proportional to their duration
-ASTRAY = 0.1  # [1] further distance, relative to that between the two positions
 
 
 def overshoot(holds: Sequence[Range]) -> JointRange | None:
@@ -86,36 +81,6 @@ def _swinging(figure: Figure, keys: Timeline, ranges: Sequence[Range]) -> Iterat
 
 def _unit(joint: Range) -> str:
     return "length" if joint.kind is JointKind.SLIDE else "angle"
-
-
-def root_ranges(
-    figure: Figure, keys: Timeline, flights: Sequence[tuple[float, float]], grasped: Collection[int]
-) -> list[Range]:
-    """Return the ranges of roots between two keyframes that fix them: the way between both, and a margin.
-
-    A rotation has a range if it changes by at most 20°, a horizontal position if it is in no flight.
-
-    Args:
-        flights: The intervals (first, last) [s] of free fall.
-        grasped: The links of grasped objects, which move with hands.
-    """
-    qpos, in_flight, ranges = figure.to_qpos(keys.states), _overlaps(keys, flights), list[Range]()
-    for i in (i for i in figure.tables.free_links.tolist() if figure.tables.children[i] and i not in grasped):
-        link = figure.links[i]
-        first, quaternion = link.qpos, slice(link.qpos + 3, link.qpos + 7)
-        turns = _turns(qpos[:, quaternion])
-        for k in _fixed_at_both(np.linalg.norm(turns, axis=1) <= LITTLE, keys, quaternion):
-            middle = quat.product(qpos[k, quaternion], quat.from_rotation_vector(turns[k] / 2))
-            high, home = float(np.linalg.norm(turns[k])) / 2 + SWAY, tuple(middle.tolist())
-            ranges.append(Range(link.name, i, JointKind.BALL, 0.0, high, 0, home, *keys.times[k : k + 2].tolist()))
-        for axis in range(2):
-            for k in _fixed_at_both(~in_flight, keys, slice(first + axis, first + axis + 1)):
-                begin, end = keys.times[k : k + 2].tolist()
-                both = qpos[k : k + 2, first : first + 2]
-                margin = ASIDE * max(1.0, (end - begin) / BRIEFLY) + ASTRAY * float(np.linalg.norm(both[1] - both[0]))
-                low, high = float(both[:, axis].min()) - margin, float(both[:, axis].max()) + margin
-                ranges.append(Range(link.name, i, JointKind.SLIDE, low, high, axis, None, begin, end))
-    return ranges
 
 
 def _overlaps(keys: Timeline, intervals: Sequence[tuple[float, float]]) -> Mask:

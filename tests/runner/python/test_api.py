@@ -57,7 +57,7 @@ def test_every_name_is_there_and_listed():
 def test_what_ships_is_listed_and_loads():
     assert "run_and_step" in clips()
     assert "human" in figures()
-    assert repr(load("run_and_step")) == "<Clip run_and_step: 2.20 s, 13 keyframes (10 partial), 19 penalties, 39 DOF>"
+    assert repr(load("run_and_step")) == "<Clip run_and_step: 2.20 s, 13 keyframes (10 partial), 18 penalties, 39 DOF>"
 
 
 @pytest.mark.slow
@@ -70,7 +70,7 @@ def test_a_clip_is_loaded_from_a_path_and_from_text(tmp_path):
     with pytest.raises(UserError, match="fps = 0: give a finite number above 0"):
         load(str(path), fps=0)
     text = 'figure = "human"\n[[keyframe]]\ntime = 0\nothers = "rest"\n[[keyframe]]\ntime = 1\nothers = "previous"\n'
-    assert repr(load(text)) == "<Clip clip: 1.00 s, 2 keyframes, 13 penalties, 39 DOF>"
+    assert repr(load(text)) == "<Clip clip: 1.00 s, 2 keyframes, 12 penalties, 39 DOF>"
     with pytest.raises(UserError, match=r"^clip: keyframe 1: time must be a number"):
         load(text.replace("time = 0", 'time = "now"'))
     with pytest.raises(UserError, match=r"'x\.npz' is a motion.*load_motion"):

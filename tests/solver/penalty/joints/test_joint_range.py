@@ -318,23 +318,6 @@ def test_the_height_of_a_root_is_not_held_in_a_flight() -> None:
         assert {joint.column for joint in joints if joint.first == 1.0 and joint.home is None} == columns
 
 
-def leaning(turn: float, lean: float) -> Array:
-    """(S,) of a root between keyframes turned by an angle, leaning halfway [degrees]."""
-    figure = figure_of(FREE.replace("</body>", '<body><joint/><geom size=".1"/></body></body>'))
-    ways = Rotation.from_euler("zx", [[0, 0], [turn, 0], [turn / 2, lean]], degrees=True).as_quat(scalar_first=True)
-    first, last, halfway = (np.array([0, 0, 1, *way, 0]) for way in ways)
-    keys = raw_timeline(figure, [Frame.key(0.0, first), Frame.key(1.0, last)])
-    y = figure.to_state(halfway[None])
-    return kinds.JointRange(tuple(kinds.root_ranges(figure, keys, (), ()))).evaluate(
-        Samples(figure, y, 0 * y, 0 * y, t=np.array([0.5]))
-    )
-
-
-def test_a_root_between_two_similar_rotations_leans_little_for_free() -> None:
-    assert leaning(10, 6) == 0 and leaning(10, 20) > 0
-    assert leaning(10, -20) > 0 and leaning(30, 20) == 0
-
-
 def turned_off(home: Array, qpos: Array) -> Array:
     """(T,) [rad] how far quaternions (T, 4) are from one."""
     rotations = Rotation.from_quat(home, scalar_first=True).inv() * Rotation.from_quat(qpos, scalar_first=True)
