@@ -285,6 +285,19 @@ def test_bones_of_other_lengths_bring_hands_and_feet_to_scaled_places_and_the_fe
     assert abs(np.percentile(lowest, 2)) < 0.002
 
 
+@pytest.mark.slow
+@pytest.mark.parametrize(("height", "word"), [(0.3, "lowered by 0."), (-0.3, "raised by 0.")])
+def test_a_recording_above_or_below_the_ground_is_brought_to_it(cartwheel, height, word):
+    captured = CapturedSkeleton.of(bvh.skeleton(cartwheel))
+    moved = captured.position[:3] + np.array([0, 0, height])
+    captured = replace(captured, position=moved, rotation=captured.rotation[:3])
+    qpos, notes = retarget.onto(captured, cartwheel.model, "a.bvh")
+    assert any(note.startswith(word) for note in notes), notes
+    model = cartwheel.model
+    soles = [model.site(f"{side}_{part}").id for side in ("left", "right") for part in ("heel", "toe")]
+    assert abs(min(kinematics(model, row).site_xpos[soles, 2].min() for row in qpos)) < 0.005
+
+
 def with_toes(take: Sampled, bend: np.ndarray) -> Skeleton:
     """The human's motion on a skeleton whose feet have toes in their front third, bent up by angles (T,) [rad]."""
     found = bvh.skeleton(take)
