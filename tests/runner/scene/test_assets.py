@@ -10,7 +10,8 @@ from figures import stl
 from PIL import Image
 from texts import read_data
 
-from dynsplines import motion
+from dynsplines import motion, solving
+from dynsplines.clip import load as clip
 from dynsplines.errors import UserError
 from dynsplines.exchange.motion_import import import_recording
 from dynsplines.picture.show import Look, images
@@ -79,7 +80,9 @@ def test_a_motion_file_of_the_first_format_still_loads(motion_file, tmp_path):
 
 def test_a_motion_file_with_damaged_assets_is_refused(model, tmp_path):
     target, bad = tmp_path / "it.npz", tmp_path / "bad.npz"
-    motion.save(import_recording(model), target)
+    scene = compose(figure_spec(str(model)))
+    rest = np.tile(scene.model().qpos0, (2, 1))
+    motion.save(solving.unsolved(clip.from_qpos("it", scene, np.arange(2.0), rest, 30.0, "it")).motion, target)
     for damage in ("asset_0", "asset_names"):
         with np.load(target) as data:
             assert damage in data
