@@ -77,11 +77,6 @@ class Cycle(Guide):
 
         yield Dense((2 * root * v).reshape(-1, samples.count), pulled_back, curved if figure.is_world else None)
 
-    def deviation(self, samples: Samples) -> Array:
-        """Return the angle of every joint with a quaternion to the cycle, (n, S) [rad]."""
-        w, v = self._deviations(samples, self._at(samples.t)[0])
-        return 2 * np.arctan2(np.linalg.norm(v, axis=0), np.abs(w))
-
     def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
         """Return the timeline with variable frames on the cycle, eight per period if `most` permits it."""
         ends = timeline.times[[0, -1]]

@@ -155,10 +155,6 @@ class TrackingPenalty(Guide):
             out = np.minimum(out, EASED + (1 - EASED) * away**2 * (3 - 2 * away))
         return out
 
-    def weights(self, t: Array) -> Array:
-        """Return the weights of squared differences of y, y' and y'' at times t (S,), (3, S, N)."""
-        return self._at(t).weights
-
     def _at(self, t: Array) -> _Target:
         """Return the recording at times t (S,), cached."""
         key = (float(t[0]), float(t[-1]), t.size)

@@ -223,8 +223,8 @@ def test_the_path_to_begin_with_is_the_cycle_at_variable_frames_and_keeps_the_ke
     np.testing.assert_array_equal([f.state for f in fixed], seen.keys.states)
     loose = np.array([frame.state for frame in initial_guess.frames if frame.is_variable])
     times = np.array([frame.time for frame in initial_guess.frames if frame.is_variable])
-    off = cycle.deviation(Samples(FIGURE, loose, 0 * loose, 0 * loose, times))
-    assert np.degrees(off.max()) < 0.1
+    off = cycle.evaluate(Samples(FIGURE, loose, 0 * loose, 0 * loose, times))
+    assert np.degrees(np.sqrt(off.max())) < 0.1
     turns = FIGURE.tables.quaternion_columns.T
     assert np.einsum("tqi,tqi->tq", loose[:, turns], path_of(seen.keys).at(times)[:, turns]).min() > 0
     for present in (0, 5):
@@ -249,7 +249,7 @@ def around(figure: Figure, rng: np.random.Generator, count: int) -> tuple[penalt
 def test_the_value_is_that_of_differences_from_scipys_spline_and_mujocos_places(figure, rng):
     found, samples = around(figure, rng, 4)
     curve = CubicSpline(TIMES, found.recorded.bridged, bc_type="natural")
-    weights = found.weights(samples.t)
+    weights = found._at(samples.t).weights
     links, _ = found.ends
 
     def places(state: np.ndarray) -> np.ndarray:
@@ -275,7 +275,7 @@ def test_next_to_an_edit_poses_hardly_count_and_smoothly_more_until_its_width_wh
     plain = near(figure, rng)
     eased = penalty.TrackingPenalty(plain.recorded, ((1.0, 0.4),))
     t = np.linspace(0.5, 1.5, 101)
-    whole, held = plain.weights(t), eased.weights(t)
+    whole, held = plain._at(t).weights, eased._at(t).weights
     share = held[0] / whole[0]
     np.testing.assert_allclose(share, np.repeat(share[:, :1], figure.width, axis=1))
     share = share[:, 0]
