@@ -94,7 +94,12 @@ def dask_cluster() -> Iterator[Any]:
     """A Dask worker in the process of the tests, in place of processes that start in seconds."""
     distributed = pytest.importorskip("distributed")
     with distributed.LocalCluster(
-        n_workers=1, threads_per_worker=1, processes=False, dashboard_address=None, silence_logs=50
+        n_workers=1,
+        threads_per_worker=1,
+        processes=False,
+        dashboard_address="127.0.0.1:0",
+        scheduler_kwargs={"dashboard": False},
+        silence_logs=50,
     ) as cluster:
         yield cluster
 
