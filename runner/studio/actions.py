@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from ..errors import UserError, one_line, unknown
+from ..errors import UserError, unknown
 from .session import Session
 
 if TYPE_CHECKING:
@@ -224,7 +224,7 @@ class Actions:
         before = self._state(index)
         try:
             after, _ = poser.with_entries(before, entries)
-        except (UserError, ValueError):  # the edit reports it
+        except UserError:  # the edit reports it
             return entries
         if self._targets(index):
             return entries
@@ -244,12 +244,11 @@ class Actions:
         poser, home = await self.poser(), await self._pose_at(time)
         joints = poser.keyframe_entries(poser.figure.model.qpos0)["joints"]
         entries = {"joints": joints} if name is None else self.session.document.read_pose(name)
-        try:
-            pose, is_specified = poser.with_entries(home, entries, f"the pose '{name}'")
-        except ValueError as error:
-            raise UserError(f"the pose '{name}': {one_line(error)}") from None
-        pose = poser.placed(pose, home)
-        self._drag = _DragAction(0, np.where(is_specified, np.inf, home), pose)  # all that it specifies is moved
+        pose, is_specified = poser.with_entries(home, entries, f"the pose '{name}'")
+        if not is_specified.any():
+            raise UserError(f"the pose '{name}' has no joints; list them under [joints]")
+        moved = np.where(is_specified, np.inf, home)  # all that it specifies
+        self._drag = _DragAction(0, moved, poser.placed(pose, home))
         return await self.drop(time=time, partial=partial)
 
     async def save_pose(self, *, time: float, name: str, overwrite: bool = False) -> str:
@@ -281,8 +280,7 @@ class Actions:
         determined = {*joints, *row.get("joints", {}), *row.get("roots", {}), *([poser.root] if "root" in row else [])}
         # targets whose joints are all fixed now
         places = [name for name in self._targets(key) if poser.deciding_joints(name)[0] <= determined]
-        words = f"pin {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
-        return await self.session.edit("change", _posed(key, {**entries, **_without(places)}, words))
+        return await self.session.edit("change", _posed(key, {**entries, **_without(places)}, "pin joints"))
 
     async def free(self, *, key: int, joints: Sequence[str]) -> str:
         """Free joints of a keyframe, and remove the targets that determine them."""
@@ -297,8 +295,7 @@ class Actions:
             elif link.name in joints:
                 entries["joints"][link.name] = "free"
         entries = self._released_entries(key, set(joints), self._state(key), poser, entries)
-        words = f"free {', '.join(joints[:2])}" + (" ..." if len(joints) > 2 else "")
-        return await self.session.edit("change", _posed(key, entries, words))
+        return await self.session.edit("change", _posed(key, entries, "free joints"))
 
     async def mirror(self, *, keys: Sequence[int]) -> str:
         """Swap left and right in keyframes."""

@@ -24,7 +24,6 @@ RATE = 100.0  # [1/s] sampling rate of a short motion
 MOST = 1500  # number of samples of a long motion
 OVERSHOOT = 10.0  # [degrees] beyond two keyframes, up to which a joint is not marked
 UNITS = {"angle": "°", "position": "m", "speed": "°/s", "torque": "N m"}
-ONE = ("",)
 AXES = {JointKind.BALL: ("x", "y", "z"), JointKind.FREE: ("x", "y", "z", "turn x", "turn y", "turn z")}
 
 
@@ -37,7 +36,7 @@ def curves(figure: Figure, solution: Solution) -> dict[str, Any]:
     by_side = {side: _series(figure, samples_at(figure, path_of(line), time)) for side, line in sides.items()}
     groups: dict[str, list[dict[str, Any]]] = {name: [] for name in UNITS}
     for i, (group, link, axis, values) in enumerate(by_side["after"]):
-        name = link.name if axis is None else f"{link.name} {AXES.get(link.kind, ONE)[axis]}".strip()
+        name = link.name if axis is None else f"{link.name} {AXES.get(link.kind, ('',))[axis]}".strip()
         series = {"name": name, "joint": link.name, "axis": axis, "after": _rounded(values)}
         if "before" in by_side:
             series["before"] = _rounded(by_side["before"][i][-1])
@@ -58,7 +57,7 @@ def overshoots(figure: Figure, keys: Sequence[Frame], timeline: Timeline) -> lis
             beyond = np.maximum(inside - max(begin, end), min(begin, end) - inside)
             at = int(beyond.argmax())
             if beyond[at] > max(OVERSHOOT, worst.get((first, last), (0.0,))[0]):
-                name = f"{link.name} {AXES.get(link.kind, ONE)[axis]}".strip()
+                name = f"{link.name} {AXES.get(link.kind, ('',))[axis]}".strip()
                 text = f"{name} goes from {begin:.0f}° to {values[at]:.0f}°, and then to {end:.0f}°"
                 mark = {"time": float(time[at]), "joint": link.name, "text": text}
                 worst[first, last] = float(beyond[at]), mark

@@ -14,6 +14,7 @@ from typing import Any
 import mujoco
 import numpy as np
 from numpy.typing import ArrayLike
+from pydantic import ValidationError
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
@@ -39,6 +40,7 @@ from ..clip.parse import chosen
 from ..clip.pose import key_of
 from ..clip.posing.places import Places, sole_points
 from ..clip.table import KeyframeTable, PenaltyTable
+from ..clip.table_errors import describe
 from ..clip.text import TomlTable, keyframe_tables, tables
 from ..errors import UserError, unknown
 from .footing import Footing, Spheres
@@ -271,9 +273,11 @@ class Poser:
         raise UserError(f"{names}: locked, and cannot stay in place; unlock it, or change less")
 
     def with_entries(self, qpos: Array, entries: Mapping[str, Any], where: str = "the keyframe") -> tuple[Array, Mask]:
-        """Return a pose (nq,) with the values in entries of a keyframe, and which they are. Raises UserError or
-        ValueError."""
-        row = KeyframeTable.model_validate({"time": 0.0, **entries})
+        """Return a pose (nq,) with the values in entries of a keyframe, and which they are. Raises UserError."""
+        try:
+            row = KeyframeTable.model_validate({"time": 0.0, **entries})
+        except ValidationError as error:
+            raise UserError(f"{where}: {describe(error, entries, KeyframeTable)}") from None
         key = key_of(self.figure, row, None, (), where)
         return np.where(key.fixed, key.state, qpos), key.fixed
 

@@ -161,12 +161,15 @@ def test_a_saved_pose_stays_at_the_place_and_heading_of_where_it_is_applied(sess
         ("save_pose", {"time": 0, "name": "../stand"}, "plain name"),
         ("pose", {"time": 0, "name": "none"}, "the pose 'none': "),
         ("pose", {"time": 0, "name": "other"}, "the pose 'other': no joint 'tail'"),
+        ("pose", {"time": 0, "name": "empty"}, "the pose 'empty' has no joints"),
+        ("pose", {"time": 0, "name": "wordy"}, "the pose 'wordy': joints.hip must be "),
     ],
 )
 def test_what_is_no_pose_of_the_figure_is_refused(session, name, said, words):
     poses = session.document.folder / "poses"
     poses.mkdir()
-    (poses / "other.toml").write_text("[joints]\ntail = 3\n")
+    for pose, text in (("other", "tail = 3"), ("empty", ""), ("wordy", "hip = 'bent'")):
+        (poses / f"{pose}.toml").write_text(f"[joints]\n{text}\n")
     with pytest.raises(UserError) as error:
         done(session, (name, said))
     assert words in str(error.value)
