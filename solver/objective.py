@@ -28,6 +28,8 @@ from .penalty.block import summed
 LONG, TENSION_POWER, MAX_TENSION = 0.25, 4.0, 8.0
 FROM_REST = 0.3  # [1] share of the first or the last segment over which tension rises from an end at rest
 SMALL_SHARE = 0.01  # [1] share of the clip's length in the smallest divisor of a term, see `renormalised`
+# [1] see `_typical`: percentile of segment means, cap in multiples of that percentile, smallest share of an integral
+MOST_OF_TIME, VIOLENT, LEAST_TYPICAL = 0.8, 4.0, 0.1
 HEAVY = 10.0  # [1] multiple of the raw spline's cost; above this multiple, gross violations dominate E
 HIDDEN = 0.003  # [m] depth between samples that is ignored, of an adult
 RUN = 400  # [1] smallest number of samples in a run
@@ -98,16 +100,18 @@ class Objective:
           in the floor therefore does not make the floor soft.
         - Upper limit, for all other terms: `Normalization.raw_cap` times the length of the clip.
 
-        The divisor of a term with `normalize_by` is its reference value times the divisor of the term named there.
+        Segments with exceptionally large costs contribute only in part, see `_typical`. The divisor of
+        a term with `normalize_by` is its reference value times the divisor of the term named there.
 
         Args:
             initial_guess: A path near the optimum, if one is available. Terms other than violations are divided by the
                 larger of their integrals over the two paths.
         """
-        integrals = self.integrals(raw)
+        integrals = self._typical(raw, self.integrals(raw))
         if initial_guess is not None:
             costs = np.array([not term.penalty.role.is_violation for term in self.terms])
-            integrals = np.where(costs, np.maximum(integrals, self.integrals(initial_guess)), integrals)
+            guessed = self._typical(initial_guess, self.integrals(initial_guess))
+            integrals = np.where(costs, np.maximum(integrals, guessed), integrals)
         (first, last), size = raw.span, Size.of(self.figure)
         spacing = (last - first) / (raw.spline.times.size - 1)
         terms = []
@@ -137,6 +141,25 @@ class Objective:
         return tuple(
             t for t in self.terms if not t.penalty.role.is_violation and not t.penalty.normalization.normalize_by
         )
+
+    def _typical(self, raw: Path, integrals: Array) -> Array:
+        """Return the integrals of the terms over the raw path, with outlying segments capped, (terms,). Violations are
+        not changed. For any other term, the mean over each segment between knots is capped at four times the 80th
+        percentile of all segment means, weighted by time. The result is at least a tenth of the integral."""
+        times = np.asarray(raw.spline.times)
+        costs = [i for i, term in enumerate(self.terms) if not term.penalty.role.is_violation]
+        plain = tuple(replace(self.terms[i], factor=1.0) for i in costs)
+        if not plain:
+            return integrals
+        shares = segment_integrals(replace(self, terms=plain), raw, times)
+        typical, spans = integrals.copy(), np.diff(times)
+        for i, share in zip(costs, shares.T, strict=True):
+            order = np.argsort(share / spans)
+            middle = order[np.searchsorted(np.cumsum(spans[order]), MOST_OF_TIME * spans.sum())]
+            capped = np.minimum(share, VIOLENT * share[middle] / spans[middle] * spans)
+            if share.sum() > 0:
+                typical[i] *= max(float(capped.sum() / share.sum()), LEAST_TYPICAL)
+        return typical
 
     def tension(self, t: Array) -> Array:
         """Return the dimensionless tension (S,) at times t (S,) [s].

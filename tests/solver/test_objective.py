@@ -7,6 +7,7 @@ import pytest
 from figures import CHAIN, figure_of, hinge_keys, hinged
 from gradients import clip, every_penalty, taylor_slope
 from random_models import TIMES, evenly
+from scipy.interpolate import CubicSpline
 
 from dynsplines.solver import objective as objectives
 from dynsplines.solver import penalty
@@ -59,6 +60,45 @@ def test_a_violation_is_divided_by_no_more_than_its_reference_over_the_whole_cli
         contact = penalty.Collision((Point("p", 1, np.zeros(3)),), (floor,))
         (term,) = objectives.Objective.of(figure, [(contact, 3.0)]).renormalised(raw).terms
         np.testing.assert_allclose(term.factor, 3.0 / (little(figure) * share * length), rtol=1e-12)
+
+
+def hinge_path(times: np.ndarray, angles: np.ndarray) -> tuple[objectives.Objective, Path]:
+    """One hinge, whose covariant acceleration is its angle's own, and the natural spline through angles [rad]."""
+    figure = figure_of(ONE_HINGE)
+    raw = raw_timeline(figure, [Frame.key(t, [angle]) for t, angle in zip(times, angles, strict=True)])
+    return objectives.Objective.of(figure, [(penalty.CovariantAcceleration(), 2.0)]), path_of(raw)
+
+
+def violent_parts(times: np.ndarray, angles: np.ndarray) -> tuple[float, float]:
+    """SciPy's natural spline: ∫ θ''² dt, and with no segment's mean over four times what four fifths of time stay
+    below."""
+    bend = CubicSpline(times, angles, bc_type="natural").derivative(2)(times)
+    spans = np.diff(times)
+    means = (bend[1:] ** 2 + bend[1:] * bend[:-1] + bend[:-1] ** 2) / 3
+    passed = 0.0
+    for mean, span in sorted(zip(means, spans, strict=True)):
+        passed += span
+        if passed >= objectives.MOST_OF_TIME * spans.sum():
+            return float(means @ spans), float(np.minimum(means, objectives.VIOLENT * mean) @ spans)
+    raise AssertionError
+
+
+@pytest.mark.parametrize("seed", [0, 1, 2, None])
+def test_violent_segments_count_as_four_times_what_most_of_the_time_stays_below_but_as_a_tenth_of_the_whole(seed):
+    if seed is None:  # nearly all of the integral is in one segment
+        times = np.append(np.arange(0.0, 20.0), 19.02)
+        angles = np.append(0.01 * np.sin(times[:-1]), 3.0)
+    else:
+        rng = np.random.default_rng(seed)
+        times = np.cumsum(rng.uniform(0.1, 0.4, 60))
+        angles = 2 * rng.normal(size=60)
+        angles[rng.integers(20, 40)] += rng.uniform(20, 60)
+    objective, path = hinge_path(times, angles)
+    whole, typical = violent_parts(times, angles)
+    assert (typical < objectives.LEAST_TYPICAL * whole) == (seed is None) and typical < whole
+    (term,) = objective.renormalised(path).terms
+    expected = whole / max(typical, objectives.LEAST_TYPICAL * whole)
+    np.testing.assert_allclose(term.factor * objective.integrals(path)[0] / term.weight, expected, rtol=1e-9)
 
 
 @pytest.mark.parametrize(("ends", "kind"), [("free", "gauss"), ("clamped start", "uniform"), ("periodic", "gauss")])
