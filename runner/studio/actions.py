@@ -247,7 +247,7 @@ class Actions:
         pose, is_specified = poser.with_entries(home, entries, f"the pose '{name}'")
         if not is_specified.any():
             raise UserError(f"the pose '{name}' has no joints; list them under [joints]")
-        moved = np.where(is_specified, np.inf, home)  # all that it specifies
+        moved = np.where(is_specified, np.inf, home)  # its entries
         self._drag = _DragAction(0, moved, poser.placed(pose, home))
         return await self.drop(time=time, partial=partial)
 

@@ -9,7 +9,7 @@ import type { Stage } from "./stage";
 import type { Timeline } from "./timeline";
 import { addKey, copy, paste, play, remove, save, step, toKey } from "./transport";
 
-type Command = [keys: string, says: string, done: () => void, button?: string];
+type Command = [keys: string, label: string, done: () => void, button?: string];
 
 const click = (id: string) => () => $(id).click();
 const selected = (): number[] => (model.keys.size ? [...model.keys].sort((a, b) => a - b) : model.here === null ? [] : [model.here]);
@@ -98,10 +98,10 @@ const MOUSE: [string, string][] = [
 
 const help = (stage: Stage, timeline: Timeline, hands: Hands): void => {
   const shown = (keys: string) => keys.replace("Arrow", "").replace("Left", "←").replace("Right", "→").replace("Up", "↑").replace("Down", "↓").replace("Page↑", "PgUp").replace("Page↓", "PgDn");
-  const row = (keys: string, says: string) => el("div", {}, el("kbd", { text: keys }), el("span", { text: says }));
+  const row = (keys: string, label: string) => el("div", {}, el("kbd", { text: keys }), el("span", { text: label }));
   const box = el("dialog", { class: "help", "aria-label": "keys" }, el("h2", { text: "Keys" }),
-    el("div", { class: "columns" }, ...commands(stage, timeline, hands).map(([keys, says]) => row(shown(keys), says))),
-    el("h2", { text: "Mouse" }), el("div", { class: "columns wide" }, ...MOUSE.map(([keys, says]) => row(keys, says))),
+    el("div", { class: "columns" }, ...commands(stage, timeline, hands).map(([keys, label]) => row(shown(keys), label))),
+    el("h2", { text: "Mouse" }), el("div", { class: "columns wide" }, ...MOUSE.map(([keys, label]) => row(keys, label))),
     el("form", { method: "dialog" }, el("div", { class: "buttons end" }, el("button", { type: "submit", class: "main", text: "Close" }))));
   box.addEventListener("close", () => box.remove());
   document.body.append(box);
@@ -111,11 +111,11 @@ const help = (stage: Stage, timeline: Timeline, hands: Hands): void => {
 
 export const beginKeyboard = (stage: Stage, timeline: Timeline, hands: Hands): void => {
   const table = new Map(commands(stage, timeline, hands).map(([keys, , done]) => [keys, done]));
-  for (const [keys, says, done, name] of commands(stage, timeline, hands)) {
+  for (const [keys, label, done, name] of commands(stage, timeline, hands)) {
     if (!name) continue;
     const made = $(name);
-    Object.assign(made, { title: `${says} (${keys})`, onclick: done });
-    if (!made.textContent) made.setAttribute("aria-label", says);
+    Object.assign(made, { title: `${label} (${keys})`, onclick: done });
+    if (!made.textContent) made.setAttribute("aria-label", label);
     if (PATHS[name]) made.append(icon(name));
   }
   window.addEventListener("keydown", (event) => {
