@@ -1,4 +1,4 @@
-"""Figures that float above the ground without falling, and feet that slide or drag on it."""
+"""Figures and objects that float above the ground without falling, and feet that slide or drag on it."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ CARRIED = 0.5
 
 
 def floating_and_sliding(motion: Measurement) -> Iterator[Violation]:
-    """Yield figures that float, and feet that slide or drag."""
+    """Yield figures and carried objects that float, and feet that slide or drag."""
     context, figure = motion.clip.context, motion.clip.figure
     if not context.surfaces or not np.any(figure.gravity):
         return
@@ -35,7 +35,7 @@ def floating_and_sliding(motion: Measurement) -> Iterator[Violation]:
     samples = samples_at(figure, path_of(motion.timeline), motion.time[at])
     for root in figure.tables.free_links.tolist():
         points = hanging(figure, root, body_points(figure))
-        if figure.tables.children[root] and points:
+        if points and (figure.tables.children[root] or root in context.schedule.objects):
             height, _ = heights(context.surfaces, *places_of(points, samples))
             yield from _floating(motion, samples, at, root, height.min(axis=0))
     yield from _sliding(motion, samples)
@@ -49,7 +49,13 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
     root     index of the tree's root link;  height  (S,) [m] of its lowest point
     """
     schedule, figure = motion.clip.context.schedule, motion.clip.figure
-    carrying = [(rest.first, rest.last) for rest in (*schedule.on_ground, *schedule.grasps)]
+    is_object = root in schedule.objects
+    contacts = [
+        contact
+        for contact in (*schedule.on_ground, *schedule.grasps)
+        if not is_object or root in (contact.point.link, contact.on)
+    ]
+    carrying = [(contact.first, contact.last) for contact in contacts]
     name, lowest = figure.links[root].name, int(height.round(3).argmin())
     if BOUNDS["aloft"].most < height[lowest] < FAR and not schedule.flights and not carrying:
         text = f"the figure never comes down: lowest point {height[lowest]:.2f} m above the floor"
@@ -72,7 +78,8 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
         if keys.size:
             key = int(keys[height[np.searchsorted(at, motion.key_at[keys])].argmax()])
             top, number = int(np.searchsorted(at, motion.key_at[key])), int(motion.numbers[key])
-        text = f"the figure floats {{}} above the ground, for {np.ptp(t):.2f} s, and is not in free fall"
+        what = name if is_object else "the figure"
+        text = f"{what} floats {{}} above the ground, for {np.ptp(t):.2f} s, and is not in free fall"
         yield row_of("float", name, text).violation(float(height[top]), float(samples.t[top]), number)
 
 

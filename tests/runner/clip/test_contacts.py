@@ -177,6 +177,15 @@ def lift(*more: str, hands: tuple[str, ...] = ("left", "right")) -> str:
     return SCENE + "".join(HOLD.format(hand=hand, start=0.6, end=1.5) for hand in hands) + "".join([*rows, *more])
 
 
+@pytest.mark.slow
+def test_a_crate_that_nothing_holds_in_the_air_floats():
+    result = solving.unsolved(recordings.from_text(lift(keyframe(2.7, STANDING, AT)), name="lift"))
+    floating = [violation for violation in result.violations if violation.kind == "float"]
+    assert {violation.name for violation in floating} == {"crate"}
+    assert all(violation.time < 0.6 or violation.time > 1.5 for violation in floating)
+    assert {violation.time < 0.6 for violation in floating} == {True, False}
+
+
 def place(clip: clips.Clip, qpos: np.ndarray, hand: str, held: str = "crate") -> np.ndarray:
     """(3,) where a hand is on a body, by MuJoCo."""
     data = kinematics(clip.figure.model, qpos)
