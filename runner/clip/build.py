@@ -136,8 +136,7 @@ class Clip:
 
 
 def build(source: Parsed, scene: Scene, figure: Figure, keys: Sequence[Frame], fps: float) -> Clip:
-    """Return the clip of keyframes, qpos (nq,) and mask each; `targets` are points whose positions the search
-    determines.
+    """Return the clip of keyframes, qpos (nq,) and mask each.
 
     Raises:
         UserError: For keyframes that form no timeline, and for tables that do not fit the figure.
