@@ -63,8 +63,6 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
         number = int(motion.numbers[key[0]]) if key.size else 0
         yield row_of("aloft", name, text).violation(float(height[lowest]), float(samples.t[lowest]), number)
         return
-    if root not in figure.tables.free_links:
-        return
     limits = Thresholds.of(figure)
     carried = RootWrench(samples, root).force[2] / max(weight(figure, root), TINY)
     is_explained = within((*carrying, *(schedule.specified_flights or ())), samples.t)
