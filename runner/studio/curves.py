@@ -18,11 +18,11 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.solution import Solution
 from dynsplines.solver.tolerances import ROUNDING
 
+from ..measure.bounds import BOUNDS
 from ..motion import samples_at
 
 RATE = 100.0  # [1/s] sampling rate of a short motion
 MOST = 1500  # number of samples of a long motion
-OVERSHOOT = 10.0  # [degrees] beyond two keyframes, up to which a joint is not marked
 UNITS = {"angle": "°", "position": "m", "speed": "°/s", "torque": "N m"}
 AXES = {JointKind.BALL: ("x", "y", "z"), JointKind.FREE: ("x", "y", "z", "turn x", "turn y", "turn z")}
 
@@ -36,8 +36,7 @@ def curves(figure: Figure, solution: Solution) -> dict[str, Any]:
     by_side = {side: _series(figure, samples_at(figure, path_of(line), time)) for side, line in sides.items()}
     groups: dict[str, list[dict[str, Any]]] = {name: [] for name in UNITS}
     for i, (group, link, axis, values) in enumerate(by_side["after"]):
-        name = link.name if axis is None else f"{link.name} {AXES.get(link.kind, ('',))[axis]}".strip()
-        series = {"name": name, "joint": link.name, "axis": axis, "after": _rounded(values)}
+        series = {"name": _label(link, axis), "joint": link.name, "axis": axis, "after": _rounded(values)}
         if "before" in by_side:
             series["before"] = _rounded(by_side["before"][i][-1])
         groups[group].append(series)
@@ -56,9 +55,8 @@ def overshoots(figure: Figure, keys: Sequence[Frame], timeline: Timeline) -> lis
             inside = np.where((time > first) & (time < last), values, begin)
             beyond = np.maximum(inside - max(begin, end), min(begin, end) - inside)
             at = int(beyond.argmax())
-            if beyond[at] > max(OVERSHOOT, worst.get((first, last), (0.0,))[0]):
-                name = f"{link.name} {AXES.get(link.kind, ('',))[axis]}".strip()
-                text = f"{name} goes from {begin:.0f}° to {values[at]:.0f}°, and then to {end:.0f}°"
+            if beyond[at] > max(BOUNDS["overshoot"].most, worst.get((first, last), (0.0,))[0]):
+                text = f"{_label(link, axis)} goes from {begin:.0f}° to {values[at]:.0f}°, and then to {end:.0f}°"
                 mark = {"time": float(time[at]), "joint": link.name, "text": text}
                 worst[first, last] = float(beyond[at]), mark
     return [mark for _, mark in worst.values()]
@@ -97,6 +95,11 @@ def _continuous(rotations: Array) -> Array:
     axes = vectors / np.maximum(sizes, ROUNDING)[:, None]
     signs = np.cumprod([1.0, *np.where((axes[1:] * axes[:-1]).sum(axis=1) < 0, -1.0, 1.0)])
     return (signs * np.unwrap(signs * sizes))[:, None] * axes
+
+
+def _label(link: Link, axis: int | None) -> str:
+    """Return the name of a joint's series; without an axis that of the whole joint."""
+    return link.name if axis is None else f"{link.name} {AXES.get(link.kind, ('',))[axis]}".strip()
 
 
 def _slides(link: Link) -> bool:
