@@ -492,14 +492,17 @@ KINDS = {
 }  # fmt: skip
 
 
-def posing_limits(figure: Figure, listed: Mapping[str, Options]) -> tuple[BendLimits | None, tuple[Interval, ...]]:
+def posing_limits(
+    figure: Figure, listed: Mapping[str, Options]
+) -> tuple[BendLimits | None, tuple[Interval, ...] | None]:
     """Return the parts of a clip's listed kinds that its poses respect.
 
     They are the limits of knees and elbows, or None if their penalty is off, and the flights (first, last) [s] that the
-    clip specifies.
+    clip specifies; None to infer them.
     """
     limits, flight = (listed.get(kind, Options()) for kind in ("limits", "flight"))
     names = limits.bend_joints
     bends = tuple(bend for bend in knees_and_elbows(figure) if names is None or bend.name in names)
     is_limited = bends and KINDS["limits"].weights(limits)["bend"] > 0
-    return bend_limits(bends, limits) if is_limited else None, tuple(flight.intervals or ())
+    flights = None if flight.intervals is None else tuple(flight.intervals)
+    return bend_limits(bends, limits) if is_limited else None, flights

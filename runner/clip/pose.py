@@ -13,12 +13,10 @@ from dynsplines.solver.figure.root import Root, sliding_joints
 from dynsplines.solver.penalty import couplings
 from dynsplines.solver.penalty.joints.equality import Coupling, in_order
 from dynsplines.solver.posing import Goal, rest_rotation
-from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import Point
 from dynsplines.solver.tolerances import ROUNDING
 
 from ..errors import UserError, unknown
-from .kinds import posing_limits
 from .parse import Parsed
 from .posing import notes
 from .posing.placement import goals_of, released_links, with_pose
@@ -48,7 +46,7 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
         if row.others == "previous" and not keys:
             raise UserError(f"{here}: others = 'previous' has no keyframe before it")
         keys.append(_base_on(key_of(figure, row, keys[-1] if keys else None, free, here), base))
-    stander, missed = stander_of(source, figure), list[str]()
+    stander, missed = Stander.of(source, figure), list[str]()
     if any(goals_by_key):
         for k, (row, goals, here) in enumerate(zip(rows, goals_by_key, places, strict=True)):
             before = keys[k - 1] if k else None  # "previous" uses posed keyframes
@@ -62,14 +60,6 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
                     missed.append(f"{source.labels[k]}: {notes.on_unmet(figure, unposed, row, goals, nearest)}")
                 keys[k] = _base_on(keys[k], base)
     return keys if base is not None else stander.pose_feet(keys), missed
-
-
-def stander_of(source: Parsed, figure: Figure) -> Stander:
-    """Return the object that poses the feet of a clip's partial keyframes."""
-    table = source.table
-    bends, flights = posing_limits(figure, source.options)
-    surfaces = static_surfaces(figure.model)
-    return Stander(figure, surfaces, bends, table.solve, source.where, table.contact, table.grasp, flights)
 
 
 def _base_on(key: Frame, base: Callable[[float], Array] | None) -> Frame:

@@ -8,8 +8,10 @@ from functools import cached_property
 
 import numpy as np
 
+from .. import quaternion as quat
 from ..array import Array, Index, Mask
 from ..curve.frame import Timeline
+from ..curve.seam import Seam
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..surface import Surface
@@ -117,6 +119,55 @@ class KeyframePoints:
         """
         drift = self.limits.farthest_planted(np.diff(self.keys.times))
         return np.asarray(self.is_near[:, :-1] & self.is_near[:, 1:] & (self.moves < drift))
+
+    def stance(self, i: int, k: int) -> Array | None:
+        """Return the position (3,) [m] of point i in keyframe k if it is planted around it, or None.
+
+        The point is planted, as in `stays`, between the nearest keyframes before and after that determine its position.
+        If there is only one such keyframe, it is planted if this has it near a surface.
+        """
+        beside = self._beside(i, k)
+        if not beside or not all(self.is_near[i, n % self._count] for n in beside):
+            return None
+        times, places = zip(*(self._at(i, n) for n in beside), strict=True)
+        first, last, seconds = places[0], places[-1], times[-1] - times[0]
+        if len(beside) == 1:
+            return first
+        if np.linalg.norm(last - first) >= self.limits.farthest_planted(seconds):
+            return None
+        return first + (self.keys.times[k] - times[0]) / seconds * (last - first)
+
+    def orientation(self, i: int, k: int) -> Array:
+        """Return the orientation (4,) of the link of point i in the nearest keyframe that determines it, else in k."""
+        n = min(self._beside(i, k), key=lambda n: abs(self._at(i, n)[0] - self.keys.times[k]), default=k)
+        rotation = quat.from_matrix(self.samples.links.rotation[:, :, self.links[i], n % self._count])
+        return rotation if self._seam is None else quat.product(self._seam.turn(n // self._count), rotation)
+
+    def _beside(self, i: int, k: int) -> list[int]:
+        """Return the nearest keyframes before and after k that determine point i. In a loop, numbers below zero and
+        beyond the last belong to the periods before and after."""
+        at = np.flatnonzero(self.is_known[i, : self._count])
+        if self._seam is not None:
+            at = np.concatenate([at - self._count, at, at + self._count])
+        return [*at[at < k][-1:].tolist(), *at[at > k][:1].tolist()]
+
+    def _at(self, i: int, n: int) -> tuple[float, Array]:
+        """Return the time [s] and the position (3,) [m] of point i in a keyframe, see `_beside`."""
+        period, k = divmod(n, self._count)
+        time, place = float(self.keys.times[k]), self.centres[:, i, k]
+        if self._seam is None:
+            return time, place
+        seconds = float(self.keys.times[-1] - self.keys.times[0])
+        return time + period * seconds, self._seam.moved_points(self.figure, place, period)
+
+    @cached_property
+    def _seam(self) -> Seam | None:
+        return Seam.of(self.figure, self.keys) if self.keys.ends == "periodic" else None
+
+    @property
+    def _count(self) -> int:
+        """The number of keyframes; the last one of a loop, which repeats the first, does not count."""
+        return len(self.keys.frames) - (self._seam is not None)
 
     @property
     def strides(self) -> Mask:

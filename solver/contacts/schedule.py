@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from ..array import Mask
+from ..array import Array, Mask
 from ..curve.frame import Timeline
 from ..figure.figure import Figure
 from ..surface import Surface
@@ -158,6 +158,31 @@ class ContactSchedule:
         """The points on soles and body, without grasped objects. A keyframe is grounded if the lowest one is."""
         points = self.exclude_grasped((*self.points, *body_points(self.figure)))
         return points if self.root is None else hanging(self.figure, self.root, points)
+
+    @cached_property
+    def resting_points(self) -> KeyframePoints:
+        """The sole points, and the other points of contacts at known positions, at the keyframes."""
+        points = list(self.points)
+        for contact in self.on_ground:
+            if contact.is_placed and not any(contact.point.coincides(other) for other in points):
+                points.append(contact.point)
+        return self._soles.with_points(points)
+
+    def rest(self, i: int, k: int) -> Array | None:
+        """Return the position (3,) [m] where one of `resting_points` rests at keyframe k, which leaves it free.
+
+        It is that of the contact that covers the keyframe, or that of a stance if the keyframe sets no joint of the
+        limb. It is None for other points, and for contacts that contradict each other or have no position.
+        """
+        point, t = self.resting_points.points[i], self.keys.times[[k]]
+        contacts = [each for each in self.on_ground if each.covers(t[0]) and each.point.coincides(point)]
+        if contacts:
+            spots = [contact.place(t)[:, 0] for contact in contacts if contact.is_placed]
+            same = Thresholds.of(self.figure).same_spot
+            return spots[0] if spots and all(np.linalg.norm(spot - spots[0]) < same for spot in spots) else None
+        limb = self.figure.limb(self.figure.links[point.link].body)
+        is_set = any(self.keys.fixed[k, self.figure.links[link].columns].any() for link in limb)
+        return None if is_set or i >= len(self.points) else self.resting_points.stance(i, k)
 
     @property
     def touches(self) -> Mask:

@@ -3,7 +3,6 @@
 places         points, bodies and roots by name, and the soles
 placement      joint values from specified positions
 standing_feet  stances of feet in partial keyframes
-stepping       the initial guess of clips with footsteps
 grounding      placing of keyframes on the ground
 notes          notes on unmet goals, ambiguous roots, and whole turns of keyframes that the motion omits
 """

@@ -7,20 +7,19 @@ nor in a flight that the clip specifies.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
-from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.contacts import ContactSchedule
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.dynamics import height
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import FAR, heights
 from dynsplines.solver.surface.points import Point, body_points, free_root, hanging, placed
 from dynsplines.solver.surface.surface import DEEP
@@ -32,59 +31,42 @@ HANGING = 0.15  # largest height above the ground, relative to the figure's, of 
 class Grounding:
     """Places the tree of one root.
 
-    root   the link that carries the tree
-    mine   (n,) indices of the figure's sole points on it
-    soles  these points;  points  of the whole tree, soles first
-    aloft  (first, last) [s] of every flight that the clip specifies
+    Attributes:
+        schedule: The contacts and flights of keyframes, whose unspecified entries are interpolated.
+        root: The link that carries the tree.
     """
 
-    figure: Figure
+    schedule: ContactSchedule
     root: int
-    mine: Index
-    soles: tuple[Point, ...]
-    points: tuple[Point, ...]
-    surfaces: tuple[Surface, ...]
-    aloft: tuple[tuple[float, float], ...] = ()
 
     @classmethod
-    def of(
-        cls,
-        figure: Figure,
-        soles: Sequence[Point],
-        surfaces: Sequence[Surface],
-        aloft: Sequence[tuple[float, float]] = (),
-    ) -> Grounding | None:
-        """Return the grounding of the first root with feet; None without one, or without ground."""
-        root = free_root(figure, soles)
-        if root is None or not surfaces:
+    def of(cls, schedule: ContactSchedule) -> Grounding | None:
+        """Return the grounding of the first root with feet; None without one, without ground, and if every keyframe
+        sets its height."""
+        root = free_root(schedule.figure, schedule.points)
+        if root is None or not schedule.surfaces:
             return None
-        mine = np.flatnonzero([figure.tables.path[point.link, root] for point in soles])
-        soles_of_tree, body = hanging(figure, root, soles), hanging(figure, root, body_points(figure))
-        return cls(figure, root, mine, soles_of_tree, (*soles_of_tree, *body), tuple(surfaces), tuple(aloft))
+        out = cls(schedule, root)
+        return None if schedule.keys.known[:, out._height].all() else out
 
-    def is_asked(self, keys: Sequence[Frame]) -> bool:
-        """Return whether any keyframe leaves the height free."""
-        return not all(key.known[self._height] for key in keys)
+    def put_down(self, keys: Sequence[Frame], before: ContactSchedule) -> list[Frame]:
+        """Return the keyframes, with standing ones moved onto the ground.
 
-    def leaping(self, timeline: Timeline) -> Grounding:
-        """Return the grounding with the flights that keyframes with a height imply."""
-        schedule = ContactSchedule(self.figure, timeline, self.soles, self.surfaces)
-        return replace(self, aloft=(*self.aloft, *schedule.flights))
-
-    def put_down(self, keys: Sequence[Frame], timeline: Timeline, staying: Callable[[int], Array]) -> list[Frame]:
-        """Return the keyframes, with standing ones moved onto the ground; `timeline` interpolates unspecified entries.
-
-        staying  returns the positions (3, n) [m] of the sole points with a stance at keyframe k; NaN for others
+        Args:
+            before: The contacts of the keyframes before feet were posed, with the stances of the soles.
         """
-        points = KeyframePoints.of(self.figure, timeline, self.points, self.surfaces)
+        timeline, surfaces, soles = self.schedule.keys, self.schedule.surfaces, self._soles
+        body = hanging(self.figure, self.root, body_points(self.figure))
+        points = KeyframePoints.of(self.figure, timeline, (*soles, *body), surfaces)
+        mine = [i for i, sole in enumerate(before.points) if self.figure.tables.path[sole.link, self.root]]
         centres, radii = points.centres, points.radii
         low = points.heights.min(axis=0)
         bottom = (centres[2] - radii[:, None]).min(axis=0)
         sets_height = timeline.known[:, self._height]
         standing = self._must_stand(timeline, low)
-        moved = list(keys)
-        for k, key in enumerate(keys):
-            beside = _beside(sets_height | standing, k, loop=timeline.ends == "periodic")
+        moved, is_loop = list(keys), timeline.ends == "periodic"
+        for k, key in enumerate(keys[: len(keys) - is_loop]):
+            beside = _beside(sets_height | standing, k, loop=is_loop)
             between = len(beside) > 1
             nearest = np.where(standing, 0.0, low)[beside if between else sets_height | standing]
             if sets_height[k] or not (standing[k] or self._stands(timeline, k, nearest, between=between)):
@@ -94,7 +76,9 @@ class Grounding:
             down = self._shallowest(centres[..., k], radii, self._drops(centres[..., k], radii, above))
             if down is None:
                 continue
-            stay = self._across(centres[..., k] + down[:, None], radii, staying(k)[:, self.mine])
+            stances = [before.resting_points.stance(i, k) for i in mine]
+            spots = np.array([np.full(3, np.nan) if spot is None else spot for spot in stances]).T
+            stay = self._across(centres[..., k] + down[:, None], radii, spots)
             if stay is not None:
                 loose = ~timeline.known[k, self._columns]
                 beyond = [start + stay * loose for start in above]
@@ -103,6 +87,15 @@ class Grounding:
                 stay, down = (None, down) if there is None or there is down else (stay, there)
             moved[k] = self._place(key, timeline.states[k], down, is_across=stay is not None)
         return moved
+
+    @property
+    def figure(self) -> Figure:
+        return self.schedule.figure
+
+    @cached_property
+    def _soles(self) -> tuple[Point, ...]:
+        """The sole points of the tree."""
+        return hanging(self.figure, self.root, self.schedule.points)
 
     @property
     def _columns(self) -> slice:
@@ -138,7 +131,7 @@ class Grounding:
 
     def _is_aloft(self, time: float) -> bool:
         """Return whether a time [s] is in a flight."""
-        return any(first < time < last for first, last in self.aloft)
+        return any(first < time < last for first, last in self.schedule.flights)
 
     @property
     def _high(self) -> float:
@@ -161,15 +154,15 @@ class Grounding:
             return True
         mask = np.array(timeline.known[k : k + 1])
         mask[:, self._columns] = True
-        for point in self.soles:  # the foot's own joint may be free
+        for point in self._soles:  # the foot's own joint may be free
             mask[:, self.figure.links[point.link].columns] = True
-        return bool(placed(self.figure, mask, self.soles).all())
+        return bool(placed(self.figure, mask, self._soles).all())
 
     def _drops(self, centres: Array, radii: Array, starts: Sequence[Array]) -> Iterator[Array]:
         """Yield displacements [m] of spheres (3, n) by a start (3,) and then vertically to the ground below soles or
         all."""
         for start in starts:
-            for count in (len(self.soles), radii.size):
+            for count in (len(self._soles), radii.size):
                 moved = self._drop(centres[:, :count], radii[:count], start)
                 if moved is not None:
                     yield moved
@@ -178,7 +171,7 @@ class Grounding:
         """Return the displacement for one start, onto the ground below all spheres; None without ground."""
         by = np.array(by)
         for _ in range(30):  # a few suffice unless surfaces are steep
-            lowest = float(heights(self.surfaces, (centres + by[:, None])[..., None], radii)[0].min())
+            lowest = float(heights(self.schedule.surfaces, (centres + by[:, None])[..., None], radii)[0].min())
             if lowest >= FAR:
                 return None
             by[2] -= lowest
@@ -192,7 +185,7 @@ class Grounding:
         skin = (centres[..., None] + radii[:, None] * axes[:, None, :]).reshape(3, -1)
         best, least = None, np.inf
         for move in moves:
-            deep = max(float(surface.inside(skin + move[:, None]).max()) for surface in self.surfaces)
+            deep = max(float(surface.inside(skin + move[:, None]).max()) for surface in self.schedule.surfaces)
             if deep < least - self._limits.tiny:
                 best, least = move, deep
         return best
@@ -202,8 +195,8 @@ class Grounding:
 
         centres  (3, n) of all points, with soles first;  spots  (3, m) of stances, NaN without
         """
-        count = len(self.soles)
-        above, _ = heights(self.surfaces, centres[:, :count, None], radii[:count])
+        count = len(self._soles)
+        above, _ = heights(self.schedule.surfaces, centres[:, :count, None], radii[:count])
         away = (spots - centres[:, :count])[:2, (above[:, 0] < self._limits.clear) & ~np.isnan(spots[0])]
         if not away.size:
             return None

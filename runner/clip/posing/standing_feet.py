@@ -9,18 +9,16 @@ pose and remain free.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
-from dynsplines.solver.contacts import Contact, ContactSchedule
-from dynsplines.solver.contacts.keyframe_points import KeyframePoints
+from dynsplines.solver.contacts import Contact, ContactSchedule, Interval
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.raw import raw_timeline
-from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import BendLimits
 from dynsplines.solver.posing import (
@@ -32,11 +30,13 @@ from dynsplines.solver.posing import (
     in_winding,
     reached,
 )
-from dynsplines.solver.surface import Surface
+from dynsplines.solver.surface import Surface, static_surfaces
 from dynsplines.solver.surface.points import Point, placed
 
 from ..contacts import schedule_of
-from ..table import ContactTable, GraspTable, SolveTable
+from ..kinds import posing_limits
+from ..parse import Parsed
+from ..table import ContactTable
 from .grounding import Grounding
 
 NEARLY = 1e-3  # [m, rad] largest error of a pose that meets its goals
@@ -45,27 +45,6 @@ BALANCE = 100.0  # [1/m] weight of the preference of balance, relative to 1 rad 
 STANDING = 0.6  # [1] size of the polygon above which a standing figure is posed, relative to that of its feet
 OWN_TURN = 1e-3  # weight of a foot's orientation relative to its points, two of which do not determine it
 TURNS = 4  # iterations, each from the previous orientation, which remove this bias
-
-
-@dataclass(frozen=True, eq=False)
-class Standing:
-    """A foot in a stance: n points, their positions (n, 3) [m], and the orientation (4,) of its link in a keyframe."""
-
-    points: tuple[Point, ...]
-    spots: Array
-    turn: Array
-
-    def goals(self, figure: Figure) -> list[Goal]:
-        """Return goals for the centre of the points, and for their orientation if they are several."""
-        link, positions = self.points[0].link, np.array([point.position for point in self.points])
-        body, spot = figure.links[link].body, self.spots.mean(axis=0)
-        middle = Point(self.points[0].name, link, positions.mean(axis=0))
-        goals: list[Goal] = [PointGoal.of(figure, middle, spot)]
-        if len(self.points) > 1:
-            turn = fitted(positions - middle.position, self.spots - spot, self.turn)
-            rotation = quat.product(turn, figure.body_turn[body])
-            goals.append(BodyGoal(self.points[0].name, rotation, body))
-        return goals
 
 
 def fitted(own: Array, seen: Array, turn: Array) -> Array:
@@ -98,36 +77,65 @@ def balance_of(
     return [(BALANCE, Balance("balance", figure.links[figure.root.link].body, points, share))]
 
 
-def _during(tables: Sequence[ContactTable], first: float, last: float) -> Iterator[ContactTable]:
-    """Yield the contacts within [first, last], for a recording only those near its keyframes."""
-    for table in tables:
-        start, end = max(table.start, first), min(table.end, last)
-        if start < end or not table.start < table.end:
-            yield table.model_copy(update={"start": start, "end": end}) if start < end else table
+def goals_at(schedule: ContactSchedule, k: int) -> list[list[Goal]]:
+    """Return the goals of feet and grasps at keyframe k, a group for each foot, contact point or grasp."""
+    points, links = schedule.resting_points, dict[int, list[int]]()
+    spots = [None if points.is_known[i, k] else schedule.rest(i, k) for i in range(len(points.points))]
+    for i in (i for i, spot in enumerate(spots) if spot is not None):
+        links.setdefault(points.points[i].link, []).append(i)
+    feet = [_foot(schedule, k, members, np.array([spots[i] for i in members])) for members in links.values()]
+    grasps = [_grasp(schedule, grasp, k) for grasp in (*schedule.grasps, *schedule.turns)]
+    return [*feet, *(group for group in grasps if group)]
+
+
+def _foot(schedule: ContactSchedule, k: int, members: Sequence[int], spots: Array) -> list[Goal]:
+    """Return goals for the centre of points at positions (n, 3) [m], and for their orientation if they are several."""
+    figure, points = schedule.figure, [schedule.resting_points.points[i] for i in members]
+    first, positions = points[0], np.array([point.position for point in points])
+    centre, spot, body = positions.mean(axis=0), spots.mean(axis=0), figure.links[first.link].body
+    goals: list[Goal] = [PointGoal.of(figure, replace(first, position=centre), spot)]
+    if len(points) > 1:
+        turn = fitted(positions - centre, spots - spot, schedule.resting_points.orientation(members[0], k))
+        goals.append(BodyGoal(first.name, quat.product(turn, figure.body_turn[body]), body))
+    return goals
+
+
+def _grasp(schedule: ContactSchedule, grasp: Contact, k: int) -> list[Goal]:
+    """Return the goal of a site that holds a known spot at keyframe k, unless this determines both bodies.
+
+    A body follows the rotation of a hand, whereas a hand follows only the position of a body.
+    """
+    t, ends = schedule.keys.times[k], (grasp.point, Point(grasp.point.name, grasp.on, np.zeros(3)))
+    hand, body = placed(schedule.figure, schedule.keys.known[k : k + 1], ends)[:, 0]
+    if not grasp.is_placed or not grasp.covers(t) or (body and (hand or grasp in schedule.turns)):
+        return []
+    return [PointGoal.of(schedule.figure, grasp.point, grasp.place(np.array([t]))[:, 0], grasp.on)]
 
 
 @dataclass(frozen=True, eq=False)
 class Stander:
-    """Detects stances of feet in partial keyframes, and poses the feet.
+    """Poses the feet of a clip's partial keyframes.
 
     Attributes:
         bends: The limits of knees and elbows.
-        where: The label of the clip in errors.
-        aloft: Specified flights, (first, last) [s].
+        flights: The flights that the clip specifies; None: inferred.
     """
 
     figure: Figure
+    source: Parsed
     surfaces: tuple[Surface, ...]
     bends: BendLimits | None
-    solve: SolveTable
-    where: str
-    contact_tables: Sequence[ContactTable] = ()
-    grasp_tables: Sequence[GraspTable] = ()
-    aloft: Sequence[tuple[float, float]] = ()
+    flights: tuple[Interval, ...] | None
+
+    @classmethod
+    def of(cls, source: Parsed, figure: Figure) -> Stander:
+        """Return the object that poses the feet of a clip."""
+        bends, flights = posing_limits(figure, source.options)
+        return cls(figure, source, static_surfaces(figure.model), bends, flights)
 
     def timeline(self, keys: Sequence[Frame]) -> Timeline:
         """Return the keyframes' timeline, for a loop with its seam; raises TimelineError."""
-        slope, solve = np.zeros((2, self.figure.width)), self.solve
+        slope, solve = np.zeros((2, self.figure.width)), self.source.table.solve
         if solve.ends != "periodic":  # loading the clip reports an invalid travel or turn
             return raw_timeline(self.figure, list(keys), solve.ends, slope)
         turn = None if solve.turn is None else float(np.radians(solve.turn))
@@ -138,61 +146,48 @@ class Stander:
         if all(key.is_key for key in keys):
             return list(keys)
         try:
-            inferred = self.known_positions(self.timeline(keys))
+            schedule = self._schedule(self.timeline(keys))
         except TimelineError:  # loading the clip reports it
             return list(keys)
-        count = len(keys) - (self.solve.ends == "periodic")  # the last keyframe of a loop is the first
-        posed_keys = [
-            self._pose(keys[k], inferred, k) if k < count and not keys[k].is_key else keys[k] for k in range(len(keys))
-        ]
-        grounding = Grounding.of(self.figure, inferred.soles, self.surfaces, self.aloft)
-        if grounding is None or not grounding.is_asked(posed_keys):
-            return posed_keys
-        timeline = self.timeline(posed_keys)
-        return [
-            *grounding.leaping(timeline).put_down(posed_keys[:count], timeline, inferred.staying),
-            *posed_keys[count:],
-        ]
+        is_loop = schedule.keys.ends == "periodic"  # whose last keyframe is the first
+        unposed = [k for k, key in enumerate(keys) if not key.is_key][: len(keys) - is_loop]
+        posed = [self._pose(key, schedule, k) if k in unposed else key for k, key in enumerate(keys)]
+        grounding = Grounding.of(replace(schedule, keys=self.timeline(posed)))
+        return posed if grounding is None else grounding.put_down(posed, schedule)
 
     def feet_goals(self, keys: Sequence[Frame], k: int, goals: Sequence[Goal]) -> tuple[Timeline, list[Goal]]:
         """Return the keyframes' timeline, and goals of feet in a stance at keyframe k, for limbs without goals.
 
         These are only feet that the goals also move; `pose_feet` handles others.
         """
-        figure, free, timeline = self.figure, ~keys[k].fixed, self.timeline(keys)
-        is_reached = reached(figure, goals)
+        figure, timeline = self.figure, self.timeline(keys)
+        may_move = reached(figure, goals) & ~keys[k].fixed
         busy = {link for goal in goals for link in figure.limb(goal.bodies(figure.model)[0])}
-        if not free[is_reached].any():
-            return timeline, []
-        inferred = self.known_positions(timeline)
-        result: list[Goal] = []
-        for foot in inferred.standing(k):
-            more = foot.goals(figure)
-            if foot.points[0].link not in busy and (reached(figure, more) & is_reached & free).any():
-                result += more
-        for goal in inferred.holding(k):
-            links = figure.limb(goal.bodies(figure.model)[0])
-            if not busy.intersection(links) and (reached(figure, [goal]) & is_reached & free).any():
-                result.append(goal)
-        return timeline, result
+        groups = goals_at(self._schedule(timeline), k) if may_move.any() else []
+        return timeline, [
+            goal
+            for group in groups
+            if figure.body_link[group[0].bodies(figure.model)[0]] not in busy and reached(figure, group)[may_move].any()
+            for goal in group
+        ]
 
-    def known_positions(self, timeline: Timeline) -> _KnownPositions:
-        tables = list(_during(self.contact_tables, *timeline.times[[0, -1]].tolist()))
-        return _KnownPositions(schedule_of(self.figure, timeline, self.surfaces, self.where, tables, self.grasp_tables))
+    def _schedule(self, timeline: Timeline) -> ContactSchedule:
+        """Return the contacts of the clip, whose keyframes may be few of those of a recording."""
+        table = self.source.table
+        tables = list(_during(table.contact, *timeline.times[[0, -1]].tolist()))
+        schedule = schedule_of(self.figure, timeline, self.surfaces, self.source.where, tables, table.grasp)
+        return replace(schedule, specified_flights=self.flights)
 
-    def _pose(self, key: Frame, known: _KnownPositions, k: int) -> Frame:
+    def _pose(self, key: Frame, schedule: ContactSchedule, k: int) -> Frame:
         """Return keyframe k posed for its feet and goals; feet that cannot keep their stance are released."""
-        figure = self.figure
-        frame = known.timeline.frames[k]
-        groups = [foot.goals(figure) for foot in known.standing(k)]
-        groups += [[goal] for goal in known.holding(k)]
-        home = figure.to_qpos(frame.state)
-        root = figure.root
+        figure, timeline, groups = self.figure, schedule.keys, goals_at(schedule, k)
+        frame = timeline.frames[k]
+        home, root = figure.to_qpos(frame.state), figure.root
         may_shift = root is not None and not frame.fixed[figure.links[root.link].qpos + np.arange(2)].all()
         is_determined, missed = np.zeros(figure.width, bool), list[Goal]()
         while groups:
             goals = [goal for group in groups for goal in group]
-            preferred = balance_of(figure, known.soles, goals, STANDING) if may_shift else []
+            preferred = balance_of(figure, schedule.points, goals, STANDING) if may_shift else []
             pose = find_pose(figure, home, ~frame.fixed, goals, self.bends, STARTS, preferred=preferred)
             if pose.worst <= NEARLY:
                 home, is_determined = pose.qpos, pose.fixed & ~frame.fixed
@@ -201,7 +196,7 @@ class Stander:
             missed += groups.pop(int(of_group[np.argmax(pose.missed)]))
         home, more = self._reaching(home, ~frame.fixed & ~is_determined, missed)
         is_determined |= more
-        home = in_winding(figure, home, known.timeline.states[k - 1] if k else home, is_determined)
+        home = in_winding(figure, home, timeline.states[k - 1] if k else home, is_determined)
         return (
             Frame(key.time, np.where(is_determined, home, key.state), key.fixed, is_determined)
             if is_determined.any()
@@ -220,129 +215,9 @@ class Stander:
         return home, np.zeros(self.figure.width, bool)
 
 
-class _KnownPositions:
-    """Positions of points at keyframes, as far as these determine them.
-
-    For a loop three periods are evaluated, which include the keyframes before the first and after the last.
-    """
-
-    def __init__(self, schedule: ContactSchedule) -> None:
-        self.figure, self.timeline, self.limits = schedule.figure, schedule.keys, Thresholds.of(schedule.figure)
-        self.soles, self.contacts = schedule.points, schedule.on_ground
-        self.grasps, self.turns = schedule.grasps, schedule.turns
-        rests = [contact.point for contact in self.contacts if contact.is_placed]
-        self.points = self.soles
-        for point in rests:
-            self.points += () if any(point.coincides(other) for other in self.points) else (point,)
-        self.at_keys = KeyframePoints.of(self.figure, self.timeline, self.points, schedule.surfaces)
-        self.told = self.at_keys.is_known
-        self.times, self.centres, self.low = self._unroll()
-
-    def _unroll(self) -> tuple[Array, Array, Mask]:
-        """Return times (T,), positions of the points (n, T, 3), and whether they are on a surface (n, T)."""
-        times, centres = self.timeline.times, np.moveaxis(self.at_keys.centres, 0, 2)
-        low = np.abs(self.at_keys.heights) < self.limits.near_surface
-        if self.timeline.ends != "periodic":
-            return times, centres, low
-        seam, period = Seam.of(self.figure, self.timeline), times[-1] - times[0]
-        turns = np.arange(-1, 2)
-        return (
-            (times[:-1] + period * turns[:, None]).ravel(),
-            np.concatenate([seam.moved_points(self.figure, centres[:, :-1], turn) for turn in turns], axis=1),
-            np.tile(low[:, :-1], (1, 3)),
-        )
-
-    def standing(self, k: int) -> list[Standing]:
-        """Return the feet in a stance at keyframe k, and the other points with a specified contact."""
-        by_link: dict[int, list[tuple[Point, Array, Array]]] = {}
-        for i, point in enumerate(self.points):
-            if self.told[i, k]:
-                continue
-            near = self._neighbours(i, k)
-            spot = self._resting(point, k)
-            if spot is None and i < len(self.soles) and not self._spoken_of(point, k) and not self._is_set(point, k):
-                spot = self._stays(i, k, near)
-            if spot is not None:
-                by_link.setdefault(point.link, []).append((point, spot, self._turn(point.link, k, near)))
-        return [
-            Standing(tuple(p for p, _, _ in members), np.array([spot for _, spot, _ in members]), members[0][2])
-            for members in by_link.values()
-        ]
-
-    def holding(self, k: int) -> list[PointGoal]:
-        """Return goals of sites that hold a known spot at keyframe k, unless it determines both bodies.
-
-        A body follows the rotation of a hand, whereas a hand follows only the position of a body.
-        """
-        return [goal for grasp in (*self.grasps, *self.turns) if (goal := self._holding(grasp, k)) is not None]
-
-    def _holding(self, grasp: Contact, k: int) -> PointGoal | None:
-        t, is_known = self.timeline.times[k], self.timeline.known[k : k + 1]
-        ends = (grasp.point, Point(grasp.point.name, grasp.on, np.zeros(3)))
-        hand, body = placed(self.figure, is_known, ends)[:, 0]
-        if not grasp.is_placed or not grasp.covers(t) or (body and (hand or grasp in self.turns)):
-            return None
-        return PointGoal.of(self.figure, grasp.point, grasp.place(np.array([t]))[:, 0], grasp.on)
-
-    def _neighbours(self, i: int, k: int) -> tuple[int | None, int | None]:
-        """Return the nearest keyframes before and after k, also of other periods, that give the position of point i."""
-        count = self.times.size // 3 if self.timeline.ends == "periodic" else self.times.size
-        at = k + (count if self.timeline.ends == "periodic" else 0)
-        is_told = self.told[i, :count] if self.timeline.ends != "periodic" else np.tile(self.told[i, :count], 3)
-        before, after = np.flatnonzero(is_told[:at]), np.flatnonzero(is_told[at + 1 :])
-        return (int(before[-1]) if before.size else None), (int(at + 1 + after[0]) if after.size else None)
-
-    def staying(self, k: int) -> Array:
-        """Return positions (3, n) of sole points in a stance at keyframe k, whatever it sets; NaN for others."""
-        spots = np.full((3, len(self.soles)), np.nan)
-        for i in range(len(self.soles)):
-            spot = self._stays(i, k, self._neighbours(i, k))
-            if spot is not None:
-                spots[:, i] = spot
-        return spots
-
-    def _stays(self, i: int, k: int, near: tuple[int | None, int | None]) -> Array | None:
-        """Return the stance position of a point: that between equal positions in the keyframes before and after. In the
-        first and last keyframes it is that of the only neighbour. None without a stance."""
-        before, after = near
-        neighbours = [n for n in near if n is not None]
-        if not neighbours or not all(self.low[i, n] for n in neighbours):
-            return None
-        if before is None or after is None:
-            return self.centres[i, neighbours[0]]
-        spot, landed = self.centres[i, before], self.centres[i, after]
-        seconds = self.times[after] - self.times[before]
-        if np.linalg.norm(landed - spot) >= self.limits.farthest_planted(seconds):
-            return None
-        return spot + (self.timeline.times[k] - self.times[before]) / seconds * (landed - spot)
-
-    def _is_set(self, point: Point, k: int) -> bool:
-        links = self.figure.limb(self.figure.links[point.link].body)
-        fixed = self.timeline.frames[k].fixed
-        return any(fixed[self.figure.links[link].columns].any() for link in links)
-
-    def _resting(self, point: Point, k: int) -> Array | None:
-        """Return the position that a contact specifies for a point at keyframe k, None if contacts contradict."""
-        t = self.timeline.times[k]
-        spots = [
-            contact.place(np.array([t]))[:, 0]
-            for contact in self.contacts
-            if contact.is_placed and point.coincides(contact.point) and contact.covers(t)
-        ]
-        is_contradicted = any(np.linalg.norm(spot - spots[0]) >= self.limits.same_spot for spot in spots)
-        return spots[0] if spots and not is_contradicted else None
-
-    def _spoken_of(self, point: Point, k: int) -> bool:
-        """Return whether a contact covers a point at keyframe k."""
-        t = self.timeline.times[k]
-        return any(point.coincides(contact.point) and contact.covers(t) for contact in self.contacts)
-
-    def _turn(self, link: int, k: int, near: tuple[int | None, int | None]) -> Array:
-        """Return the orientation (4,) of a link in the nearer neighbour that determines it, else at keyframe k."""
-        neighbours = [n for n in near if n is not None]
-        nearest = min(neighbours, key=lambda n: abs(self.times[n] - self.timeline.times[k])) if neighbours else k
-        if self.timeline.ends != "periodic" or not neighbours:
-            return quat.from_matrix(self.at_keys.samples.links.rotation[:, :, link, nearest])
-        number, nearest = divmod(nearest, self.times.size // 3)  # of the periods before, of and after the loop
-        rotation = quat.from_matrix(self.at_keys.samples.links.rotation[:, :, link, nearest])
-        return quat.product(Seam.of(self.figure, self.timeline).turn(number - 1), rotation)
+def _during(tables: Sequence[ContactTable], first: float, last: float) -> Iterator[ContactTable]:
+    """Yield the contacts within [first, last], for a recording only those near its keyframes."""
+    for table in tables:
+        start, end = max(table.start, first), min(table.end, last)
+        if start < end or not table.start < table.end:
+            yield table.model_copy(update={"start": start, "end": end}) if start < end else table
