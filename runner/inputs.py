@@ -72,12 +72,7 @@ def solved(
 def measured(source: Clip | Saved, progress: Progress) -> Saved:
     """Return the motion of a source with its report, measured unless stored in its file."""
     from . import solving  # imported here, as above
-    from .measure import violation
 
     if not isinstance(source, Saved):
         return solving.solve(source, progress, measure=True).motion
-    if not source.report:
-        return solving.Solved.of(source).measured(progress, "not searched: imported")
-    if "violations" in source.report:
-        return source
-    return replace(source, report={"violations": violation.plain(solving.Solved.of(source).violations)} | source.report)
+    return source if source.report else solving.Solved.of(source).measured(progress, "not searched: imported")

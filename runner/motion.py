@@ -455,6 +455,12 @@ def _restored(data: Arrays) -> Saved:
         timeline=timelines[0],
         raw=timelines[1],
         trace=json.loads(str(data["trace"])),
-        report=json.loads(str(data["report"])),
+        report=_current(json.loads(str(data["report"]))),
         search=json.loads(str(data.get("search", "{}"))),
     )
+
+
+def _current(report: Any) -> Any:
+    """Return a stored report, empty if it is of an older version, so that the motion is measured again."""
+    after = report.get("after") if isinstance(report, dict) else None
+    return {} if isinstance(report, dict) and not (isinstance(after, dict) and "largest" in after) else report

@@ -437,7 +437,7 @@ def _farthest(ratios: Array) -> float:
 
 def clip_claims(report: Mapping[str, Any]) -> list[Claim]:
     """The claims of §5 and figures 11 and 12, from a clip's report; a depth up to `TOUCH` [m] counts as touching."""
-    before, after = (float(report[side]["penetration, m"]["deepest"]) for side in ("before", "after"))
+    before, after = (float(report[side]["largest"]["penetration"]["amount"]) for side in ("before", "after"))
     seconds = float(report["seconds"])
     return [
         Claim(

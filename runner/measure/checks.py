@@ -52,9 +52,9 @@ class Hits:
     amount: Array
 
     @classmethod
-    def of(cls, amounts: Array, least: float = 0.0) -> Hits:
-        """Return the amounts (n, S) of n rows at S samples that exceed `least`."""
-        row, at = np.nonzero(amounts > least)
+    def of(cls, amounts: Array) -> Hits:
+        """Return the positive amounts (n, S) of n rows at S samples."""
+        row, at = np.nonzero(amounts > 0)
         return cls(row, at, amounts[row, at])
 
     @classmethod
@@ -87,7 +87,6 @@ class Check:
     is_once_per_group  whether all keyframes that violate a group are reported in one line, instead of one line each
     """
 
-    name: str
     hits: Callable[[Samples], Hits]
     row: Callable[[int], Row]
     bounds: Array
@@ -99,7 +98,6 @@ class Check:
     @classmethod
     def each(
         cls,
-        name: str,
         rows: Sequence[Row],
         hits: Callable[[Samples], Hits],
         fixed: Mask | None = None,
@@ -115,7 +113,7 @@ class Check:
             return np.zeros(row.size, bool) if fixed is None else fixed[row, key]
 
         bounds = np.array([row.bound for row in rows])
-        return cls(name, hits, rows.__getitem__, bounds, np.arange(len(rows)) if groups is None else groups, is_fixed)
+        return cls(hits, rows.__getitem__, bounds, np.arange(len(rows)) if groups is None else groups, is_fixed)
 
 
 @dataclass(frozen=True, eq=False)
@@ -154,9 +152,9 @@ def bends(limits: BendLimits, fixed: Fixed, bound: float | None) -> Check:
     def hits(samples: Samples) -> Hits:
         flexion, sideways, twist = limits.angles(samples)
         beyond = [limits.least - flexion, np.abs(sideways) - limits.sideways, np.abs(twist) - limits.twist]
-        return Hits.of(np.degrees(np.concatenate(beyond)), -np.inf)
+        return Hits.of(np.degrees(np.concatenate(beyond)))
 
-    return Check.each("bend", rows, hits, np.tile(fixed.joints([joint.link for joint in limits.joints]), (3, 1)))
+    return Check.each(rows, hits, np.tile(fixed.joints([joint.link for joint in limits.joints]), (3, 1)))
 
 
 def ranges(joints: Sequence[Range], kinds: tuple[str, str], text: str, fixed: Mask | None = None) -> Check:
@@ -176,7 +174,7 @@ def ranges(joints: Sequence[Range], kinds: tuple[str, str], text: str, fixed: Ma
         excess = Hits.of(limits.beyond(samples))
         return replace(excess, amount=np.where(slides[excess.row], excess.amount, np.degrees(excess.amount)))
 
-    return Check.each(kinds[0], rows, hits, fixed)
+    return Check.each(rows, hits, fixed)
 
 
 def speeds(figure: Figure, limit: Speed) -> Check:
@@ -185,7 +183,7 @@ def speeds(figure: Figure, limit: Speed) -> Check:
     bound, text = max(BOUNDS["speed"].most, SPEED_SHARE * most), f"faster than its limit of {most:.0f} degrees/s"
     names = [figure.links[i].name for i in figure.tables.rotary_links]
     rows = [row_of("speed", name, f"{name} turns {{}} {text}", bound) for name in names]
-    return Check.each("speed", rows, lambda samples: Hits.of(np.degrees(limit.excess(samples))))
+    return Check.each(rows, lambda samples: Hits.of(np.degrees(limit.excess(samples))))
 
 
 def coupled(fixed: Fixed) -> Check | None:
@@ -206,7 +204,7 @@ def coupled(fixed: Fixed) -> Check | None:
 
     is_fixed = fixed.states.T
     both = [is_fixed[joint.follower] & (is_fixed[joint.driver] if joint.driver >= 0 else True) for joint in joints]
-    return Check.each("coupled", rows, hits, np.array(both))
+    return Check.each(rows, hits, np.array(both))
 
 
 def loop_gaps(fixed: Fixed) -> Check | None:
@@ -224,7 +222,7 @@ def loop_gaps(fixed: Fixed) -> Check | None:
 
     both = fixed.places[[pair.point.link for pair in pairs]] & fixed.places[[pair.on for pair in pairs]]
     _, groups = np.unique(names, return_inverse=True)
-    return Check.each("torn", rows, hits, both, groups)
+    return Check.each(rows, hits, both, groups)
 
 
 def whips(figure: Figure, raw_peak: float) -> Check | None:
@@ -235,7 +233,7 @@ def whips(figure: Figure, raw_peak: float) -> Check | None:
     bound = max(BOUNDS["whip"].most, WHIP_SHARE * raw_peak)
     names = [figure.links[i].name for i in links]
     rows = [row_of("whip", name, f"{name} whips: {{}}, the raw spline needs {raw_peak:.0f}", bound) for name in names]
-    return Check.each("whip", rows, lambda samples: Hits.of(relative_accelerations(samples)[1][links]))
+    return Check.each(rows, lambda samples: Hits.of(relative_accelerations(samples)[1][links]))
 
 
 def lengths(figure: Figure) -> Check | None:
@@ -243,7 +241,7 @@ def lengths(figure: Figure) -> Check | None:
     names = [figure.links[i].name for i in figure.tables.quaternion_links]
     text = "the quaternion of {} is {{}} off length 1 and turns fast"
     rows = [row_of("length", name, text.format(name)) for name in names]
-    return Check.each("length", rows, lambda samples: Hits.of(np.abs(np.sqrt(samples.q_dots[0]) - 1))) if rows else None
+    return Check.each(rows, lambda samples: Hits.of(np.abs(np.sqrt(samples.q_dots[0]) - 1))) if rows else None
 
 
 def hovering(rests: Sequence[Contact], surfaces: Sequence[Surface], groups: Index, fixed: Fixed) -> Check:
@@ -261,7 +259,7 @@ def hovering(rests: Sequence[Contact], surfaces: Sequence[Surface], groups: Inde
         during = np.array([rest.during(samples.t) for rest in rests])
         return Hits.of(np.where(during & (height < FAR), height, 0.0))
 
-    return Check.each("hover", rows, hits, fixed.places[[point.link for point in points]], groups)
+    return Check.each(rows, hits, fixed.places[[point.link for point in points]], groups)
 
 
 @dataclass(frozen=True, eq=False)
@@ -299,7 +297,7 @@ def displaced(targets: Sequence[ContactTarget], fixed: Fixed) -> Check:
     }[kind]
     rows = [row_of(kind, point.name, text.format(point.name)) for point in points]
     groups = np.array([target.group for target in targets])
-    return Check.each(kind, rows, hits, fixed.places[[point.link for point in points]], groups)
+    return Check.each(rows, hits, fixed.places[[point.link for point in points]], groups)
 
 
 def slips(grasps: Sequence[Contact], starts: Sequence[Array], fixed: Fixed) -> Check:
@@ -317,7 +315,7 @@ def slips(grasps: Sequence[Contact], starts: Sequence[Array], fixed: Fixed) -> C
         return Hits.of(out)
 
     return Check.each(
-        "grasp", rows, hits, np.array([fixed.places[grasp.point.link] & fixed.places[grasp.on] for grasp in grasps])
+        rows, hits, np.array([fixed.places[grasp.point.link] & fixed.places[grasp.on] for grasp in grasps])
     )
 
 
@@ -338,7 +336,7 @@ def turns(contacts: Sequence[Contact], path: Path, fixed: Fixed) -> Check:
 
     both = [fixed.places[contact.point.link] & fixed.places[contact.on] for contact in contacts]
     _, groups = np.unique([f"{hand} {body}" for body, hand in names], return_inverse=True)
-    return Check.each("grasp rotation", rows, hits, np.array(both), groups)
+    return Check.each(rows, hits, np.array(both), groups)
 
 
 def penetrations(parts: Sequence[Collision], soles: frozenset[str], feet: Index, fixed: Fixed) -> Check:
@@ -374,7 +372,7 @@ def penetrations(parts: Sequence[Collision], soles: frozenset[str], feet: Index,
 
     named = np.array([point.name in soles for point, _ in pairs], bool)
     bounds = np.full(len(pairs), BOUNDS["penetration"].most)
-    return Check("penetration", hits, row, bounds, np.array(groups, np.intp), is_fixed, named)
+    return Check(hits, row, bounds, np.array(groups, np.intp), is_fixed, named)
 
 
 def self_overlaps(carried: Sequence[int], fixed: Fixed) -> Check:
@@ -404,7 +402,7 @@ def self_overlaps(carried: Sequence[int], fixed: Fixed) -> Check:
     def is_fixed(row: Index, key: Index) -> Mask:
         return fixed.places[row // count, key] & fixed.places[row % count, key]
 
-    return Check("self", hits, row, bounds, groups, is_fixed, is_once_per_group=True)
+    return Check(hits, row, bounds, groups, is_fixed, is_once_per_group=True)
 
 
 def _quoted(name: str) -> str:

@@ -78,17 +78,15 @@ class Measurement:
         amounts = tuple((check, Hits.joined(hits)) for check, hits in zip(every, parts, strict=True))
         return cls(clip, timeline, time, key_at, amounts, stays)
 
-    def largest(self, name: str) -> list[tuple[Row, float, float]]:
-        """Return the rows of the check of a name with their largest amounts, 0 without any, and their times [s]."""
-        out = list[tuple[Row, float, float]]()
+    def largest(self) -> dict[str, tuple[Row, float, float]]:
+        """Return the row, the amount and the time [s] of the largest amount of every kind of violation, if positive."""
+        kinds: dict[str, tuple[Row, float, float]] = {}
         for check, hits in self.checks:
-            if check.name == name:
-                amounts, times = np.zeros(check.bounds.size), np.full(check.bounds.size, self.time[0])
-                worst = hits.select(hits.largest(hits.row))
-                amounts[worst.row], times[worst.row] = worst.amount, self.time[worst.at]
-                rows = zip(amounts.tolist(), times.tolist(), strict=True)
-                out += [(check.row(i), *entry) for i, entry in enumerate(rows)]
-        return out
+            for i in hits.largest(np.where(hits.amount > 0, hits.row, -1)).tolist():
+                row, amount = check.row(int(hits.row[i])), float(hits.amount[i])
+                if row.kind not in kinds or amount > kinds[row.kind][1]:
+                    kinds[row.kind] = row, amount, float(self.time[hits.at[i]])
+        return kinds
 
     @classmethod
     def sides(cls, clip: Clip, motion: Saved) -> tuple[Measurement, Measurement]:

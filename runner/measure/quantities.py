@@ -1,13 +1,6 @@
-"""Quantities of one column of a report, by name, with their units.
-
-Quantities that are also checked for violations come from the `Measurement` that the violations use. Others are measured
-at the same times.
-"""
+"""Quantities of one column of a report, by name, with their units, besides the amounts of violations."""
 
 from __future__ import annotations
-
-from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
@@ -19,132 +12,34 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.dynamics import RootWrench, generalised_forces
 from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.figure.model import geom_name
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.surface.heights import heights
 from dynsplines.solver.surface.points import displacements, places_of
-from dynsplines.solver.surface.touch import counts_all, movers
 from dynsplines.solver.tolerances import TINY
 
 from ..clip.build import Clip
-from .bounds import Row
-from .measurement import Measurement, bend_limits
 
 Entry = dict[str, float | str]  # values of a quantity by name and unit
-Worst = Sequence[tuple[Row, float, float]]  # rows with their largest amounts and the times [s], worst first
 
 
-def quantities(clip: Clip, objective: Objective, measurement: Measurement, samples: Samples) -> dict[str, object]:
-    """Return all quantities of the raw spline or of the solved motion by name. Those that do not apply to the clip are
+def quantities(clip: Clip, objective: Objective, timeline: Timeline, samples: Samples) -> dict[str, object]:
+    """Return the quantities of the raw spline or of the solved motion by name. Those that do not apply to the clip are
     omitted or empty.
 
-    samples  the motion at the times of the measurement
+    samples  the motion at the times of its measurement
     """
-    timeline = measurement.timeline
-
-    def worst(name: str) -> Worst:
-        return sorted(measurement.largest(name), key=lambda entry: -entry[1])
-
     values = objective.integrals(path_of(timeline))
     terms = {t.penalty.name: float(t.factor * v) for t, v in zip(objective.terms, values, strict=True)}
-    overlaps = worst("self")
-    in_grasped = [entry for entry in overlaps if entry[0].kind == "penetration"]
     every = {
         "objective": sum(terms.values()),
         "terms": terms,
-        "penetration, m": _penetration(clip, worst("penetration")),
-        "self-penetration, m": _deepest([entry for entry in overlaps if entry[0].kind == "self"]),
-        "bends, degrees": _bends(clip, worst("bend")),
-        "beyond joint range": _most(worst("range"), "joint"),
-        "equality constraints": _equalities(worst("coupled"), worst("torn")),
         "skate": _skate(clip, samples),
-        "stances": _rests(measurement, "stance"),
-        "contacts": _rests(measurement, "contact"),
-        "grasps": _grasps(clip, measurement),
-        "penetration of held objects, m": _deepest(in_grasped) if clip.context.schedule.grasps else {},
         "keyframe error": keyframe_error(clip, timeline),
         "seam": _seam(clip, timeline),
-        "angular acceleration, rad/s²": _peak(worst("whip")),
         "torque, N m": _torque(samples),
         "support": _support(clip, samples),
     }
     return {name: value for name, value in every.items() if value is not None}
-
-
-def _deepest(worst: Worst) -> Entry:
-    """Return the deepest penetration [m], and where."""
-    if not worst or worst[0][1] <= 0:
-        return {"deepest": 0.0, "where": "nothing"}
-    row, depth, time = worst[0]
-    return {"deepest": depth, "where": f"{row.name} in {row.other} at {time:.3f} s"}
-
-
-def _penetration(clip: Clip, worst: Worst) -> dict[str, Any]:
-    """Return the depths [m] of the figure's geoms and contact points in their surroundings."""
-    model = clip.figure.model
-    names, depths = {geom_name(model, geom) for geom in movers(model)}, dict[str, float]()
-    for row, depth, _ in worst:
-        if depth > 0:
-            depths.setdefault(row.name, depth)
-    return {
-        **_deepest([entry for entry in worst if entry[0].name in names]),
-        "geoms": {name: depth for name, depth in depths.items() if name in names},
-        "points": {point.name: depths.get(point.name, 0.0) for point in clip.context.points if clip.context.surfaces},
-        "all geoms count": counts_all(model),
-    }
-
-
-def _bends(clip: Clip, worst: Worst) -> dict[str, dict[str, float]]:
-    """Return the largest angles of knees and elbows: backward, sideways and twist."""
-    limits = bend_limits(clip)
-    within = {"backward": -limits.least, "sideways": limits.sideways, "twist": limits.twist}
-    angles = {(row.name, row.kind): float(np.degrees(within[row.kind])) + beyond for row, beyond, _ in worst}
-    return {bend.name: {kind: max(0.0, angles[bend.name, kind]) for kind in within} for bend in limits.joints}
-
-
-def _most(worst: Worst, what: str) -> Entry:
-    """Return the row that exceeds its bound most, in degrees or m."""
-    if not worst:
-        return {}
-    row, most, time = worst[0]
-    return {what: row.name, "at, s": time, "most": most, "unit": row.unit}
-
-
-def _equalities(joints: Worst, loops: Worst) -> dict[str, Entry]:
-    """Return deviations of coupled joints, and gaps of closed loops."""
-    result: dict[str, Entry] = {"coupled": _most(joints, "joint")} if joints else {}
-    return result | ({"closed": {"loop": loops[0][0].name, "most, m": loops[0][1]}} if loops else {})
-
-
-def _grasps(clip: Clip, measurement: Measurement) -> list[Entry]:
-    """Return the displacement of every grasp's site on the body since the start of the grasp."""
-    out = list[Entry]()
-    for grasp, (_, moved, time) in zip(clip.context.schedule.grasps, measurement.largest("grasp"), strict=True):
-        row: Entry = {
-            "hand": grasp.point.name,
-            "body": clip.figure.body_name(grasp.on),
-            "from, s": grasp.first,
-            "to, s": grasp.last,
-        }
-        out.append(row | {"moved, m": moved, "at, s": time})
-    return out
-
-
-def _rests(measurement: Measurement, kind: str) -> list[Entry]:
-    """Return the points of contacts, or of stances inferred from keyframes, with the distances from their places."""
-    rests = [target.contact for target in measurement.contact_targets if target.kind == kind]
-    return [
-        {"point": rest.point.name, "from, s": rest.first, "to, s": rest.last, "moved, m": moved}
-        for rest, (_, moved, _) in zip(rests, measurement.largest(kind), strict=True)
-    ]
-
-
-def _peak(worst: Worst) -> Entry:
-    """Return the largest angular acceleration of a link relative to its parent."""
-    if not worst:
-        return {"peak": 0.0, "joint": "", "at, s": 0.0}
-    row, peak, time = worst[0]
-    return {"peak": peak, "joint": row.name, "at, s": time}
 
 
 def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:

@@ -6,7 +6,7 @@ entries whose name ends in ", m", and the entries that they contain, are in mill
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -34,8 +34,6 @@ from .violation import by_name, plain, violations_of
 
 DRIFT = "centre of mass displacement, m"  # distance between the centres of mass before and after solving
 Line = tuple[str, str, str]  # label, before, after
-HIDDEN = ("geoms", "unit")  # entries without lines: too many, or shown with their quantity
-SPAN = ("from, s", "to, s")
 
 
 def report(clip: Clip, motion: Saved) -> dict[str, Any]:
@@ -52,8 +50,9 @@ def report(clip: Clip, motion: Saved) -> dict[str, Any]:
         objective = objective.watching(path_of(side))
     measurements = Measurement.sides(clip, motion)
     samples = [samples_at(clip.figure, path_of(side.timeline), side.time) for side in measurements]
-    before = quantities(clip, objective, measurements[0], samples[0])
-    after = dict(before) if motion.is_raw else quantities(clip, objective, measurements[1], samples[1])
+    before, after = _sides(measurements)
+    before |= quantities(clip, objective, motion.raw, samples[0])
+    after |= before if motion.is_raw else quantities(clip, objective, motion.timeline, samples[1])
     first, last = (_centre_of_mass(side) for side in samples)
     after |= {DRIFT: {"largest": float(np.linalg.norm(last - first, axis=0).max())}}
     return {
@@ -71,6 +70,19 @@ def report(clip: Clip, motion: Saved) -> dict[str, Any]:
         "before": before,
         "after": after,
     }
+
+
+def _sides(measurements: Sequence[Measurement]) -> list[dict[str, Any]]:
+    """Return the largest amount of each kind of violation that any of the motions has, for each motion."""
+    sides = [side.largest() for side in measurements]
+    kinds, out = [kind for kind in BOUNDS if any(kind in side for side in sides)], list[dict[str, Any]]()
+    for side in sides:
+        amounts = {kind: {"amount": 0.0, "unit": BOUNDS[kind].unit} for kind in kinds}
+        for kind, (row, amount, time) in side.items():
+            where = f"{row.name} in {row.other}" if row.other else row.name
+            amounts[kind] |= {"amount": amount, "name": where, "at, s": time}
+        out.append({"largest": amounts})
+    return out
 
 
 def compare(before: Measurement, after: Measurement) -> Table:
@@ -152,27 +164,33 @@ def _cycle_words(data: dict[str, Any]) -> str:
 def rows(before: dict[str, Any], after: dict[str, Any]) -> Iterator[Line]:
     """Yield the lines for the quantities of two columns. In a report of an older version, `before` may lack entries."""
     for name, value in after.items():
-        yield from _rows(name, before.get(name), value)
+        if name == "largest":
+            for kind, entry in value.items():
+                yield f"largest {kind}", *map(_amount, (before.get(name, {}).get(kind), entry))
+        else:
+            yield from _rows(name, before.get(name), value)
+
+
+def _amount(entry: dict[str, Any] | None) -> str:
+    """Return the largest amount of a kind of violation, and where and when it is."""
+    if entry is None:
+        return ""
+    amount = with_unit(entry["amount"], entry["unit"])
+    return f"{amount}, {entry['name']} at {entry['at, s']:.2f} s" if "name" in entry else amount
 
 
 def _rows(name: str, before: Any, after: Any, unit: str = "") -> Iterator[Line]:
     label, unit = _label_and_unit(name, unit)
-    if any(isinstance(entry, dict) for side in (before, after) if isinstance(side, list) for entry in side):
-        for one, two in zip(before or [], after, strict=False):
-            texts = " on ".join(value for value in two.values() if isinstance(value, str))
-            place = f"{label}: {texts} {two['from, s']:.2f} - {two['to, s']:.2f} s"
-            numbers = {key: value for key, value in two.items() if not isinstance(value, str) and key not in SPAN}
-            yield from _rows(place, one, numbers, unit)
-    elif isinstance(after, dict):
-        unit, before = after.get("unit", unit), before or {}
-        single = [key for key, value in after.items() if not isinstance(value, dict | list) and key not in HIDDEN]
+    if isinstance(after, dict):
+        before = before or {}
+        single = [key for key, value in after.items() if not isinstance(value, dict | list)]
         if len(single) > 4:
             for key in single:
                 yield from _rows(f"{label}: {key}", before.get(key), after[key], unit)
         elif single:
             one, two = (" / ".join(_value(key, side.get(key), unit) for key in single) for side in (before, after))
             yield f"{label}: {' / '.join(_label_and_unit(key, unit)[0] for key in single)}", one, two
-        for key in (key for key in after if key not in single and key not in HIDDEN):
+        for key in (key for key in after if key not in single):
             yield from _rows(f"{label}, {key}", before.get(key), after[key], unit)
     else:
         yield label, _value(name, before, unit), _value(name, after, unit)

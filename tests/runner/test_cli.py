@@ -103,7 +103,7 @@ def test_report_of_a_motion_does_not_solve(run, motion_file, solving_forbidden):
     done = run("report", motion_file)
     assert done.code == 0
     assert {line.split()[0] for line in done.err.splitlines()} <= {"measuring"}
-    assert "penetration: deepest" in done.out
+    assert "torque: root mean" in done.out
     strict = json.loads(run("report", motion_file, "--json").out, parse_constant=lambda name: pytest.fail(name))
     assert strict["keyframes"] == 3
 
@@ -337,6 +337,17 @@ def test_a_number_that_is_none_or_out_of_its_range_is_refused(run, tmp_path, nam
 
 
 @pytest.mark.parametrize("content", ['{"before": {}}', '{"before": 1, "after": 2}'])
+def test_a_motion_with_the_report_of_an_older_version_is_measured_again(run, tmp_path, motion_file, content):
+    with np.load(motion_file) as data:
+        np.savez(tmp_path / "m.npz", **{**data, "report": content})  # type: ignore[arg-type]
+    done = run("report", "m.npz")
+    assert done.code == 0
+    assert "largest whip" in done.out
+
+
+@pytest.mark.parametrize(
+    "content", ['{"before": {}, "after": {"largest": {}}}', '{"before": 1, "after": {"largest": 2}}']
+)
 def test_a_motion_with_half_a_report_is_one_line(run, tmp_path, motion_file, content):
     with np.load(motion_file) as data:
         np.savez(tmp_path / "m.npz", **{**data, "report": content})  # type: ignore[arg-type]

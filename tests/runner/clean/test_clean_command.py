@@ -69,7 +69,7 @@ def test_a_motion_of_feet_that_slide_and_sink_comes_out_clean(command, squats, t
     assert "0 variable frames; cleaned recording ┏" in table
     assert "before" in table and "after" in table
     assert data["left to gain"] == {}
-    deepest = [data[side]["penetration, m"]["deepest"] for side in ("before", "after")]
+    deepest = [data[side]["largest"]["penetration"]["amount"] for side in ("before", "after")]
     assert deepest[1] < 0.002 < 0.01 < deepest[0]
     saved = motion.load(tmp_path / "clean.npz")
     np.testing.assert_allclose(saved.raw.times[[0, -1]], TIMES[[0, -1]], atol=1e-9)

@@ -40,14 +40,18 @@ def test_the_chart_is_of_the_largest_amount_of_each_kind(sides, tmp_path, kept, 
     assert names(tmp_path) == [f"c.{ending}"]
     (axes,) = kept[0].axes
     lines = {line.get_label(): line for line in axes.get_lines() if not str(line.get_label()).startswith("_")}
-    (_, before, _), (row, worst, time) = (
-        max(side.largest("penetration"), key=lambda entry: entry[1]) for side in sides
-    )
-    after = lines.get("penetration")
-    assert (after is not None) == (max(before, worst) >= chart.LEAST * row.bound)
-    if after is not None:
-        assert np.max(after.get_ydata()) == pytest.approx(worst / row.bound)
-        assert time in after.get_xdata()[np.asarray(after.get_ydata()) == np.max(after.get_ydata())]
+    before, after = (side.largest() for side in sides)
+    amounts = {
+        kind: max(side[kind][1] / side[kind][0].bound for side in (before, after) if kind in side)
+        for kind in {*before, *after}
+    }
+    assert lines.keys() == {kind for kind, amount in amounts.items() if amount >= chart.LEAST}
+    assert len(lines) > 1
+    for kind in lines.keys() & after.keys():
+        row, worst, time = after[kind]
+        values = np.asarray(lines[kind].get_ydata())
+        assert values.max() == pytest.approx(worst / row.bound)
+        assert time in lines[kind].get_xdata()[values == values.max()]
     upright = {float(line.get_xdata()[0]) for line in axes.get_lines() if len(set(line.get_xdata())) == 1}
     assert upright == {0, 0.2, 0.41}
 

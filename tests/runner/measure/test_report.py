@@ -18,7 +18,7 @@ from texts import read_data
 
 from dynsplines import recordings, solving
 from dynsplines.measure.measurement import Measurement
-from dynsplines.measure.report import report, rows, tables
+from dynsplines.measure.report import report, tables
 from dynsplines.motion import Sampled, samples_at
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.dynamics import velocities
@@ -44,11 +44,10 @@ def side(solved: Solved) -> dict:
 
 def test_penetration_of_a_known_pose_is_what_it_is(tmp_path):
     data = side(unsolved(tmp_path, [(0, 0, 0, 0.1), (0.5, 0, 0, 0.07), (1, 0, 0, 0.1)]))
-    found = data["penetration, m"]
-    assert found["deepest"] == pytest.approx(0.03, abs=1e-4)
-    assert found["where"].startswith("box in floor at 0.5")
-    assert found["geoms"] == {"box": pytest.approx(0.03, abs=1e-4)}
-    assert found["points"] == {name: pytest.approx(0.03, abs=1e-4) for name in ("heel", "toe")}
+    found = data["largest"]["penetration"]
+    assert found["amount"] == pytest.approx(0.03, abs=1e-4)
+    assert found["name"] in ("heel in floor", "toe in floor", "box in floor")
+    assert found["at, s"] == pytest.approx(0.5)
 
 
 def test_a_box_that_hovers_in_flight_is_a_whole_weight_off_free_fall(tmp_path):
@@ -66,8 +65,7 @@ def test_a_box_that_stands_is_carried_by_the_floor_and_one_of_which_nothing_is_k
     assert "off free fall, g" not in data
     data = side(unsolved(tmp_path, [(0, 0, 0, 1), (3, 0, 0, 1)]))
     assert data["support"] == {}
-    found = data["penetration, m"]
-    assert (found["deepest"], found["where"], found["geoms"]) == (0, "nothing", {})
+    assert "penetration" not in data["largest"]
 
 
 def test_a_foot_that_wanders_between_two_planted_keyframes_slides_as_far_as_it_does(tmp_path):
@@ -79,16 +77,19 @@ def test_a_foot_that_wanders_between_two_planted_keyframes_slides_as_far_as_it_d
         (1.5, 0.0, 0.02, 0.1),
     ]
     solved = unsolved(tmp_path, keys)
-    stances = side(solved)["stances"]
-    assert {(s["point"], s["from, s"], s["to, s"]) for s in stances} == {
+    stances = Measurement.sides(solved.clip, solved.motion)[1].contact_targets
+    assert {(s.contact.point.name, s.contact.first, s.contact.last) for s in stances} == {
         (point, *span) for point in ("heel", "toe") for span in ((-0.5, 0), (1, 1.5))
     }
     run = Sampled.of(solved.motion, 2000.0)
-    away = np.linalg.norm(run.qpos[run.time <= 0, :3] - [0, 0, 0.1], axis=1).max()
-    assert away > 0.01
-    assert [s["moved, m"] for s in stances if s["to, s"] == 0] == [pytest.approx(away, rel=1e-3)] * 2
+    at_start = np.linalg.norm(run.qpos[run.time <= 0, :3] - [0, 0, 0.1], axis=1).max()
+    at_end = np.linalg.norm(run.qpos[run.time >= 1, :3] - [0, 0.02, 0.1], axis=1).max()
+    assert 0.01 < at_start < at_end
+    found = side(solved)["largest"]["stance"]
+    assert found["amount"] == pytest.approx(at_end, rel=1e-3)
+    assert 1 < found["at, s"] < 1.5
     drifting = unsolved(tmp_path, [(0, 0, 0, 0.1), (1, 0.04, 0, 0.1)], '[solve]\nends = "free"')
-    assert all(stance["moved, m"] < 1e-9 for stance in side(drifting)["stances"])
+    assert side(drifting)["largest"].get("stance", {"amount": 0.0})["amount"] < 1e-9
 
 
 def test_skate_of_round_feet_is_measured_at_their_lowest_points(tmp_path):
@@ -155,7 +156,7 @@ def test_a_recording_is_reported_once_and_nothing_is_said_of_a_search(tmp_path):
     keys = [(0.02 * i, 0.01 * i, 0.0, 0.07 + 0.001 * (i % 3)) for i in range(40)]
     solved = unsolved(tmp_path, keys)
     data = report(solved.clip, solved.motion)
-    assert (data["left to gain"], data["after"]["stances"]) == ({}, [])
+    assert data["left to gain"] == {} and "stance" not in data["after"]["largest"]
     assert {name: data["before"][name] for name in data["before"]} == {
         name: data["after"][name] for name in data["before"]
     }
@@ -182,7 +183,7 @@ def test_totals_are_of_the_search_in_strict_json_and_on_the_screen(solved: Solve
     out = io.StringIO()
     Console(file=out, width=160).print(tables(data))
     shown = out.getvalue()
-    words = ("3 keyframes (1 partial)", "penetration: deepest / where", "keyframe error", "left_knee")
+    words = ("3 keyframes (1 partial)", "largest whip", "keyframe error", "left_knee")
     assert not [each for each in words if each not in shown]
     assert "nan" not in shown
 
@@ -201,15 +202,9 @@ def test_figures_without_feet_or_quaternions_have_a_report_too(tmp_path, figure)
     data = solved.measured(quiet()).report
     json.dumps(data, allow_nan=False)
     assert data["after"]["skate"] == {}
-    assert data["after"]["stances"] == []
+    assert "stance" not in data["after"]["largest"]
     assert math.isfinite(data["after"]["torque, N m"]["root mean square"])
     Console(file=io.StringIO()).print(tables(data))
-
-
-def test_stances_that_only_the_raw_spline_has_are_omitted_in_print():
-    stance = {"point": "left_toe", "from, s": 0.0, "to, s": 0.5, "slip, m": 0.01}
-    assert list(rows({"stances": [stance]}, {"stances": []})) == []
-    assert len(list(rows({"stances": [stance]}, {"stances": [stance]}))) == 1
 
 
 def test_the_objective_of_the_report_is_that_of_the_search():
