@@ -8,6 +8,7 @@ from functools import cached_property
 
 import mujoco
 import numpy as np
+from numpy.typing import ArrayLike
 
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import Figure
@@ -116,12 +117,23 @@ class Footing:
             offsets = np.array([model.body_ipos[body], *(site.pos for site in sites if site.bodyid[0] == body)])[-1:]
         return PointGoal("lock", body, offsets, data.xpos[body] + offsets @ data.xmat[body].reshape(3, 3).T)
 
-    def landed(self, foot: Spheres, data: mujoco.MjData) -> PointGoal:
-        """Return the goal that moves a foot down to the ground, free to slide."""
+    def levels(self, foot: Spheres, data: mujoco.MjData, by: ArrayLike) -> Array:
+        """Return the levels (n,) [m] of the ground below a foot's spheres, after the foot has moved by (3,) [m].
+
+        Beyond the edge of a box on which the foot stands, it is the level of the box.
+        """
+        moved = np.array(by, float)
+        centres = foot.centres(data) + moved
+        centres[:, 2] = np.maximum(centres[:, 2], data.xpos[foot.body, 2] + moved[2])  # a sole may be in the box
+        levels = centres[:, 2] - foot.radii - self.heights(centres, foot.radii)
+        length = float(np.ptp(centres[:, :2], axis=0).max())
+        return np.where(levels < levels.max() - length / 2, levels.max(), levels)
+
+    def landed(self, foot: Spheres, data: mujoco.MjData, by: ArrayLike) -> PointGoal:
+        """Return the goal that puts a foot on the ground, free to slide, where it is after it has moved by (3,) [m]."""
         outermost = foot.outermost(data)
-        positions = outermost.centres(data)
-        positions[:, 2] -= self.heights(positions, outermost.radii)
-        positions[:, :2] = np.nan
+        positions = np.full((len(outermost.radii), 3), np.nan)
+        positions[:, 2] = self.levels(outermost, data, by) + outermost.radii
         return PointGoal("sole", foot.body, outermost.offsets, positions)
 
     def floor(self, root: int, data: mujoco.MjData) -> FloorClearance | None:

@@ -182,8 +182,10 @@ class Poser:
             if pose.missed[0] <= LIFTED and self._keeps_balance(grip, pose):
                 return pose
         if feet and has_foot:
-            landing = tuple(foot for foot in feet if self._lands(grip, foot, place))
-            return self._dragged(grip, target, begin, landing=landing)
+            set_qpos(self.figure.model, self.data, begin)
+            by = place - self._point(grip, self.data)
+            landing = tuple(foot for foot in feet if self._lands(grip, foot, by))
+            return self._dragged(grip, target, begin, landing=landing, by=by)
         pose = self._dragged(grip, target, begin)
         for _ in range(LANDINGS if grip.hanging else 0):  # the support polygon moves with the sliding foot
             set_qpos(self.figure.model, self.data, pose.qpos)
@@ -200,8 +202,9 @@ class Poser:
         free: Mask | None = None,
         fixed: Sequence[Spheres] = (),
         landing: Sequence[Spheres] = (),
+        by: ArrayLike = (0, 0, 0),
     ) -> Posed:
-        """Return the pose of a drag, with feet of the grabbed limb fixed, landing or in the air."""
+        """Return the pose of a drag, with feet of the grabbed limb fixed, aloft, or landing after a move (3,) [m]."""
         footing = self.footing
         set_qpos(self.figure.model, self.data, grip.qpos)
         goals = [footing.fixed(foot, self.data) for foot in (*grip.standing, *fixed)]
@@ -209,7 +212,7 @@ class Poser:
         aloft = [foot for foot in grip.hanging if foot not in fixed and foot not in landing]
         level = [(LEVEL_WEIGHT, BodyGoal("foot", self.data.xquat[foot.body].copy(), foot.body)) for foot in aloft]
         set_qpos(self.figure.model, self.data, begin)
-        goals += [footing.landed(foot, self.data) for foot in landing]
+        goals += [footing.landed(foot, self.data, by) for foot in landing]
         support = self._support(grip, (*fixed, *landing)) if grip.is_balanced else None
         limits = grip.limits if support is None else (*grip.limits, support)
         if support is not None and any(foot.body == grip.body for foot in aloft):
@@ -234,11 +237,12 @@ class Poser:
         length = float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
         return float(np.linalg.norm(position - path[-1])) < length + SHORT
 
-    def _lands(self, grip: Grip, foot: Spheres, position: Array) -> bool:
-        """Return whether a foot at a position (3,) [m] of its point, if level, is on or close to the ground."""
+    def _lands(self, grip: Grip, foot: Spheres, by: Array) -> bool:
+        """Return whether a foot, if level, is on or close to the ground after it has moved by (3,) [m]."""
         rest = self.footing.rest
         bottom = float((foot.centres(rest)[:, 2] - foot.radii).min()) - self._point(grip, rest)[2]
-        return float(self.footing.heights(position[None], np.zeros(1))[0]) + bottom < STANDING
+        level = float(self.footing.levels(foot, self.data, by).max())
+        return self._point(grip, self.data)[2] + by[2] + bottom - level < STANDING
 
     @staticmethod
     def _point(grip: Grip, data: mujoco.MjData) -> Array:

@@ -2,12 +2,13 @@
 
 import time
 
+import mujoco
 import numpy as np
 import pytest
-from drags import Pull, Pulls, human_model
+from drags import Pull, Pulls, human_model, with_floor
 from oracles import kinematics
 
-from dynsplines import recordings
+from dynsplines import models, recordings
 from dynsplines.clip.kinds import posing_limits
 from dynsplines.errors import UserError
 from dynsplines.solver.figure.kinematics import Samples
@@ -185,3 +186,21 @@ def test_a_foot_that_is_put_down_lands_flat_on_the_ground(human, by):
     assert data.site("left_toe").xpos[2] == pytest.approx(0, abs=1e-3)
     before = human.home[:2] + human.model.body("left_thigh").pos[:2]
     np.testing.assert_allclose(data.xpos[foot][:2], before + by[:2], atol=5e-3)
+
+
+@pytest.fixture(scope="module")
+def before_box() -> Pulls:
+    spec = mujoco.MjSpec.from_string(models.figure_text("human"))
+    spec.worldbody.add_geom(type=mujoco.mjtGeom.mjGEOM_BOX, pos=[0.8, 0, 0.1], size=[0.2, 0.2, 0.1])
+    return Pulls(with_floor(spec), "_sole")
+
+
+@pytest.mark.parametrize("place", [[0.78, 0.28], [0.78, 0.22], [0.62, 0.26]])
+def test_a_foot_that_is_dragged_through_the_edge_of_a_box_lands_flat_on_the_box(before_box, place):
+    model = before_box.model
+    foot = model.body("left_foot").id
+    ankle = kinematics(model, before_box.home).xpos[foot]
+    by = np.array([place[0] - ankle[0], 0, place[1] - ankle[2]])
+    data = kinematics(model, before_box.result(Pull(foot, np.zeros(3), by)).qpos)
+    assert [data.site(f"left_{end}").xpos[2] for end in ("heel", "toe")] == pytest.approx([0.2, 0.2], abs=1e-3)
+    assert data.xpos[foot][0] == pytest.approx(place[0], abs=5e-3)
