@@ -65,7 +65,7 @@ export class Stage {
     Object.assign(this.orbit, { enableDamping: true, dampingFactor: 0.15, minDistance: 0.25, maxDistance: 90, maxPolarAngle: 0.97 * Math.PI });
     this.orbit.addEventListener("change", () => { this.nameView(); this.draw(); });
     window.addEventListener("pagehide", () => {
-      sessionStorage[KEPT] = JSON.stringify({ at: location.search, time: model.time, range: model.range.map(String), camera: camera.position.toArray(), locks: [...model.locks], target: this.orbit.target.toArray() });
+      sessionStorage[KEPT] = JSON.stringify({ at: location.search, time: model.time, range: model.range.map(String), camera: camera.position.toArray(), locks: [...model.locks], fk: [...model.fk], target: this.orbit.target.toArray() });
     });
     this.around.scene.add(this.extra);
     this.caster.layers.enable(UNSEEN);
@@ -126,7 +126,8 @@ export class Stage {
     model.seek(kept.time);
     model.range = kept.range.map(Number);
     model.tell("range");
-    for (const name of kept.locks ?? []) model.locks.add(name);
+    for (const name of kept.locks) model.locks.add(name);
+    for (const name of kept.fk) model.fk.add(name);
     this.centre.copy(this.middle());
     this.orbit.target.fromArray(kept.target);
     this.camera.position.fromArray(kept.camera);
