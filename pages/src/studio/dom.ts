@@ -100,10 +100,15 @@ export const toast = (words: string, kind: "done" | "wrong" | "note" = "done"): 
 /** A menu at a place of the page; `done` is called with the chosen entry, or null. */
 export const menu = (title: string, at: { clientX: number; clientY: number }, entries: string[], done: (chosen: string | null) => void): void => {
   const box = el("dialog", { class: "menu", "aria-label": title });
-  let chosen: string | null = null;
-  box.append(el("p", { class: "hint", text: title }), ...entries.map((text) => el("button", { type: "button", text, onclick: () => { chosen = text; box.close(); } })));
-  box.addEventListener("close", () => { box.remove(); done(chosen); });
-  box.addEventListener("click", (event) => { if (event.target === box) box.close(); });
+  const end = (chosen: string | null): void => { // at once: the event "close" may come after the next input
+    if (!box.isConnected) return;
+    box.close();
+    box.remove();
+    done(chosen);
+  };
+  box.append(el("p", { class: "hint", text: title }), ...entries.map((text) => el("button", { type: "button", text, onclick: () => end(text) })));
+  box.addEventListener("close", () => end(null));
+  box.addEventListener("click", (event) => { if (event.target === box) end(null); });
   document.body.append(box);
   box.showModal();
   const { width, height } = box.getBoundingClientRect();
