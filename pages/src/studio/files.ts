@@ -51,8 +51,9 @@ export const saveAs = (): void => {
   writing("Save as", "Save", name, [row("name", name)], (file) => accepted("save", file));
 };
 
-export const savePose = (): void => {
-  const name = named("", "name of the pose"), time = model.moment;
+/** Saves the pose at a time [s]. */
+export const savePose = (time = model.moment): void => {
+  const name = named("", "name of the pose");
   writing("Save pose", "Save", name, [row("name", name)], (file) => accepted("save_pose", { time, ...file }));
 };
 

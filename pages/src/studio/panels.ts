@@ -105,7 +105,7 @@ const library = (): HTMLElement => el("div", { class: "buttons" },
     type: "button", class: "pose", text: name || "rest", "data-id": `pose ${name}`, draggable: "true", title: "apply this pose here; or drag it to a time",
     onclick: () => applyPose(name), ondragstart: (event) => (event as DragEvent).dataTransfer!.setData(POSE, name),
   })),
-  el("button", { type: "button", text: "save pose …", title: "save the present pose as a file", onclick: savePose }));
+  el("button", { type: "button", text: "save pose …", title: "save the present pose as a file; or drag a keyframe here", onclick: () => savePose() }));
 
 let chosen: string | null = null; // the joint that was scrolled to last
 

@@ -1,6 +1,7 @@
 // The timeline: a ruler, keyframes as diamonds, limbs when unfolded, contacts, grasps and flights as bars.
 import { pointOf } from "../scene/figure";
 import { $, el, menu, toast } from "./dom";
+import { savePose } from "./files";
 import { act, change, edit, moveKeys } from "./link";
 import { model, type Bar } from "./model";
 import { applyPose } from "./transport";
@@ -53,7 +54,12 @@ export class Timeline {
     this.box.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     this.box.addEventListener("pointerdown", (event) => this.down(event));
     this.box.addEventListener("dragover", (event) => { if (event.dataTransfer?.types.includes(POSE)) event.preventDefault(); });
-    this.box.addEventListener("drop", (event) => { event.preventDefault(); applyPose(event.dataTransfer!.getData(POSE), this.snapped(this.timeAt(event), event, true)); });
+    this.box.addEventListener("drop", (event) => {
+      event.preventDefault();
+      model.playing = false;
+      model.seek(this.snapped(this.timeAt(event), event, true));
+      applyPose(event.dataTransfer!.getData(POSE));
+    });
     window.addEventListener("pointermove", (event) => this.drag?.move(this.timeAt(event), event));
     window.addEventListener("pointerup", (event) => {
       const { drag } = this;
@@ -328,8 +334,10 @@ export class Timeline {
     const keys = [...model.keys]; // as they are numbered now, whatever another page does meanwhile
     model.playing = false;
     model.seek(was[index]);
+    const panel = $("panel-pose"), isOverPoses = (e: PointerEvent): boolean => panel.contains(document.elementFromPoint(e.clientX, e.clientY));
     let moved = false;
     const times = (time: number, e: PointerEvent): Map<number, number> => {
+      if (isOverPoses(e)) return new Map();
       const to = this.snapped(was[index] + time - begin, e);
       return new Map(keys.map((i) => [i, Math.round((was[i] + to - was[index]) * 1e4) / 1e4]));
     };
@@ -338,16 +346,19 @@ export class Timeline {
         if (!moved && Math.abs(this.x(time) - this.x(begin)) < 3) return;
         moved = true;
         this.preview = times(time, e);
+        panel.classList.toggle("dropping", isOverPoses(e));
         this.draw();
       },
       up: (time, e) => {
         this.preview.clear();
+        panel.classList.remove("dropping");
         this.draw();
         if (!moved) {
           if (wasSelected && model.keys.size > 1 && !e.shiftKey && !e.ctrlKey) model.select([index]);
           return;
         }
-        void moveKeys([...times(time, e)], revision);
+        if (isOverPoses(e)) savePose(was[index]);
+        else void moveKeys([...times(time, e)], revision);
       },
     };
   }

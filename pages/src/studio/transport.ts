@@ -45,8 +45,8 @@ export const paste = async (): Promise<void> => {
   const time = model.moment;
   if ((await edit("paste_keys", { copied, time })).ok) model.select(model.at(copied.map((key) => key.time - copied[0].time + time)));
 };
-/** Applies a saved pose, or without a name that of rest, at a time [s]. */
-export const applyPose = (name: string, time = model.moment): void => void act("pose", { time, name: name || null, partial: model.partial });
+/** Applies a saved pose, or without a name that of rest, at the present time. */
+export const applyPose = (name: string): void => void act("pose", { time: model.moment, name: name || null, partial: model.partial });
 export const remove = async (): Promise<void> => {
   if (model.bar) { const { kind, index } = model.bar; model.bar = null; await edit("remove", { at: [kind, index] }); return; }
   const keys = model.keys.size ? [...model.keys] : model.here === null ? [] : [model.here];

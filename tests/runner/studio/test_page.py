@@ -463,8 +463,22 @@ def test_a_pose_is_saved_and_applied_to_a_keyframe_and_dragged_to_a_time(tab):
     tab.changes(lambda: pose.drag_to(page.locator("#timeline"), target_position=place))
     assert tab.evaluate(TIMES) == [0, 0.3, 0.6, 0.8, 1]
     assert tab.evaluate(QPOS)[3][7:] == pytest.approx(before[2][7:], abs=1e-4)
+    assert tab.evaluate("studio.model.time") == pytest.approx(0.8, abs=0.01)
     undo(tab)
-    file.unlink()
+    place["x"] = tab.on_timeline(0.3) - timeline["x"] + 3
+    tab.changes(lambda: pose.drag_to(page.locator("#timeline"), target_position=place))
+    assert tab.evaluate(TIMES) == [0, 0.3, 0.6, 1]
+    assert tab.evaluate(QPOS) == after
+    undo(tab)
+    revision = tab.revision
+    tab.drag(tab.middle("[data-id='key2']"), tab.middle("#panel-pose"))
+    page.get_by_label("name of the pose").fill("crouch again")
+    page.get_by_label("name of the pose").press("Enter")
+    page.locator("[data-id='pose crouch again']").wait_for()
+    assert file.with_stem("crouch again").read_text() == file.read_text()
+    assert tab.revision == revision
+    for each in (file, file.with_stem("crouch again")):
+        each.unlink()
     pose.wait_for(state="detached")
 
 
