@@ -189,9 +189,7 @@ export class Hands {
     const found = (model.document?.obstacles ?? []).map((obstacle) => ({ obstacle, far: away(obstacle) })).filter(({ far }) => far < Infinity)
       .sort((a, b) => a.far - b.far)[0]?.obstacle;
     if (!found && !model.obstacle && model.joint === null) return;
-    model.obstacle = found ? { kind: found.kind, index: found.index } : null;
-    model.joint = null;
-    model.tell("joint");
+    model.pick(found ?? null);
     if (found) showTab("scene");
   }
 

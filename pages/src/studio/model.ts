@@ -139,6 +139,13 @@ class Model {
     this.tell("joint");
   }
 
+  /** Selects an obstacle instead of a joint; null selects nothing. */
+  pick(obstacle: { kind: string; index: number } | null): void {
+    this.obstacle = obstacle && { kind: obstacle.kind, index: obstacle.index };
+    this.joint = null;
+    this.tell("joint");
+  }
+
   /** The keyframes at times [s]. */
   at(times: number[]): number[] {
     const found = (key: KeyframeRow) => times.some((time) => Math.abs(key.time - time) < NEAR);

@@ -78,10 +78,10 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
   const pins: HTMLElement[] = [];
   numbers.forEach((value, i) => {
     const isAxis = joint.kind === "free" && i < 3, metres = joint.kind === "slide" || isAxis, label = `${joint.name} ${names[i]}`.trim();
-    const entry = numberField(label, value, metres ? "m" : "degrees", (now, stroke) => send(i, now, stroke), metres ? 0.01 : 1);
+    const entry = numberField(label, value, metres ? "m" : "degrees", (now, stroke) => send(i, now, stroke), ...(metres ? [0.01, 3] : [1, 1]));
     const axisFixed = isAxis ? state.fixed[joint.qpos + i] : fixed;
     entry.classList.toggle("loose", !axisFixed);
-    const named = el("label", { class: "axis-name" }, names[i].replace("turn ", ""), entry);
+    const named = el("label", { class: "axis-name", "data-unit": metres ? "m" : "°" }, names[i].replace("turn ", ""), entry);
     named.style.order = String(2 * i);
     line.append(named);
     if (isAxis) pins.push(el("button", {
@@ -213,22 +213,30 @@ const scene = (): void => {
   const adding = Object.entries(NEW).map(([kind, entries]) => el("button", {
     type: "button", text: `+ ${kind}`, disabled: kind === "step" && obstacles.some((obstacle) => obstacle.kind === kind), onclick: () => {
       const x = Math.round(100 * (model.now ? model.now.centreAt(model.time)[0] + 0.8 : 0.6)) / 100;
-      if (kind === "step") void change(["scene"], { step: { ...entries, x } });
-      else void edit("add", { at: ["scene", kind], entries: { ...entries, position: [x, 0, entries.position![2]] } });
+      const index = obstacles.filter((obstacle) => obstacle.kind === kind).length;
+      const added = kind === "step" ? change(["scene"], { step: { ...entries, x } })
+        : edit("add", { at: ["scene", kind], entries: { ...entries, position: [x, 0, entries.position![2]] } });
+      void added.then(({ ok }) => { if (ok) model.pick({ kind, index }); });
     },
   }));
   const rows = obstacles.map((obstacle) => {
     const selected = model.obstacle?.kind === obstacle.kind && model.obstacle.index === obstacle.index;
     const title = `${obstacle.kind}${obstacle.name ? ` ‘${obstacle.name}’` : ""}`;
     const row = el("div", { "data-id": `${obstacle.kind} ${obstacle.index}`, class: `joint${selected ? " selected" : ""}` },
-      el("button", { type: "button", class: "name", text: title, title: "select it on the stage", onclick: () => { model.obstacle = selected ? null : { kind: obstacle.kind, index: obstacle.index }; model.joint = null; model.tell("joint"); } }),
-      el("button", { type: "button", class: "axis", text: "✕", "aria-label": `delete the ${title}`, onclick: () => { model.obstacle = null; model.tell("joint"); void edit("remove", { at: addressOf(obstacle), revision }); } }));
+      el("button", { type: "button", class: "name", text: title, title: "select it on the stage", onclick: () => model.pick(selected ? null : obstacle) }),
+      el("button", { type: "button", class: "axis", text: "✕", "aria-label": `delete the ${title}`, onclick: () => { model.pick(null); void edit("remove", { at: addressOf(obstacle), revision }); } }));
     const line = el("div", { class: "numbers" });
     const present = (name: string) => [(model.document?.obstacles.find(({ kind, index }) => kind === obstacle.kind && index === obstacle.index) ?? obstacle)[name]].flat() as number[];
+    /** The position of a box that stays on what it stands on when its size changes. */
+    const stays = (name: string, now: number | number[]): object => {
+      if (obstacle.kind !== "box" || name !== "size" || obstacle.rotation || !obstacle.position) return {};
+      const [x, y, z] = present("position");
+      return { position: [x, y, Number((z + ((now as number[])[2] - present("size")[2]) / 2).toFixed(6))] };
+    };
     for (const [name, value] of Object.entries(obstacle)) {
       if (["kind", "index", "color", "mass"].includes(name)) continue;
-      const send = (now: number | number[], stroke?: string) => void change(addressOf(obstacle), { [name]: now }, revision, stroke);
-      const named = (caption: string, entry: HTMLElement) => line.append(el("label", { class: "axis-name" }, caption, entry));
+      const send = (now: number | number[], stroke?: string) => void change(addressOf(obstacle), { [name]: now, ...stays(name, now) }, revision, stroke);
+      const named = (caption: string, entry: HTMLElement) => line.append(el("label", { class: "axis-name", "data-unit": "m" }, caption, entry));
       if (typeof value === "number") named(name, numberField(`${title} ${name}`, value, "m", send, 0.01));
       else if (Array.isArray(value)) value.forEach((each, i) => named(i ? "xyz"[i] : `${name} x`, numberField(`${title} ${name} ${"xyz"[i]}`, each as number, "m",
         (now, stroke) => send(present(name).map((old, k) => (k === i ? now : old)), stroke), 0.01)));
