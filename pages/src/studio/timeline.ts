@@ -133,11 +133,10 @@ export class Timeline {
   private drawn(): void {
     const { document } = model;
     if (!document) return;
-    const span = `${document.name}|${model.first}|${model.last}`;
-    if (span !== this.fitted) {
-      this.fitted = span;
-      this.fit();
-    }
+    const isShown = this.begin <= model.first && model.last <= this.end; // where it is longer than before, there may be room
+    const span = isShown ? document.name : `${document.name}|${model.first}|${model.last}`;
+    if (!span.startsWith(this.fitted) || !isShown && span !== this.fitted) this.fit();
+    this.fitted = span;
     const focused = (window.document.activeElement as HTMLElement | null)?.dataset.id;
     this.rows.replaceChildren(this.keysRow(), ...(this.unfolded ? this.limbRows() : []), ...this.barRows());
     this.drawRuler();
