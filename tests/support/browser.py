@@ -174,7 +174,13 @@ class Tab:
 
     def grip(self, body: str) -> tuple[float, float]:
         """[px] where a body is seen and can be taken hold of, as near to its origin as that is."""
-        x, y = self.on_screen(body)
+        found = self.seen(body)
+        assert found is not None, f"{body} is not seen"
+        return found
+
+    def seen(self, body: str, offset: tuple[float, float, float] = (0, 0, 0)) -> tuple[float, float] | None:
+        """[px] where a body is seen and can be taken hold of near a point of it; None where it is not."""
+        x, y = self.on_screen(body, offset)
         found = self.evaluate(
             f"""(() => {{ const s = studio.stage, body = studio.model.stage.bodies.indexOf('{body}'), near = [];
             for (let i = -40; i <= 40; i += 2) for (let j = -40; j <= 40; j += 2)
@@ -182,8 +188,7 @@ class Tab:
             near.sort((a, b) => a[2] - b[2]);
             return near.find(([clientX, clientY]) => studio.hands.hit({{ clientX, clientY }})?.body === body); }})()"""
         )
-        assert found is not None, f"{body} is not seen"
-        return float(found[0]), float(found[1])
+        return None if found is None else (float(found[0]), float(found[1]))
 
     def on_screen_at(self, place: list[float]) -> tuple[float, float]:
         """[px] where a place in the world is seen."""
