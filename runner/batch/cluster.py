@@ -31,6 +31,7 @@ SETTINGS = {
     "distributed.scheduler.http.routes": [],
     "distributed.scheduler.worker-saturation": 1.0,  # a clip whose worker dies is the only one there
     "distributed.worker.http.routes": [],
+    "distributed.worker.profile.enabled": False,  # its history would grow all the time
 }
 
 atexit.unregister(close_clusters)  # after Ctrl-C it would print errors of workers that are still starting
