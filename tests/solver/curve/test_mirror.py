@@ -132,14 +132,18 @@ def other_part(part):
     return *swapped, (x, -y, z), kind, tuple(sign * np.array(axis) * [1, -1, 1])
 
 
-def turned_frames(rng, *, names: bool, root=None) -> tuple[mujoco.MjModel, list[int], list[tuple[str, str]]]:
+def turned_frames(rng, *, names: str, root=None) -> tuple[mujoco.MjModel, list[int], list[tuple[str, str]]]:
     """A symmetric figure whose bodies' frames are turned at random, and whose axes point either way; the body on the
-    other side of each, and the pairs of joints whose names do not tell."""
+    other side of each, and the pairs of joints whose names do not tell. "one side": only the left is named as such."""
     parts = [*PARTS, *(other_part(part) for part in PARTS if "left" in part[0])]
     turns = {name: quat.normalised(rng.normal(size=4)) for name, *_ in parts}
     turns["trunk"] = np.array([1.0, 0, 0, 0]) if root is None else quat.normalised(root)
     place = {name: np.array(where) for name, _, where, *_ in parts}
-    called = {name: name if names else f"b{i}" for i, (name, *_) in enumerate(parts)}
+    called = {name: name for name, *_ in parts}
+    if names == "one side":
+        called = {name: name.replace("right_", "") for name in called}
+    elif names == "none":
+        called = {name: f"b{i}" for i, name in enumerate(called)}
     spec = mujoco.MjSpec()
     bodies = {"": spec.worldbody}
     for name, parent, where, kind, axis in parts:
@@ -159,13 +163,14 @@ def turned_frames(rng, *, names: bool, root=None) -> tuple[mujoco.MjModel, list[
             joint.axis, joint.ref = quat.rotated(quat.inverse(turns[name]), sign * np.array(axis, float)), rng.normal()
     model = spec.compile()
     ids = {name: model.body(called[name]).id for name in called}
-    left = [name for name, *_ in parts if "left" in name and not names]
+    left = [name for name, *_ in parts if "left" in name and names == "none"]
     pairs = [(f"{called[name]}_joint", f"{called[other_side(name)]}_joint") for name in left]
     return model, [0, *(ids[other_side(name)] for name in sorted(ids, key=ids.__getitem__))], pairs
 
 
 @pytest.mark.parametrize(
-    ("names", "root"), [(True, None), (True, (0.9, 0.3, -0.4, 0.1)), (False, (1.0, 0, 0, 1)), (False, None)]
+    ("names", "root"),
+    [("both sides", None), ("one side", (0.9, 0.3, -0.4, 0.1)), ("none", (1.0, 0, 0, 1)), ("none", None)],
 )
 @pytest.mark.parametrize("coordinates", ["world", "joint"])
 def test_frames_turned_at_random_have_mirrored_places_and_come_back(rng, names, root, coordinates):
