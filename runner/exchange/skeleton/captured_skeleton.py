@@ -231,7 +231,7 @@ def _body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> int:
     parents, names = skeleton.parents, unique(skeleton.names)
     parts = set(apply_bone_map(roles(names, parents), bone_map, names, "recording").values())
     if len(parts) > 1:
-        return max(set.intersection(*(set(lineage(i, parents)) for i in parts)), default=0)
+        return max(set.intersection(*(set(lineage(i, parents)) for i in parts)))
     root, joint = 0, 0
     while parents.count(joint) == 1:
         joint = parents.index(joint)
