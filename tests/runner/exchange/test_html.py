@@ -46,6 +46,7 @@ def test_its_poses_are_mujocos(take, content):
     assert content["fps"] == take.fps
     position = numbers(content["after"]["position"], 3).reshape(-1, model.nbody, 3)
     rotation = numbers(content["after"]["rotation"], 4).reshape(-1, model.nbody, 4)
+    assert content["extent"] == pytest.approx(np.ptp(take.bodies.position[:, 1:, :2].reshape(-1, 2), axis=0).max())
     for sample in (0, len(take.time) // 2, -1):
         data = kinematics(model, take.qpos[sample])
         np.testing.assert_allclose(position[sample], data.xpos, atol=1e-5)

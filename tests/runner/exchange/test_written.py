@@ -74,6 +74,8 @@ def test_the_csv_of_mjlab_has_root_quaternion_xyzw_and_hinges(robot, robot_file,
     np.testing.assert_array_equal(table[:, [0, 1, 2, 6, 3, 4, 5, *range(7, 12)]], at.qpos)
     with pytest.raises(UserError, match="the format contains no rate; give the rate: --fps, or fps= in Python"):
         import_recording(target, figure=str(robot_file))
+    np.savetxt(target, np.column_stack([at.time, table]), delimiter=",")
+    np.testing.assert_allclose(import_recording(target, figure=str(robot_file)).fps, motions.FPS)
 
 
 def test_gmr_holds_root_xyzw_hinges_and_bodies_about_an_unturned_root(robot, at, tmp_path):

@@ -188,6 +188,7 @@ FAULTS: dict[str, tuple[str, str, str, list[str]]] = {  # figure, clip, kind (""
     "faster than friction allows": (
         "human", standing(0, 0.5, 0, seconds=0.3), "unsupported",
         [r"contacts cannot supply a force of \d\.\d\d of the weight, for .*"]),
+    "too short for an average": ("human", standing(0, 0.5, 0, seconds=0.1), "unsupported", []),
     "slowly from side to side": ("human", standing(0, 0.5, 0, seconds=2.0), "unsupported", []),
     "leaning far forward": (
         "human", leaning(30), "unbalanced", [r"the centre of mass of the standing figure is \d+ mm beside its .*"]),

@@ -12,6 +12,7 @@ from dynsplines.solver.contacts import Contact, ContactSchedule, grasped_links, 
 from dynsplines.solver.contacts.flight import STRETCHED
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.raw import raw_timeline
+from dynsplines.solver.figure.dynamics import Size
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Collision
@@ -187,6 +188,12 @@ def test_a_figure_that_may_reach_the_ground_is_in_no_flight(poses):
 
 def test_a_fall_begins_and_ends_with_the_clip_in_the_air():
     assert hop((0, 1.5, 0.3), (0.3, 1.5, 0.3)).flights == ((0, 0.3),)
+
+
+def test_keyframes_in_the_air_from_which_an_adult_would_rise_by_more_than_60_cm_are_in_no_flight():
+    longest = 2 * np.sqrt(2 * 0.6 * Size.of(FIGURE).length / G)
+    for share, count in ((0.99, 1), (1.01, 0)):
+        assert len(hop((0, 1.5, 0.3), (share * longest, 1.5, 0.3)).flights) == count
 
 
 @pytest.mark.parametrize(("first", "last"), [(0.0, 0.35), (0.5, 0.8), (0.4, 0.5)])

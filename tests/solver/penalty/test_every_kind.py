@@ -405,3 +405,10 @@ def test_a_motion_moved_and_turned_about_the_vertical_costs_the_same(name, rng) 
                 part[:, columns] = quat.product(turn, part[:, columns])
     values = penalty.evaluate(Samples(samples.figure, *moved, t=samples.t))
     np.testing.assert_allclose(values, penalty.evaluate(samples), rtol=1e-7, atol=1e-10)
+
+
+def test_what_is_tolerated_is_linear_between_keyframes_and_constant_before_and_after(rng):
+    times, excess, t = np.array([0.0, 0.8, 2]), rng.uniform(0, 1, (2, 3)), np.linspace(-1, 3, 41)
+    allowance, expected = Allowance(times, excess), np.array([np.interp(t, times, row) for row in excess])
+    np.testing.assert_allclose(allowance.at(t), expected)
+    np.testing.assert_allclose(allowance.of(np.ones(t.size, int), t), expected[1])

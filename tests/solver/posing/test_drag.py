@@ -5,13 +5,16 @@ import numpy as np
 import pytest
 from figures import figure_of
 from oracles import kinematics
+from random_models import random_qpos
 from scipy.optimize import minimize
 from scipy.spatial import ConvexHull
+from scipy.spatial.transform import Rotation
 from texts import read_data
 
 from dynsplines import models
 from dynsplines.solver import posing
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.posing.bounds import Ranges
 from dynsplines.solver.posing.drag import MAX_MISS, TARGET_WEIGHT
 
 ARM = read_data("dragged_arm.xml")
@@ -88,15 +91,32 @@ def test_derivatives_are_differences(human, rng):
         (lambda data: above.linearise(model, data)[0], lambda data: above.linearise(model, data)[1]),
     ]
     for value, rows in terms:
-        differences = []
-        for direction in np.eye(model.nv):
-            ends = [np.array(qpos), np.array(qpos)]
-            for end, side in zip(ends, (STEP, -STEP), strict=True):
-                mujoco.mj_integratePos(model, end, direction, side)
-            differences.append(
-                (value(kinematics(human.model, ends[0])) - value(kinematics(human.model, ends[1]))) / (2 * STEP)
-            )
-        np.testing.assert_allclose(rows(kinematics(human.model, qpos)), np.transpose(differences), atol=1e-7)
+        expected = differences(model, qpos, lambda end, value=value: value(kinematics(model, end)))
+        np.testing.assert_allclose(rows(kinematics(model, qpos)), expected, atol=1e-7)
+
+
+def differences(model: mujoco.MjModel, qpos, value) -> np.ndarray:
+    """The derivative of value(qpos) (k,) with respect to the degrees of freedom, (k, nv)."""
+    columns = []
+    for direction in np.eye(model.nv):
+        ends = [np.array(qpos), np.array(qpos)]
+        for end, side in zip(ends, (STEP, -STEP), strict=True):
+            mujoco.mj_integratePos(model, end, direction, side)
+        columns.append((value(ends[0]) - value(ends[1])) / (2 * STEP))
+    return np.transpose(columns)
+
+
+def test_excesses_over_ranges_are_signed_and_their_derivatives_are_differences(rng):
+    """Of a ball joint, three hinges and a slide in a tree with two joints without ranges."""
+    figure = figure_of(read_data("ranged.xml"))
+    ranges = Ranges.of(figure, range(2, len(figure.links)), np.arange(figure.model.nv))
+    qpos = random_qpos(figure, rng)
+    excess, rows = ranges.linearise(qpos)
+    angle = Rotation.from_quat(qpos[7:11], scalar_first=True).magnitude() - 1.2
+    joints = [(qpos[11], -0.1, 2), (qpos[12], -0.4, 0.1), (qpos[13], -2, 0.2)]
+    expected = [angle, *(q - high for q, _, high in joints), *(low - q for q, low, _ in joints)]
+    np.testing.assert_allclose(np.sort(excess), np.sort(expected), atol=2e-7)
+    np.testing.assert_allclose(rows, differences(figure.model, qpos, lambda end: ranges.linearise(end)[0]), atol=1e-7)
 
 
 def test_a_support_polygon_is_the_convex_hull_made_smaller(rng):
