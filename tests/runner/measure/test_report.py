@@ -57,6 +57,9 @@ def test_a_box_that_hovers_in_flight_is_a_whole_weight_off_free_fall(tmp_path):
     assert data["largest upward force in flight, N"] == pytest.approx(2 * 9.81)
     assert data["root mean square"] == pytest.approx(1)
     assert data["moment, root mean square"] == pytest.approx(0, abs=1e-9)
+    slow = unsolved(tmp_path, [(t, 0, 0, 1 - 2 * (t - 0.2) ** 2) for t in (0, 0.1, 0.2, 0.3, 0.4)])
+    missing = 1 + Sampled.of(slow.motion, 1000).qacc[:, 2] / 9.81
+    assert side(slow)["support"]["root mean square"] == pytest.approx(np.sqrt(np.mean(missing**2)), rel=0.01)
 
 
 def test_a_box_that_stands_is_carried_by_the_floor_and_one_of_which_nothing_is_known_is_not(tmp_path):
