@@ -9,7 +9,6 @@ bounds              joint ranges, and the bending of knees and elbows
 limits              the floor, and the support polygon of the centre of mass
 """
 
-from .bounds import joined as joined
 from .drag import Constraints as Constraints
 from .drag import dragged as dragged
 from .goals import BodyGoal as BodyGoal
@@ -23,6 +22,7 @@ from .inverse_kinematics import find_pose as find_pose
 from .inverse_kinematics import in_winding as in_winding
 from .least_squares import LeastSquares as LeastSquares
 from .least_squares import Residuals as Residuals
+from .least_squares import joined as joined
 from .limits import Balance as Balance
 from .limits import FloorClearance as FloorClearance
 from .limits import SupportPolygon as SupportPolygon

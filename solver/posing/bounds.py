@@ -11,18 +11,13 @@ import numpy as np
 from .. import quaternion as quat
 from ..array import Array, Index, Mask
 from ..figure.figure import Figure, JointKind
-from ..penalty.joints.bend import BendLimits, bent
+from ..penalty.joints.bend import ANGLE, SIGN, BendLimits, bent
 from ..tolerances import ROUNDING
+from .least_squares import Part
 
 STRAIGHT = 3.0  # [1] weight of sideways and twist angles of knees and elbows, relative to rotations of a limb joint
 ONE_SIDED = 0.25  # [1] a hinge bends one way if its rest value is within this share of its range from an end
 INSIDE = 1e-7  # [rad, m] margin of joints from the ends of their ranges; goals there are still met
-Part = tuple[Array, Array]  # residuals (k,) and their Jacobian (k, n)
-
-
-def joined(parts: Sequence[Part]) -> Part:
-    """Return the concatenated residuals and Jacobians of several parts."""
-    return np.concatenate([values for values, _ in parts]), np.concatenate([rows for _, rows in parts])
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,17 +97,22 @@ class Ranges:
 
     def linearise(self, qpos: Array) -> Part:
         """Return the signed excess of joints over the ends of their ranges (k,) [rad or m], and its Jacobian (k, n)."""
-        balls, simple = len(self.balls), self.simple.size
-        over, rows = np.empty(balls + 2 * simple), np.zeros((balls + 2 * simple, self.count))
+        balls, rows = len(self.balls), self._rows.copy()
+        over = np.empty(len(rows))
         if balls:
             turn = quat.rotation_vector(qpos[self.balls])
             angle = np.sqrt(np.einsum("bi,bi->b", turn, turn))
             over[:balls] = angle - self.most
             rows[np.arange(balls)[:, None], self.turns] = turn / np.maximum(angle, ROUNDING)[:, None]
-        at, upper = qpos[self.simple], balls + np.arange(simple)
-        over[upper], over[upper + simple] = at - self.limits[:, 1], self.limits[:, 0] - at
-        rows[upper, self.places], rows[upper + simple, self.places] = 1.0, -1.0
+        at = qpos[self.simple]
+        over[balls:] = np.concatenate([at - self.limits[:, 1], self.limits[:, 0] - at])
         return over, rows
+
+    @cached_property
+    def _rows(self) -> Array:
+        """The Jacobian, (k, n), zero for ball joints."""
+        unit = np.eye(self.count)[self.places]
+        return np.concatenate([np.zeros((len(self.balls), self.count)), unit, -unit])
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,58 +143,33 @@ class Bends:
     def bend(self, qpos: Array, least: float) -> Array:
         """Return qpos (nq,) with a flexion of every joint of at least `least` [rad]."""
         out = np.array(qpos)
-        flexion = self._angles(qpos[self.columns])[0]
-        for joint, columns, angle in zip(self.limits.joints, self.columns, flexion, strict=True):
+        for columns, axis, angle in zip(self.columns, self._child[0], self._bent(qpos)[0][0], strict=True):
             if angle < least:
-                turn = self.figure.links[joint.link].turn
-                axis = quat.rotated(quat.inverse(turn), joint.lateral)
                 more = quat.from_rotation_vector((least - angle) * axis)
                 out[columns] = quat.product(quat.normalised(out[columns]), more)
         return out
 
     @cached_property
-    def _axes(self) -> tuple[Array, Array]:
-        """The axes of parent and child in the frames of the joints.
+    def _rest(self) -> Array:
+        """The rotations of the joints at rest, (k, 3, 3)."""
+        return quat.matrices(np.array([self.figure.links[joint.link].turn for joint in self.limits.joints]))
 
-        Returns:
-            The forward, long and lateral axes of the parents (k, 3, 3); the long and lateral axes of the children
-            (2, k, 3).
-        """
-        joints = self.limits.joints
-        lateral, down = (np.array([getattr(joint, name) for joint in joints]) for name in ("lateral", "long_axis"))
-        back = quat.inverse(np.array([self.figure.links[joint.link].turn for joint in joints]))
-        forward, down, lateral = (quat.rotated(back, axis) for axis in (np.cross(lateral, down), down, lateral))
-        return np.stack([forward, down, lateral], axis=1), np.array([down, lateral])
+    @cached_property
+    def _child(self) -> Array:
+        """The lateral and long axes of the children in their frames, (2, k, 3)."""
+        return np.einsum("nij,bin->bnj", self._rest, self.limits.axes[1][:0:-1])
+
+    def _bent(self, qpos: Array) -> tuple[Array, Array]:
+        """Return the angles of the joints (3, k), and their derivatives by their degrees of freedom (3, k, 3)."""
+        turn = self._rest @ quat.matrices(qpos[self.columns])
+        angles, axes = bent(self.limits.axes[1], np.einsum("nij,bnj->bin", turn, self._child))
+        return angles, np.einsum("nij,ian->anj", turn, axes)
 
     def linearise(self, qpos: Array, nv: int) -> tuple[Part, Part]:
         """Return the weighted sideways and twist angles (2 k,) and the excess over bounds (5 k,), with Jacobians."""
-        parent, child = self._axes
-        turned = np.einsum("nij,nbi->bnj", quat.matrices(qpos[self.columns]), parent)  # in the child's frame
-        (x, z, y), (a, b, q) = np.einsum("bnj,cnj->cbn", turned, child)
-        # derivatives with respect to rotations about the child's axes, (6, k, 3): dx, dz, dy, da, db, dq
-        slopes = _cross(child[:, None], turned).reshape(6, x.size, 3)
-        planar = np.maximum(np.hypot(x, z), ROUNDING)
-        p = (x * b - z * a) / planar
-        both = np.maximum(p**2 + q**2, ROUNDING**2)
-        flexion, sideways, twist = np.arctan2(x, z), np.arctan2(y, planar), np.arctan2(p, q)
-        by_six, square, of_p = np.zeros((3, 6, x.size)), planar**2, q / both / planar
-        by_six[0, :2] = z / square, -x / square
-        by_six[1, :3] = -y * x / planar, -y * z / planar, planar
-        by_six[2, 0], by_six[2, 1] = of_p * (b - p * x / planar), -of_p * (a + p * z / planar)
-        by_six[2, 3:] = -of_p * z, of_p * x, -p / both
-        by = np.zeros((3, x.size, nv))
-        by[:, np.arange(x.size)[:, None], self.dofs] = np.einsum("ksn,snj->knj", by_six, slopes)
-        limits = self.limits
-        over = [limits.least - flexion]
-        for value, bound in ((sideways, limits.sideways), (twist, limits.twist)):
-            over += [value - bound, -value - bound]
-        crooked = STRAIGHT * np.concatenate([sideways, twist]), STRAIGHT * np.concatenate([by[1], by[2]])
-        return crooked, (np.concatenate(over) + INSIDE, np.concatenate([-by[0], by[1], -by[1], by[2], -by[2]]))
-
-    def _angles(self, q: Array) -> Array:
-        return bent(self.figure, self.limits.joints, q)
-
-
-def _cross(a: Array, b: Array) -> Array:
-    """Return a × b, (..., 3)."""
-    return a[..., [1, 2, 0]] * b[..., [2, 0, 1]] - a[..., [2, 0, 1]] * b[..., [1, 2, 0]]
+        angles, slopes = self._bent(qpos)
+        by = np.zeros((*angles.shape, nv))
+        by[:, np.arange(len(self.dofs))[:, None], self.dofs] = slopes
+        crooked = STRAIGHT * angles[1:].ravel(), STRAIGHT * by[1:].reshape(-1, nv)
+        over = self.limits.excess(angles).ravel() + INSIDE
+        return crooked, (over, (SIGN[:, None, None] * by[ANGLE]).reshape(-1, nv))

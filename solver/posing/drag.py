@@ -15,9 +15,8 @@ import numpy as np
 from ..array import Array, Mask
 from ..figure.figure import Figure
 from ..penalty.joints.bend import BendLimits
-from .bounds import Part, joined
 from .goals import Goal
-from .least_squares import Residuals
+from .least_squares import Part, Residuals, joined
 from .limits import FloorClearance, SupportPolygon
 from .pose_search import Posed, PoseSearch
 

@@ -16,6 +16,7 @@ from ..figure.figure import Figure
 from ..figure.model import kinematics
 from ..surface.points import Point
 from ..tolerances import TINY
+from .least_squares import Part
 
 
 class Goal(Protocol):
@@ -34,8 +35,8 @@ class Goal(Protocol):
         """Return the residual, current minus requested value, (k,) [m or rad]."""
         ...
 
-    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        """Return the Jacobian of the residual with respect to the degrees of freedom, (k, nv)."""
+    def linearise(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
+        """Return the residual and its Jacobian with respect to the degrees of freedom, (k, nv)."""
         ...
 
 
@@ -78,11 +79,12 @@ class PointGoal:
     def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
         return (self.places(data) - self._targets(data))[self._is_constrained]
 
-    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        rows = _jacobians(model, data, self.index, self.places(data))
+    def linearise(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
+        places, targets = self.places(data), self._targets(data)
+        rows = _jacobians(model, data, self.index, places)
         if self.reference:
-            rows -= _jacobians(model, data, self.reference, self._targets(data))
-        return rows[self._is_constrained]
+            rows -= _jacobians(model, data, self.reference, targets)
+        return (places - targets)[self._is_constrained], rows[self._is_constrained]
 
     def _targets(self, data: mujoco.MjData) -> Array:
         if not self.reference:
@@ -138,10 +140,10 @@ class BodyGoal:
             return np.array([0.0 if up[2] > 0 else np.pi, 0.0])
         return tilt[:2] * np.arctan2(length, up[2]) / length
 
-    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        rows = np.zeros((3, model.nv))
+    def linearise(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
+        missed, rows = self.missed(model, data), np.zeros((3, model.nv))
         mujoco.mj_jacBody(model, data, None, rows, self._body(model))
-        return rows if self.rotation is not None else rows[:2]
+        return missed, rows[: missed.size]
 
 
 def same_heading(figure: Figure, qpos: Array, body: int) -> BodyGoal:

@@ -6,7 +6,7 @@ residuals that are positive at its end.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -20,7 +20,13 @@ FIRST_DAMPING, MOST_DAMPING = 0.1, 1e8
 # [1] divisor of damping after a step that reduces the cost; multiplier of damping after any other step
 BOLDER, MORE_CAREFUL = 5, 6
 ACTIVE_SETS = 4  # [1] largest number of solves of a step, until the positive one-sided residuals no longer change
+Part = tuple[Array, Array]  # residuals (k,) and their Jacobian (k, n)
 SQUARED = 1e4  # [1] largest weight, relative to that of the unknowns, for which normal equations are accurate enough
+
+
+def joined(parts: Sequence[Part]) -> Part:
+    """Return the concatenated residuals and Jacobians of several parts."""
+    return np.concatenate([values for values, _ in parts]), np.concatenate([rows for _, rows in parts])
 
 
 @dataclass(frozen=True, eq=False)

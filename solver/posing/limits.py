@@ -10,8 +10,8 @@ import mujoco
 import numpy as np
 
 from ..array import Array, Index
-from .bounds import Part
 from .goals import PointGoal
+from .least_squares import Part
 
 SUPPORT_SHARE = 0.8  # size of the polygon for the centre of mass in a drag, relative to the support polygon
 MIN_SUPPORT = 1e-3  # [m] width below which contact points form no polygon
@@ -75,12 +75,9 @@ class Balance:
         return [point.index for point in self.points]
 
     def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        return self._worst(model, data)[0]
+        return self.linearise(model, data)[0]
 
-    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
-        return self._worst(model, data)[1]
-
-    def _worst(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
+    def linearise(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
         """Return the largest excess (1,) [m] over an edge, 0 inside, and its Jacobian (1, nv) for feet at rest."""
         places = np.concatenate([point.places(data) for point in self.points])
         polygon = SupportPolygon.of(self.root, places, self.share)

@@ -19,9 +19,9 @@ from ..figure.figure import Figure, JointKind
 from ..figure.model import set_qpos
 from ..penalty.joints.bend import BendLimits
 from ..tolerances import NEWTON_STEPS, ROUNDING, SINGLE
-from .bounds import Bends, Part, Ranges, joined
+from .bounds import Bends, Ranges
 from .goals import Goal, moved_by, reached
-from .least_squares import LeastSquares, Residuals
+from .least_squares import LeastSquares, Part, Residuals, joined
 
 # [m, rad] largest residual norm of a goal that counts as met
 MET = SINGLE
@@ -243,10 +243,10 @@ class PoseSearch:
         mujoco.mj_differentiatePos(self.model, from_home, 1.0, self.home, qpos)
         near, off = [(self.weights * from_home[self.dofs], self._by_near)], []
         for goal in self.goals:
-            missed, rows = goal.missed(self.model, self.data), goal.rows(self.model, self.data)
+            missed, rows = goal.linearise(self.model, self.data)
             off.append((missed, rows[:, self.dofs]))
         for weight, goal in self.preferred:
-            values, rows = goal.missed(self.model, self.data), goal.rows(self.model, self.data)
+            values, rows = goal.linearise(self.model, self.data)
             near.append((weight * values, weight * rows[:, self.dofs]))
         over = [self.ranges.linearise(qpos)]
         if self.bends is not None:

@@ -108,10 +108,10 @@ class SiteGoal:
     def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
         return (data.site(self.name).xpos - self.position)[self._specified]
 
-    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+    def linearise(self, model: mujoco.MjModel, data: mujoco.MjData) -> tuple[Array, Array]:
         rows = np.zeros((3, model.nv))
         mujoco.mj_jacSite(model, data, rows, None, model.site(self.name).id)
-        return rows[self._specified]
+        return self.missed(model, data), rows[self._specified]
 
     @cached_property
     def _specified(self) -> Mask:

@@ -463,7 +463,7 @@ class RecordedPoses:
         off = [data.xpos[b[-1]] - data.xpos[b[0]] - about[self.sample] for b, about in self.limbs]
         return np.concatenate([(away / self.spread).ravel(), *(part / PLACE for part in off)])
 
-    def rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+    def linearise(self, model: mujoco.MjModel, data: mujoco.MjData) -> tuple[Array, Array]:
         turned, moved = np.zeros((len(self.turns), 3, model.nv)), np.zeros((len(self.limbs), 2, 3, model.nv))
         for row, body in zip(turned, self.turns, strict=True):
             mujoco.mj_jacBody(model, data, None, row, body)
@@ -471,7 +471,8 @@ class RecordedPoses:
             for row, body in zip(pair, (bodies[-1], bodies[0]), strict=True):
                 mujoco.mj_jacBody(model, data, row, None, body)
         by_end = (moved[:, 0] - moved[:, 1]) / PLACE
-        return np.concatenate([turned / self.spread[:, :, None], by_end]).reshape(-1, model.nv)
+        rows = np.concatenate([turned / self.spread[:, :, None], by_end]).reshape(-1, model.nv)
+        return self.missed(model, data), rows
 
 
 def followed(model: mujoco.MjModel, qpos: Array, poses: RecordedPoses, root: slice) -> Array:

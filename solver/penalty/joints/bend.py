@@ -7,13 +7,12 @@ The twist is too large by 1/cos of the sideways bend.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
-from ... import quaternion as quat
 from ...array import Array, Index
 from ...curve.frame import Timeline
 from ...figure.algebra import cross, dot, rotation_matrix
@@ -26,8 +25,8 @@ from ..block import Block
 from ..penalty import NEAR_ANGLE, Normalization, Penalty, Role
 
 RARE = 2.0  # [%] share of samples beyond extended limits
-ANGLE, SIGN = np.array([0, 1, 1, 2, 2]), np.array([-1.0, 1, -1, 1, -1])  # of the five bounds, as in `_excess`
-JointFrames = tuple[Array, Array, Array, Array, Array, Array]
+ANGLE, SIGN = np.array([0, 1, 1, 2, 2]), np.array([-1.0, 1, -1, 1, -1])  # of the five bounds, as in `excess`
+EVERY = np.eye(3)[:, :, None]  # the three angles
 
 
 @dataclass(frozen=True)
@@ -77,7 +76,7 @@ class BendLimits(Penalty):
         samples = Samples.still(figure, keys.states)
         columns = [quaternion_columns(figure.links[joint.link]) for joint in self.joints]
         fixed = np.array([keys.fixed[:, group].all(axis=1) for group in columns])
-        excess = np.maximum(self._excess(self.angles(samples)), 0) * fixed
+        excess = np.maximum(self.excess(self.angles(samples)), 0) * fixed
         return replace(self, allowed=Allowance(keys.times, excess)) if excess.any() else self
 
     def extended(self, samples: Samples) -> BendLimits:
@@ -91,7 +90,7 @@ class BendLimits(Penalty):
             twist=max(self.twist, twist),
         )
 
-    def _excess(self, angles: Array) -> Array:
+    def excess(self, angles: Array) -> Array:
         """Return the excess of angles (3, n, S) over each bound, negative within it, (5, n, S)."""
         flexion, sideways, twist = angles
         return np.array(
@@ -109,15 +108,15 @@ class BendLimits(Penalty):
         return self._angles_and_frames(samples)[0]
 
     @cached_property
-    def _axes(self) -> tuple[Index, Array]:
+    def axes(self) -> tuple[Index, Array]:
         """Links (n,), and the joints' axes in the parent: forward, along the limb, lateral, (3, 3, n)."""
         lateral = np.array([joint.lateral for joint in self.joints]).T
         down = np.array([joint.long_axis for joint in self.joints]).T
         forward = np.cross(lateral.T, down.T).T
         return np.array([joint.link for joint in self.joints], np.intp), np.array([forward, down, lateral])
 
-    def _angles_and_frames(self, samples: Samples) -> tuple[Array, JointFrames]:
-        joints, axes = self._axes
+    def _angles_and_frames(self, samples: Samples) -> tuple[Array, tuple[Array, ...]]:
+        joints, axes = self.axes
         tables = samples.figure.tables
         carried = axes[:0:-1]  # the child's hinge axis v and long axis u, at rest aligned with the parent's
         if tables.has_turns:
@@ -136,42 +135,51 @@ class BendLimits(Penalty):
         if not self.joints:
             return
         angles, rotated = self._angles_and_frames(samples)
-        excess = self._excess(angles)
+        excess = self.excess(angles)
         if self.allowed is not None:
             excess -= self.allowed.at(samples.t)
         side, joint, at = np.nonzero(excess > -NEAR_ANGLE)
-        axis = SIGN[side] * _turning_axes(rotated, ANGLE[side], joint, at)
-        link = self._axes[0][joint]
+        chosen = tuple(part[..., joint, at] for part in rotated)
+        axis = SIGN[side] * _turning_axes(chosen, np.eye(3)[:, ANGLE[side]])
+        link = self.axes[0][joint]
         changes = of_turn(at, link, axis), of_turn(at, samples.figure.tables.parents[link], -axis)
         yield Block(at, excess[side, joint, at], changes, one_sided=True)
 
 
-def _turning_axes(frames: JointFrames, angle: Index, joint: Index, at: Index) -> Array:
-    """Return the derivatives (3, P) of joints' angles (0 to 2) by a small rotation of the child in the parent."""
-    world, frame = (part[..., joint, at] for part in frames[:2])
-    (x, z, _), v, planar, p = (part[..., joint, at] for part in frames[2:])
-    flexes, leans, twists = ((angle == k).astype(float) for k in range(3))
+def bent(parent: Array, child: Array) -> tuple[Array, Array]:
+    """Return the angles of n joints, and their derivatives by rotations of the children.
+
+    Args:
+        parent: The parents' axes: forward, along the limb, lateral, (3, 3, n).
+        child: The children's lateral axes and long axes in the same coordinates, (2, 3, n).
+
+    Returns:
+        Flexion, sideways bend and twist, (3, n) [rad]; and for each the axis, about which a small rotation of the child
+        changes it as much, (3, 3, n): by component and angle.
+    """
+    v, u = np.einsum("bin,kin->kbn", parent, child)
+    angles, planar, p = _bent(u, v)
+    return angles, _turning_axes((child[:, :, None], parent, u, v, planar, p), EVERY)
+
+
+def _turning_axes(frames: tuple[Array, ...], which: Array) -> Array:
+    """Return the derivatives (3, ...) of joints' angles by a small rotation of the child in the parent.
+
+    Args:
+        which: 1 for the angle and 0 for the other two, (3, ...).
+    """
+    world, frame, (x, z, _), v, planar, p = frames
+    flexes, leans, twists = which
     q = v[2]
     both = np.maximum(p**2 + q**2, ROUNDING**2)
     # derivatives by v and u along the parent's axes
-    bars = np.empty((2, 3, at.size))
     by_p = twists * q / (both * planar)
-    bars[0] = -by_p * z, by_p * x, -twists * p / both
     # the normal turns in the sagittal plane as the limb flexes: d normal / d flexion = (z d + x f) / |(x, z)|
     flexes = (flexes + by_p * (z * v[1] + x * v[0])) / planar**2
+    bars = np.empty((2, 3, *flexes.shape))
+    bars[0] = -by_p * z, by_p * x, -twists * p / both
     bars[1] = flexes * z, -flexes * x, leans / planar
-    return np.add.reduce(cross(world.swapaxes(0, 1), np.einsum("kbp,bip->ikp", bars, frame)), axis=1)
-
-
-def bent(figure: Figure, joints: Sequence[Bend], relative: Array) -> Array:
-    """Return flexion, sideways bend and twist (3, ..., n) of n joints for rotations `relative` (..., n, 4) of qpos."""
-    turn = np.array([figure.links[joint.link].turn for joint in joints])
-    lateral = np.array([joint.lateral for joint in joints])
-    down = np.array([joint.long_axis for joint in joints])
-    rotated = quat.product(quat.product(turn, relative), quat.inverse(turn))
-    axes = np.array([np.cross(lateral, down), down, lateral])
-    v, u = (np.einsum("bni,...ni->b...n", axes, quat.rotated(rotated, axis)) for axis in (lateral, down))
-    return _bent(u, v)[0]
+    return np.add.reduce(cross(world.swapaxes(0, 1), np.einsum("kb...p,bip->ik...p", bars, frame)), axis=1)
 
 
 def _bent(u: Array, v: Array) -> tuple[Array, Array, Array]:

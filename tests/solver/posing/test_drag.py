@@ -85,8 +85,8 @@ def test_derivatives_are_differences(human, rng):
         "feet", 1, tuple(posing.PointGoal("foot", 0, place[None], np.zeros((1, 3))) for place in polygon + 5.0)
     )
     terms = [
-        (lambda data: feet.missed(model, data), lambda data: feet.rows(model, data)),
-        (lambda data: pins.missed(model, data), lambda data: pins.rows(model, data)),
+        (lambda data: feet.missed(model, data), lambda data: feet.linearise(model, data)[1]),
+        (lambda data: pins.missed(model, data), lambda data: pins.linearise(model, data)[1]),
         (lambda data: balance.linearise(model, data)[0], lambda data: balance.linearise(model, data)[1]),
         (lambda data: above.linearise(model, data)[0], lambda data: above.linearise(model, data)[1]),
     ]

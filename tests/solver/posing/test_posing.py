@@ -21,7 +21,7 @@ from dynsplines.solver import posing
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
-from dynsplines.solver.penalty.joints.bend import bent
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.surface.points import Point, site_points
 
 
@@ -44,7 +44,7 @@ def differences(model: mujoco.MjModel, qpos: Array, values: Callable[[Array], Ar
 
 def assert_rows(goal: posing.Goal, model: mujoco.MjModel, qpos: Array, atol: float = 1e-7) -> None:
     expected = differences(model, qpos, lambda at: np.array(goal.missed(model, kinematics(model, at))))
-    np.testing.assert_allclose(goal.rows(model, kinematics(model, qpos)), expected, atol=atol)
+    np.testing.assert_allclose(goal.linearise(model, kinematics(model, qpos))[1], expected, atol=atol)
 
 
 @pytest.mark.parametrize("free", [(), (0,), (2,), (0, 1)])
@@ -172,7 +172,7 @@ def assert_human(qpos: Array) -> None:
         angle = np.linalg.norm(quat.rotation_vector(qpos[link.qpos : link.qpos + 4]))
         assert angle <= figure.model.jnt_range[link.joint, 1]
     own = np.array([qpos[figure.links[joint.link].columns] for joint in BENDS.joints])
-    flexion, sideways, twist = bent(figure, BENDS.joints, own)
+    flexion, sideways, twist = BENDS.angles(Samples.still(figure, figure.to_state(qpos[None])))[..., 0]
     changed = np.any(own != figure.model.qpos0[7:11], axis=1)
     assert np.all(flexion[changed] >= BENDS.least)
     assert np.all(np.abs(sideways) <= BENDS.sideways)
