@@ -42,7 +42,7 @@ def figure(captured: CapturedSkeleton) -> tuple[str, Array]:
         above = ET.SubElement(root, "worldbody") if parent < 0 else bodies[parent]
         body = ET.SubElement(above, "body", name=names[i], pos=_row(place))
         if parent < 0:
-            ET.SubElement(body, "freejoint", name="root" if "root" not in names[1:] else names[0])
+            ET.SubElement(body, "freejoint", name="root" if "root" not in names else names[0])
         else:
             ET.SubElement(body, "joint", name=names[i], type="ball")
         bodies.append(body)

@@ -392,15 +392,17 @@ def test_a_figure_or_file_without_legs_is_told(cartwheel, tmp_path):
 
 @pytest.mark.slow
 def test_the_unit_is_guessed_told_and_may_be_said(tmp_path, cartwheel):
-    path = Path(written(cartwheel, tmp_path))
-    said = []
+    path, good, said = Path(written(cartwheel, tmp_path)), tmp_path / "good.bvh", []
+    good.write_text(GOOD)
 
     class Ear(Progress):
         def report(self, line):
             said.append(line)
 
     import_recording(path, progress=Ear())
-    assert any("taken for centimetres" in text for text in said)
+    import_recording(good, progress=Ear())
+    assert "taken for centimetres: " in said[0]
+    assert any("the longest limb reaches 0.90 m" in text for text in said)
     small = Sampled.of(import_recording(path, scale=0.001))
     np.testing.assert_allclose(np.ptp(small.qpos[:, 0]), 0.1 * np.ptp(cartwheel.qpos[:, 0]), atol=1e-6)
     with pytest.raises(UserError, match="--scale does not apply"):
