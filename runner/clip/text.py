@@ -39,7 +39,7 @@ def written(clip: ClipTable | Mapping[str, object]) -> str:
     for key, value in sorted(plain.items(), key=lambda item: item[0] == "keyframe"):
         if isinstance(value, dict) and value:
             blocks.append("\n".join([f"[{_key(key)}]", *(assignment(*entry) for entry in value.items())]))
-        elif _is_table(value):
+        elif isinstance(value, list | tuple) and _is_table(value):
             blocks += ["\n".join([f"[[{_key(key)}]]", *_rows(row)]) for row in value]
     return "\n\n".join(blocks) + "\n"
 
