@@ -166,7 +166,7 @@ def rows(before: dict[str, Any], after: dict[str, Any]) -> Iterator[Line]:
     for name, value in after.items():
         if name == "largest":
             for kind, entry in value.items():
-                yield f"largest {kind}", *map(_amount, (before.get(name, {}).get(kind), entry))
+                yield f"largest {kind}", _amount(before.get(name, {}).get(kind)), _amount(entry)
         else:
             yield from _rows(name, before.get(name), value)
 

@@ -58,7 +58,9 @@ class Animator:
         begin, here = self.tab.seen(body, offset), self.tab.evaluate(at)
         there = [place.get(axis, value) for axis, value in zip("xyz", here, strict=True)]
         by = np.subtract(self.tab.on_screen_at(there), self.tab.on_screen(body, offset))
-        self.edit(lambda: self.tab.drag(begin, tuple(np.add(begin, by)), steps=12))
+        assert begin is not None
+        end = begin[0] + by[0], begin[1] + by[1]
+        self.edit(lambda: self.tab.drag(begin, end, steps=12))
 
     def choose(self, entry: str) -> None:
         self.page.locator("#files").click()
