@@ -270,11 +270,15 @@ def recorded() -> dict:
 
 
 def tests_of(path: str, line: int, most: float) -> list[list[str]]:
-    """The tests that run a line, the fastest first, as many as take `most` [s] together: a few, and the others."""
+    """The tests that run a line, the fastest first, then those beside them, which share fixtures and caches that may
+    have run it; as many as take `most` [s] together: a few, and the others."""
     seconds = recorded()["seconds"]
     of_file = recorded()["lines"].get(path, {})
     of_line = of_file.get(str(line)) or itertools.chain.from_iterable(of_file.values())  # a line that imports run
-    tests = sorted(set(of_line), key=lambda test: seconds.get(test, most))
+    direct = set(of_line)
+    files = {test.partition("::")[0] for test in direct}
+    every = {test for test in seconds if test.partition("::")[0] in files} | direct
+    tests = sorted(every, key=lambda test: (test not in direct, seconds.get(test, most)))
     spent, out = 0.0, list[str]()
     for test in tests:
         spent += seconds.get(test, most)
