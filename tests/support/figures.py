@@ -19,9 +19,10 @@ from dynsplines.solver.cache import Cache
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Bend, BendLimits, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
 from dynsplines.solver.surface import Plane
-from dynsplines.solver.surface.points import Point
+from dynsplines.solver.surface.points import Point, places_of
 
 # Small figures as MJCF, and figures of them.
 
@@ -150,6 +151,11 @@ QUADRUPED_HEIGHT = 0.325  # [m] of the trunk when it stands
 
 # A chain of hinges, keyframes of it, and soft constraints for it.
 
+SMOOTHNESS: list[tuple[Penalty, float]] = [
+    (CovariantAcceleration(), 1.0),
+    (RootAcceleration(), 1.0),
+    (UnitMagnitude(), 1.0),
+]
 PENALTIES: list[tuple[Penalty, float]] = [
     (CovariantAcceleration(), 1.0),
     (UnitMagnitude(), 0.5),
@@ -194,7 +200,8 @@ def limits(lateral: np.ndarray, *, least: float = 0.0, sideways: float = TEN, tw
 
 # A floor, a slope, points that touch them and stances on them.
 
-FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
+UP = np.array([0.0, 0, 1])
+FLOOR = Plane("floor", np.zeros(3), UP)
 SLOPE = Plane("slope", np.array([0.1, 0, 0.2]), np.array([0.6, 0, 0.8]))
 
 
@@ -202,6 +209,18 @@ def random_points(figure: Figure, rng: np.random.Generator) -> tuple[Point, ...]
     """Two points on every link, so that links repeat."""
     indices = [*range(1, len(figure.links)), *range(1, len(figure.links))]
     return tuple(Point(f"p{n}", i, 0.3 * rng.normal(size=3), rng.uniform(0, 0.2)) for n, i in enumerate(indices))
+
+
+def two_points(figure: Figure) -> tuple[Point, ...]:
+    """A point on the first link and one on the last."""
+    last = len(figure.links) - 1
+    return Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), Point("b", last, np.array([0.0, 0.1, -0.2]))
+
+
+def plane_below(samples: Samples, normal: Array = UP) -> Plane:
+    """A plane under both points."""
+    centres, _ = places_of(two_points(samples.figure), samples)
+    return Plane("floor", (np.einsum("i,ins->ns", normal, centres).min() - 0.3) * normal, normal)
 
 
 def stance_of(link: int, first: float, last: float) -> Contact:

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
-from figures import ONE_BALL, TINY, figure_of
+from figures import ONE_BALL, SMOOTHNESS, TINY, figure_of
 from gradients import clip, every_penalty, taylor_slope, tiny_clip
 from random_models import evenly, mask_without
 from texts import read_data
@@ -133,12 +133,7 @@ PERIOD, STRIDE = 0.8, 0.6
 TIMES = [0.0, 0.3, 0.5, PERIOD]
 TURN = np.radians(50)  # a period of the circle
 CENTRE, UP = np.array([0.1, 0.7, 0.0]), np.array([0.0, 0.0, 1.0])
-HOP_TERMS: list[tuple[Penalty, float]] = [
-    (CovariantAcceleration(), 1.0),
-    (RootAcceleration(), 1.0),
-    (UnitMagnitude(), 1.0),
-    (Torque(), 0.5),
-]
+HOP_TERMS = [*SMOOTHNESS, (Torque(), 0.5)]
 
 
 def turned(qpos: Array, angle: float) -> Array:

@@ -5,6 +5,7 @@ import re
 import mujoco
 import numpy as np
 import pytest
+from figures import biped, scene
 from oracles import kinematics
 from texts import read_data
 
@@ -61,6 +62,17 @@ bodies.foot_2 = {rotvec = [0, 20, 0]}
     (_, last) = mirrored_tables(table_of(row, "one"), clip.figure, mirror).keyframe
     assert last.sites == {"toe_2": (0.3, -0.1, 0.4), "badge": (0.1, 0.0, 0.8)}
     assert list(last.bodies) == ["foot_1"]
+
+
+def test_corners_of_soles_are_exchanged_by_their_places_and_not_by_their_numbers():
+    text = 'figure = "biped.xml"\n[[contact]]\npoint = "left_foot 1"\nfrom = 0\nto = 1\n'
+    text += "".join(f"[[keyframe]]\ntime = {time}\nothers = 'rest'\n" for time in (0, 1))
+    clip = recordings.from_text(text, name="one", spec=mujoco.MjSpec.from_string(scene(biped())))
+    mirror = figure_mirror(clip.figure, table_of(text, "one"), "one")
+    (contact,) = mirrored_tables(table_of(text, "one"), clip.figure, mirror).contact
+    one, two = (next(p for p in clip.context.points if p.name == name) for name in ("left_foot 1", contact.point))
+    np.testing.assert_allclose(two.position, one.position * [1, -1, 1], atol=1e-12)
+    assert contact.point.startswith("right_foot")
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ from functools import cache
 import numpy as np
 import pytest
 import shipped
-from figures import enlarged, figure_of, scaled
+from figures import FLOOR, enlarged, figure_of, scaled
 from motions import BIPED_FPS as FPS
 from motions import TEXT
 from motions import biped_walk as walk
@@ -25,11 +25,7 @@ from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.figure.dynamics import Size
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.problem import Problem
-from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point
-
-FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
-
 
 # of the size of an adult
 WALKER = """<mujoco><worldbody><body pos="0 0 1"><freejoint name="root"/><geom size=".1" mass="50"/>

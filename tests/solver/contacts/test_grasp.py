@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from figures import figure_of
+from figures import FLOOR, figure_of
 from oracles import kinematics
 from random_models import random_samples
 from texts import read_data
@@ -16,7 +16,7 @@ from dynsplines.solver.figure.dynamics import Size
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Collision
-from dynsplines.solver.surface import Plane, moving_surface
+from dynsplines.solver.surface import moving_surface
 from dynsplines.solver.surface.cover import covering_points
 from dynsplines.solver.surface.points import Point
 
@@ -100,9 +100,6 @@ def test_a_limb_that_holds_on_may_stay_as_deep_as_it_took_hold_while_the_hold_la
 
 
 G = 9.81
-
-
-FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
 
 
 # of the size of an adult, with its centre of mass at the root, 1 m above the sole

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 import shipped
-from figures import figure_of
+from figures import FLOOR, figure_of
 from motions import Take, kneeling
 
 from dynsplines.clip.context import Context
@@ -68,9 +68,6 @@ SLED = figure_of("""<mujoco><worldbody><body><joint type="slide" axis="1 0 0"/><
 
 
 RUNNER = Point("runner", 2, np.array([0.0, 0, -0.1]), 0.05)
-
-
-FLOOR = Plane("floor", np.zeros(3), np.array([0.0, 0, 1]))
 
 
 def stances_of(times: np.ndarray, x: np.ndarray, over: np.ndarray) -> tuple[Contact, ...]:

@@ -195,6 +195,13 @@ def test_what_either_end_of_a_loop_fixes_is_where_it_was_there_and_a_travel_and_
     assert ends[1] is keys[1]
 
 
+def test_a_given_turn_is_that_of_the_first_of_several_roots():
+    last = np.array(AT_CUP)
+    last[3:7] = quat.product(quat.from_rotation_vector([0, 0, 0.5]), AT_CUP[3:7])
+    _, seam = close_loop(figure_of(CUP), [Frame.key(0.0, AT_CUP), Frame.key(1.0, last)], None, 0.5)
+    np.testing.assert_allclose(seam.headings, [0.5, 0], atol=1e-12)
+
+
 def test_a_loop_goes_as_far_over_the_ground_as_its_keyframes_specify_and_neither_rises_nor_moves_other_bodies():
     figure, first = figure_of(CUP), AT_CUP
     last = first + np.array([0.5, -0.25, *np.zeros(12)])

@@ -6,7 +6,18 @@ from typing import Any
 
 import numpy as np
 import pytest
-from figures import FLOOR, SLOPE, contact_on, figure_named, random_points, stance_of, with_armature
+from figures import (
+    FLOOR,
+    SLOPE,
+    UP,
+    contact_on,
+    figure_named,
+    plane_below,
+    random_points,
+    stance_of,
+    two_points,
+    with_armature,
+)
 from gradients import curvature_of, penalty_slope, shifted, sides_of
 from random_models import at_times, random_samples
 from scipy.spatial.transform import Rotation
@@ -49,12 +60,12 @@ from dynsplines.solver.penalty import (
 from dynsplines.solver.penalty.block import Block, one_sided_residuals
 from dynsplines.solver.penalty.joints.self_contact import Bar
 from dynsplines.solver.surface import Box, Plane, Surface
-from dynsplines.solver.surface.points import Point, places_of
+from dynsplines.solver.surface.points import Point
 
 Case = tuple[Penalty, Samples]
 Kind = Callable[[Figure, np.random.Generator], Case]
 
-UP, TILTED = np.array([0.0, 0, 1]), np.array([0.0, 0.6, 0.8])
+TILTED = np.array([0.0, 0.6, 0.8])
 BLOCK = Box("block", np.array([0.1, -0.2, 0.0]), np.eye(3), np.array([2.0, 1.5, 1.0]), buried=False)
 STEP = Box("step", np.array([0.0, 0, -0.5]), np.eye(3), np.array([2.0, 2.5, 1.0]), buried=True)
 
@@ -66,16 +77,6 @@ def timed(figure: Figure, rng: np.random.Generator, count: int = 8) -> Samples:
 
 def last(figure: Figure) -> int:
     return len(figure.links) - 1
-
-
-def two_points(figure: Figure) -> tuple[Point, ...]:
-    return Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), Point("b", last(figure), np.array([0.0, 0.1, -0.2]))
-
-
-def below(samples: Samples, normal: Array = UP) -> Plane:
-    """A plane under both points."""
-    centres, _ = places_of(two_points(samples.figure), samples)
-    return Plane("floor", (np.einsum("i,ins->ns", normal, centres).min() - 0.3) * normal, normal)
 
 
 def plain(penalty: Penalty, count: int = 5) -> Kind:
@@ -137,14 +138,14 @@ def added(*kinds: Kind) -> Kind:
 def skate(normal: Array) -> Kind:
     def case(figure: Figure, rng: np.random.Generator) -> Case:
         samples = random_samples(figure, rng, 6)
-        return Skate(two_points(figure), (below(samples, normal),), 1.0), samples
+        return Skate(two_points(figure), (plane_below(samples, normal),), 1.0), samples
 
     return case
 
 
 def hover(figure: Figure, rng: np.random.Generator) -> Case:
     samples = random_samples(figure, rng, 6)
-    return HoverPenalty(two_points(figure), (below(samples),), reach=0.8, blend=0.2), samples
+    return HoverPenalty(two_points(figure), (plane_below(samples),), reach=0.8, blend=0.2), samples
 
 
 def support(figure: Figure, rng: np.random.Generator) -> Case:

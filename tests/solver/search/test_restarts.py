@@ -5,7 +5,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from figures import BALL_TREE, KNEE, ONE_BALL, figure_of, limb, limits
+from figures import BALL_TREE, KNEE, ONE_BALL, SMOOTHNESS, figure_of, limb, limits
 from oracles import by_scipy, kinematics
 from random_models import evenly, random_keys
 
@@ -16,18 +16,12 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.penalty import CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
 from dynsplines.solver.search import restarts
 from dynsplines.solver.tolerances import ROUNDING
 
 VERB = sys.modules["dynsplines.solver.inbetween"]  # the package has the verb under the module's name
 LIMB = limb()
-TERMS: list[tuple[Penalty, float]] = [
-    (CovariantAcceleration(), 1.0),
-    (RootAcceleration(), 1.0),
-    (UnitMagnitude(), 1.0),
-    (limits(KNEE), 1.0),
-]
+TERMS = [*SMOOTHNESS, (limits(KNEE), 1.0)]
 HEAP = 41  # a seed whose first search ends with a knee behind itself
 
 

@@ -3,7 +3,7 @@
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL, FLOOR, figure_of, random_points, stance_of
+from figures import BALL, FLOOR, SMOOTHNESS, UP, figure_of, random_points, stance_of
 from oracles import kinematics
 from random_models import at_times, random_samples
 
@@ -113,7 +113,7 @@ def test_a_thing_lies_still_between_keyframes_that_both_say_the_same_of_it():
     assert resting_objects(KeyframePoints.of(figure, box_keys(figure, [here, here], [True, True]), ()), []) == ()
 
 
-UP, TILT = np.array([0.0, 0, 1]), np.array([0.28, 0, 0.96])
+TILT = np.array([0.28, 0, 0.96])
 
 
 LOW_FLOOR = Plane("floor", -50 * UP, UP)
@@ -223,10 +223,9 @@ def test_a_hand_stays_on_a_box_that_turns_where_the_raw_spline_loses_it(is_known
         keys.append(Frame.key(float(i), [*(box + quat.rotated(turn, spot)), 1, 0, 0, 0, *box, *turn]))
     hand = Point("hand", 1, np.zeros(3))
     grasp = Contact.at(hand, 0.0, 1.0, spot, on=2) if is_known else Contact(hand, 0.0, 1.0, 2)
-    others = [(penalty.CovariantAcceleration(), 1.0), (penalty.RootAcceleration(), 1.0), (penalty.UnitMagnitude(), 1.0)]
 
     def worst(weight: float) -> float:
-        penalties = [*others, (penalty.Attachment((grasp,)), weight)]
+        penalties = [*SMOOTHNESS, (penalty.Attachment((grasp,)), weight)]
         motion = inbetween(Problem(figure, keys, penalties, Settings(tolerance=1e-5)))
         samples = Samples(figure, *(figure.to_state(motion.at(np.linspace(0, 1, 80))),) * 3)
         return float(np.linalg.norm(penalty.slipped(samples, grasp) - spot[:, None], axis=0).max())

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from figures import BALL, figure_of
+from figures import BALL, FLOOR, SMOOTHNESS, figure_of, plane_below, two_points
 from gradients import assembled, curvature_of
 from random_models import at_times, random_samples
 
@@ -16,23 +16,10 @@ from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.surface import Box, Plane
 from dynsplines.solver.surface.points import Point, places_of
 
-UP = np.array([0.0, 0, 1])
-
-
-def some_points(samples: Samples) -> tuple[Point, ...]:
-    last = len(samples.figure.links) - 1
-    return Point("a", 1, np.array([0.1, 0.2, -0.3]), 0.05), Point("b", last, np.array([0.0, 0.1, -0.2]))
-
-
-def below(samples: Samples, normal: np.ndarray = UP) -> Plane:
-    """A plane under all of the points."""
-    centres, _ = places_of(some_points(samples), samples)
-    return Plane("floor", (np.einsum("i,ins->ns", normal, centres).min() - 0.3) * normal, normal)
-
 
 def test_the_value_is_the_velocity_by_differences_weighted_by_height(figure, rng):
     samples, h = random_samples(figure, rng, 5), 1e-6
-    points, floor = some_points(samples), below(samples)
+    points, floor = two_points(figure), plane_below(samples)
     before, after = (Samples(figure, samples.y + s * samples.y_d, samples.y_d, samples.y_dd) for s in (-h, h))
     contact = penalty.Collision(points, ())
     velocity = (contact.centres(after)[0] - contact.centres(before)[0]) / (2 * h)
@@ -45,7 +32,7 @@ def test_the_value_is_the_velocity_by_differences_weighted_by_height(figure, rng
 def test_a_step_of_the_model_cannot_gain_without_limit(figure, rng):
     """The gradient is within the range of the matrices, and the model promises at most the squares of its residuals."""
     samples = random_samples(figure, rng, 3)
-    skate, cotangent = penalty.Skate(some_points(samples), (below(samples),), 1.0), Cotangent(samples)
+    skate, cotangent = penalty.Skate(two_points(figure), (plane_below(samples),), 1.0), Cotangent(samples)
     values = skate.evaluate(samples, cotangent)
     matrices = assembled(curvature_of(skate, samples, np.ones(3)), np.tile(np.eye(3), (3, 1, 1)))
     for value, matrix, gradient in zip(values, matrices, np.hstack(cotangent.gradients()), strict=True):
@@ -66,9 +53,6 @@ def test_the_value_is_continuous_where_a_point_passes_over_the_edge_of_a_step():
 FOOT = Point("foot", 1, np.zeros(3), 0.1)
 
 
-FLOOR = Plane("floor", np.zeros(3), UP)
-
-
 STEP = Box("step", np.array([0.5, 0, 0.1]), np.eye(3), np.array([0.5, 0.5, 0.1]))
 
 
@@ -77,13 +61,8 @@ def speed_on_the_ground(weight: float, clock: float = 1.0) -> float:
     figure = figure_of(BALL)
     places = [(0.0, 0.4), (0.4, 0.1), (0.5, 0.1), (0.9, 0.4)]
     keys = [Frame.key(0.3 * clock * i, [x, 0, z, 1, 0, 0, 0]) for i, (x, z) in enumerate(places)]
-    penalties = [
-        (penalty.CovariantAcceleration(), 1.0),
-        (penalty.RootAcceleration(), 1.0),
-        (penalty.UnitMagnitude(), 1.0),
-    ]
     motion = inbetween(
-        Problem(figure, keys, [*penalties, (penalty.Skate((FOOT,), (FLOOR,)), weight)], Settings(tolerance=1e-4))
+        Problem(figure, keys, [*SMOOTHNESS, (penalty.Skate((FOOT,), (FLOOR,)), weight)], Settings(tolerance=1e-4))
     )
     t = np.linspace(0, 0.9 * clock, 901)
     qpos = motion.at(t)
@@ -100,10 +79,7 @@ def test_a_point_that_comes_down_is_slow_there_and_without_the_penalty_it_is_not
 
 def case(figure: Figure, rng: np.random.Generator, count: int = 6) -> tuple[Samples, penalty.HoverPenalty]:
     samples = at_times(random_samples(figure, rng, count), np.linspace(0, 1, count))
-    points = some_points(samples)
-    centres, _ = places_of(points, samples)
-    floor = Plane("floor", (centres[2].min() - 0.3) * UP, UP)
-    return samples, penalty.HoverPenalty(points, (floor,), reach=0.8, blend=0.2)
+    return samples, penalty.HoverPenalty(two_points(figure), (plane_below(samples),), reach=0.8, blend=0.2)
 
 
 def lowest(samples: Samples, grounded: penalty.HoverPenalty, blend: float | np.ndarray) -> np.ndarray:

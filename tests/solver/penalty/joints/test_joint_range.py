@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE, DOWN, ELBOW, EVERY_JOINT, KNEE, figure_of, limb, limits
+from figures import BALL_TREE, DOWN, ELBOW, EVERY_JOINT, KNEE, SMOOTHNESS, UP, figure_of, limb, limits
 from gradients import penalty_slope, shifted
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
@@ -217,9 +217,6 @@ def test_inside_the_limits_it_is_exactly_zero_without_gradient_and_outside_the_s
     np.testing.assert_array_equal(gradient > 0, [False, True, True, True, True, True, False])
 
 
-UP = np.array([0.0, 0, 1])
-
-
 def turned(figure: Figure, qpos: Array, link: int, axis: Array) -> Array:
     """An axis of a link in the world, by MuJoCo's kinematics."""
     data = kinematics(figure.model, qpos)
@@ -332,8 +329,7 @@ def swings(first: Array, last: Array) -> tuple[Array, Array]:
     raw = raw_timeline(figure, keys)
     held = kinds.overshoot(kinds.holds(figure, raw))
     assert held is not None
-    motion = [(kinds.CovariantAcceleration(), 1.0), (kinds.RootAcceleration(), 1.0), (kinds.UnitMagnitude(), 1.0)]
-    solution = inbetween(Problem(figure, keys, [*motion, (held, 10.0)], Settings(frames=20, tolerance=1e-3)))
+    solution = inbetween(Problem(figure, keys, [*SMOOTHNESS, (held, 10.0)], Settings(frames=20, tolerance=1e-3)))
 
     def off(timeline: Timeline) -> Array:
         out = np.zeros(5)
