@@ -491,6 +491,7 @@ def test_an_obstacle_inside_a_body_that_follows_a_recording_is_reported(tmp_path
     found = following(tmp_path, [(0, 0, 0.5), (0, 0.3, 0.5), (0, 0, 0.5)], f"{rail}[[keyframe]]\ntime = 1\n")
     (deep,) = [each for each in found if each.kind == "penetration"]
     assert deep.name == "barrel" and deep.amount == pytest.approx(0.12, abs=0.008)  # from the rail's far side
+    assert [each.keyframe for each in found if each.kind == "aloft"] == [None]  # a fault of the recording
 
 
 # the search, order and number of lines
