@@ -205,11 +205,16 @@ class Grounding:
         return np.array([*mean, 0.0]) if spread < self._limits.same_spot else None
 
     def _place(self, key: Frame, there: Array, by: Array, *, is_across: bool) -> Frame:
-        """Return a keyframe with the root moved from a state (N,) by (3,) [m] along z, or all unspecified axes."""
+        """Return a keyframe with the root moved from a state (N,) by (3,) [m] along z, or all unspecified axes.
+
+        The search keeps the height if the keyframe specifies x and y.
+        """
         state, posed = np.array(key.state), np.zeros(key.fixed.shape, bool) if key.posed is None else key.posed.copy()
         posed[self._columns] |= np.array([is_across, is_across, True]) & ~key.fixed[self._columns]
         state[self._columns] = np.where(posed[self._columns], there[self._columns] + by, state[self._columns])
-        return Frame(key.time, state, key.fixed, posed)
+        fixed = key.fixed.copy()
+        fixed[self._height] |= fixed[self._columns][:2].all()
+        return Frame(key.time, state, fixed, posed)
 
 
 def _beside(told: Mask, k: int, *, loop: bool) -> list[int]:
