@@ -27,7 +27,7 @@ def coarse(raw: Timeline) -> Timeline:
     path = Path(Spline(raw.times, raw.ends), np.asarray(raw.rows))
     times = [np.linspace(a, b, max(int((b - a) / shortest + 1e-9), 1) + 1)[1:-1] for a, b in pairwise(raw.times)]
     inner = np.concatenate(times)
-    return raw.inserted(Frame.variable(t, state) for t, state in zip(inner, path.at(inner), strict=True))
+    return raw.insert(Frame.variable(t, state) for t, state in zip(inner, path.at(inner), strict=True))
 
 
 def mujoco_loop(objective: Objective, path: Path, t: np.ndarray) -> Callable[[], None]:

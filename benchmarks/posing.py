@@ -87,13 +87,13 @@ class Draw:
                 continue
             if link.kind is JointKind.FREE:
                 qpos[link.qpos : link.qpos + 3] += rng.uniform(-ROOT_SHIFT, ROOT_SHIFT, 3)
-                turn = rng.uniform(0, ROOT_TURN) * quat.normalised(rng.normal(size=3))
+                turn = rng.uniform(0, ROOT_TURN) * quat.normalise(rng.normal(size=3))
             elif i in knees:
-                axis = quat.rotated(quat.inverse(link.turn), knees[i].lateral)
+                axis = quat.rotate(quat.inverse(link.turn), knees[i].lateral)
                 turn = rng.uniform(*BENT) * axis
             else:
                 most = model.jnt_range[link.joint, 1] if model.jnt_limited[link.joint] else np.inf
-                turn = rng.uniform(0, min(BALL_TURN, most)) * quat.normalised(rng.normal(size=3))
+                turn = rng.uniform(0, min(BALL_TURN, most)) * quat.normalise(rng.normal(size=3))
             qpos[columns] = quat.product(qpos[columns], quat.from_rotation_vector(turn))
         return qpos
 

@@ -28,7 +28,7 @@ LEAST_GAIN, MOST_WASTED = 0.5, 2
 
 def uniform(rng: np.random.Generator, count: int) -> Array:
     """(count, 4) uniformly random orientations, by shortest arcs."""
-    return quat.aligned(quat.normalised(rng.normal(size=(count, 4))))
+    return quat.align_signs(quat.normalise(rng.normal(size=(count, 4))))
 
 
 KINDS: dict[str, Callable[[np.random.Generator, int], Array]] = {"moderate": moderate, "random": uniform}
@@ -89,7 +89,7 @@ def sampled_energy(times: Array, orientation: Callable[[Array], Array], steps: i
     total = 0.0
     for a, b in pairwise(times):
         h = (b - a) / steps
-        q = quat.aligned(orientation(np.linspace(a, b, steps + 1)))
+        q = quat.align_signs(orientation(np.linspace(a, b, steps + 1)))
         middle, second = q[1:-1], (q[2:] - 2 * q[1:-1] + q[:-2]) / h**2
         density = np.sum((second - np.sum(second * middle, axis=1, keepdims=True) * middle) ** 2, axis=1)
         total += h * (density.sum() + 0.5 * (density[0] + density[-1]))
@@ -98,14 +98,14 @@ def sampled_energy(times: Array, orientation: Callable[[Array], Array], steps: i
 
 def exact_energy(track: Track) -> float | None:
     """The exact minimiser's energy, or None where its Newton iteration does not close from the natural cubic."""
-    keys = quat.aligned(track.orientations)
+    keys = quat.align_signs(track.orientations)
     with np.errstate(all="ignore"):
         return _closed_energy(track.times, keys, exact_path._start(track.times, keys))
 
 
 def exact_energy_from(track: Track, path: Path) -> float | None:
     """The same from the rates of our path: the exact path in its winding class."""
-    keys = quat.normalised(path.at(track.times))
+    keys = quat.normalise(path.at(track.times))
     with np.errstate(all="ignore"):
         return _closed_energy(track.times, keys, np.array([_rates(path, a, b) for a, b in pairwise(track.times)]))
 
@@ -144,7 +144,7 @@ def _rates(path: Path, a: float, b: float) -> Array:
     t, w = FINE.nodes(np.unique(np.clip(path.spline.times, a, b)))
     (omega, omega_d), (ends, ends_d) = (_world_rates(path, times) for times in (t, np.array([a, b])))
     constant = (ends_d[1] - ends_d[0] - w @ np.cross(omega, omega_d)) / (b - a)
-    return quat.rotated(quat.inverse(path.at(np.array([a]))), np.array([ends[0], ends_d[0], constant])).ravel()
+    return quat.rotate(quat.inverse(path.at(np.array([a]))), np.array([ends[0], ends_d[0], constant])).ravel()
 
 
 def _world_rates(path: Path, t: Array) -> tuple[Array, Array]:

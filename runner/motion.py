@@ -204,7 +204,7 @@ class Bodies:
             position[i], rotation[i], spin[i] = data.xpos, data.xquat, data.cvel[:, :3]
             offset = data.xpos - data.subtree_com[model.body_rootid]  # from the point that cvel refers to
             velocity[i] = data.cvel[:, 3:] + np.cross(spin[i], offset)
-        return cls(position, quat.aligned(rotation), velocity, spin)
+        return cls(position, quat.align_signs(rotation), velocity, spin)
 
 
 def _configurations(samples: Samples) -> tuple[Array, Array, Array]:
@@ -241,7 +241,7 @@ def continuous(figure: Figure, qpos: Array) -> Array:
     """Return qpos (T, nq) with every quaternion on its predecessor's hemisphere."""
     out = qpos.copy()
     for columns in figure.tables.quaternion_columns.T:
-        out[:, columns] = quat.aligned(out[:, columns])
+        out[:, columns] = quat.align_signs(out[:, columns])
     return out
 
 

@@ -13,7 +13,7 @@ ENTRIES_AT_ONCE = 500_000  # largest number of entries of an array that is made 
 SAMPLES_AT_ONCE = 1000  # largest number of samples of a figure that are evaluated at once, which bounds the memory
 
 
-def frozen(values: ArrayLike) -> Array:
+def freeze(values: ArrayLike) -> Array:
     """A read-only float copy."""
     array = np.array(values, float)
     array.setflags(write=False)

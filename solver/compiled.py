@@ -13,7 +13,7 @@ import numpy as np
 from .array import Array
 
 
-def _loaded() -> ModuleType | None:
+def _load() -> ModuleType | None:
     if np.dtype(np.intp).itemsize != 8:
         return None
     try:
@@ -22,7 +22,7 @@ def _loaded() -> ModuleType | None:
         return None
 
 
-kernel = _loaded()
+kernel = _load()
 
 
 def call(name: str, out: Array, *arguments: object) -> None:

@@ -36,7 +36,7 @@ class Unsupplied(NamedTuple):
     value: Array
 
 
-def unsupplied(w: Array, edges: Array, softness: float) -> Unsupplied:
+def split_off_cone(w: Array, edges: Array, softness: float) -> Unsupplied:
     """Return the part of vectors outside their cones.
 
     Args:

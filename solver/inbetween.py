@@ -20,7 +20,7 @@ from threadpoolctl import ThreadpoolController
 
 from .array import Array
 from .curve.frame import Timeline
-from .curve.raw import straightened
+from .curve.raw import straighten
 from .curve.spline import path_of
 from .objective import Discretised, Evaluation, Objective, segment_integrals
 from .penalty import Role
@@ -280,14 +280,14 @@ class _Loop:
     def _starts(self, timeline: Timeline) -> list[Callable[[], Timeline]]:
         """Return the functions that compute the initial guesses, in their order."""
         figure = self.objective.figure
-        starts: list[Callable[[], Timeline]] = [lambda: timeline, lambda: straightened(figure, timeline)]
+        starts: list[Callable[[], Timeline]] = [lambda: timeline, lambda: straighten(figure, timeline)]
         if self.settings.max_evaluations == 1:
             return starts[:1]
         if is_pose_outlier(self.objective, timeline):
             starts.reverse()
         return [
             *starts,
-            lambda: self.loosened(straightened(figure, timeline)),
+            lambda: self.loosened(straighten(figure, timeline)),
             lambda: self.loosened(timeline),
         ]
 

@@ -39,13 +39,13 @@ def inverse(q: ArrayLike) -> Array:
     return conjugate(q) / np.sum(q * q, axis=-1, keepdims=True)
 
 
-def normalised(q: ArrayLike) -> Array:
+def normalise(q: ArrayLike) -> Array:
     """Return q / |q|, (..., 4); NaN for a zero quaternion."""
     q = np.asarray(q, float)
     return q / np.linalg.norm(q, axis=-1, keepdims=True)
 
 
-def rotated(q: ArrayLike, v: ArrayLike) -> Array:
+def rotate(q: ArrayLike, v: ArrayLike) -> Array:
     """Return v (..., 3) rotated by q (..., 4) of any length: the vector part of q ⊗ v ⊗ q⁻¹."""
     q, v = np.asarray(q, float), np.asarray(v, float)
     if q.ndim == v.ndim == 1 and q @ q > 0:
@@ -80,7 +80,7 @@ def rotation_vector(q: ArrayLike) -> Array:
         size = math.hypot(w, vector)
         share = 2 * math.atan2(vector, w) / vector if vector >= ROUNDING * size else 2 / size
         return np.array([share * x, share * y, share * z])
-    q = normalised(q)
+    q = normalise(q)
     q = np.where(q[..., :1] < 0, -q, q)
     vector = np.linalg.norm(q[..., 1:], axis=-1, keepdims=True)
     angle = 2 * np.arctan2(vector, q[..., :1])
@@ -100,10 +100,10 @@ def swing(start: Array, end: Array, otherwise: Array) -> Array:
     if cosine < SINGLE - 1:
         across = otherwise - (otherwise @ start) * start
         return from_rotation_vector(np.pi * across / np.linalg.norm(across))
-    return normalised(np.append(1 + cosine, np.cross(start, end)))
+    return normalise(np.append(1 + cosine, np.cross(start, end)))
 
 
-def aligned(track: ArrayLike) -> Array:
+def align_signs(track: ArrayLike) -> Array:
     """Return a track (T, ..., 4) with signs such that every quaternion is on the hemisphere of its predecessor."""
     q = np.array(track, float)
     dots = np.sum(q[1:] * q[:-1], axis=-1, keepdims=True)

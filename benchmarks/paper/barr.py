@@ -23,7 +23,7 @@ class Discrete:
         count = (len(track) - 1) * steps + 1
         self.h = 1 / steps
         self.t = np.linspace(0, len(track) - 1, count)
-        self.start = quat.normalised(natural_spline(np.arange(len(track)), track).at(self.t))
+        self.start = quat.normalise(natural_spline(np.arange(len(track)), track).at(self.t))
         self.start[::steps] = track
         self.free = np.flatnonzero(np.arange(count) % steps)
 

@@ -69,4 +69,4 @@ def _segment(path: Path, first: float, last: float, variable: int) -> Timeline:
     ends = (Frame.key(first, states[0]), Frame.key(last, states[1]))
     inner = np.linspace(first, last, variable + 2)[1:-1]
     frames = [Frame.variable(t, y) for t, y in zip(inner, path.at(inner), strict=True)]
-    return Timeline(ends, slopes, "clamped").inserted(frames)
+    return Timeline(ends, slopes, "clamped").insert(frames)

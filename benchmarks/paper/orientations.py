@@ -60,7 +60,7 @@ def moderate(rng: np.random.Generator, count: int) -> Array:
         axis = rng.normal(size=3)
         turn = axis / np.linalg.norm(axis) * np.radians(rng.uniform(20, 90))
         track.append(quat.product(track[-1], quat.from_rotation_vector(turn)))
-    return quat.aligned(np.array(track))
+    return quat.align_signs(np.array(track))
 
 
 def to_its_end(problem: Problem, improved: Callable[[Improvement], None] | None = None) -> Solution:

@@ -49,7 +49,7 @@ class Recordings:
         for part, parent in enumerate(people.PARENTS):
             if part:
                 turns[:, part] = quat.product(turns[:, parent], turns[:, part])
-        self.turns = quat.normalised(turns)
+        self.turns = quat.normalise(turns)
         self.offsets = np.concatenate([data["off"], data["off"][:, other] * sides]).astype(float)
         tips = np.concatenate([data["wrist"], data["toe"]], axis=1).astype(float)
         self.tips = np.concatenate([tips, tips[:, [1, 0, 3, 2]] * sides])
@@ -60,7 +60,7 @@ class Recordings:
         between = self.offsets[:, [6, 9]].mean(axis=1)
         self.offsets[:, [1, 6, 9]] -= between[:, None]
         root = np.concatenate([data["root"], data["root"] * sides]).astype(float)
-        self.hips = root + quat.rotated(self.turns[:, 0], between[clip])
+        self.hips = root + quat.rotate(self.turns[:, 0], between[clip])
 
     @property
     def is_held_out(self) -> np.ndarray:
@@ -109,7 +109,7 @@ class Recordings:
             none = np.zeros((*u.shape, 13, 3))
             hips, turns = segments.poses(none, u)
             bends = segments.bends.copy()
-            bends[:, :, 12] = quat.rotated(quat.conjugate(segments.heading)[:, None], bends[:, :, 12])
+            bends[:, :, 12] = quat.rotate(quat.conjugate(segments.heading)[:, None], bends[:, :, 12])
             joints, tips = people.places(self.turns[frames], self.offsets[clip][:, None], self.tips[clip][:, None])
             arrays = {
                 "features": segments.features, "bends": bends, "sines": people.sines(u), "cubics": people.cubics(u),

@@ -123,7 +123,7 @@ def _jumps(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[st
     """Return the mask (T, nq) of entries of single samples that jump away and back."""
     out, metres = np.zeros(known.shape, bool), places(figure)
     for columns in groups(figure):
-        values = quat.aligned(qpos[:, columns]) if columns.size == 4 else qpos[:, columns]
+        values = quat.align_signs(qpos[:, columns]) if columns.size == 4 else qpos[:, columns]
         bound = WAY if metres[columns[0]] else TURN * (0.5 if columns.size == 4 else 1.0)
         off = np.linalg.norm(values[1:-1] - 0.5 * (values[:-2] + values[2:]), axis=1)
         apart = np.linalg.norm(values[2:] - values[:-2], axis=1)

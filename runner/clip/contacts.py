@@ -259,7 +259,7 @@ def rotation_points(samples: Samples, keys: Timeline, grasp: Contact) -> Iterato
             dense.append((first + share * (last - first), spot + share * (end - spot), turning))
     for axis in Thresholds.of(samples.figure).object_arm * np.eye(3)[:2]:
         beside = replace(grasp.point, position=grasp.point.position + axis)
-        places = [(time, spot + quat.rotated(turn, axis)) for time, spot, turn in dense]
+        places = [(time, spot + quat.rotate(turn, axis)) for time, spot, turn in dense]
         yield _at_spots(Contact(beside, grasp.first, grasp.last, grasp.on, weight=TURN), dict(places))
 
 

@@ -289,12 +289,12 @@ def knees_and_elbows(figure: Figure) -> list[Bend]:
         names = f"{link.name} {figure.model.body(link.body).name}".lower()
         lateral = 1.0 if any(w in names for w in KNEES) else -1.0 if any(w in names for w in ELBOWS) else 0.0
         if lateral and link.kind is JointKind.BALL:
-            down = quat.rotated(rest[i], link.centre - link.anchor)
-            above = quat.rotated(rest[link.parent], link.offset - figure.links[link.parent].anchor)
+            down = quat.rotate(rest[i], link.centre - link.anchor)
+            above = quat.rotate(rest[link.parent], link.offset - figure.links[link.parent].anchor)
             along = _principal(down * [1, 0, 1])
             if all(bone @ along >= STRAIGHT * np.linalg.norm(bone) for bone in (down, above)) and np.any(down):
                 axes = np.array([[0.0, lateral, 0.0], along])
-                bends.append(Bend(link.name, i, *quat.rotated(quat.inverse(rest[link.parent]), axes)))
+                bends.append(Bend(link.name, i, *quat.rotate(quat.inverse(rest[link.parent]), axes)))
     return bends
 
 

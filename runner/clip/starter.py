@@ -253,7 +253,7 @@ def _joint_line(figure: Figure, link: Link) -> str:
     name, limited = f"joints.{_key(link.name)}", bool(figure.model.jnt_limited[link.joint])
     low, high = (float(bound) for bound in figure.model.jnt_range[link.joint])
     if link.kind is JointKind.SLIDE:
-        direction = quat.rotated(link.turn, link.axis).round(2) + 0.0
+        direction = quat.rotate(link.turn, link.axis).round(2) + 0.0
         return f"{name:40} slide, metres along {direction.tolist()}" + (f", {low:g} to {high:g}" if limited else "")
     low, high = np.degrees([low, high])
     if link.kind is JointKind.HINGE:

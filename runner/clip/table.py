@@ -91,7 +91,7 @@ class RotationTable(Table):
         """Return the table of a rotation, a quaternion (4,) wxyz: its rotation vector in degrees."""
         from dynsplines.solver import quaternion as quat  # imported here, see `quaternion`
 
-        x, y, z = (degrees(x) for x in quat.rotation_vector(quat.normalised(quaternion)))
+        x, y, z = (degrees(x) for x in quat.rotation_vector(quat.normalise(quaternion)))
         return RotationTable(rotvec=(x, y, z))
 
     def quaternion(self, rest: Array = IDENTITY) -> Array:
@@ -108,7 +108,7 @@ class RotationTable(Table):
         elif self.rotvec is not None:
             other = quat.from_rotation_vector(np.radians(self.rotvec))
         elif self.quat is not None:
-            other = quat.normalised(self.quat)
+            other = quat.normalise(self.quat)
         else:
             other = quat.from_euler(np.radians(self.euler or []), self.order or "xyz")
         if self.heading is None:

@@ -112,7 +112,7 @@ def check_upright(model: mujoco.MjModel | None, recorded: Recording, form: str, 
         return
     start = int(model.jnt_qposadr[root.joint]) + 3
     turned = quat.product(recorded.qpos[:, start : start + 4], quat.conjugate(model.qpos0[start : start + 4]))
-    tilt = float(np.median(np.arccos(np.clip(quat.rotated(turned, np.array([0, 0, 1.0]))[:, 2], -1, 1))))
+    tilt = float(np.median(np.arccos(np.clip(quat.rotate(turned, np.array([0, 0, 1.0]))[:, 2], -1, 1))))
     if tilt > FALLEN:
         raise UserError(
             f"{where}: the root is tilted by {np.degrees(tilt):.0f}° with {recorded.assumed_layout}, as the format "
@@ -133,7 +133,7 @@ def disagreement(model: mujoco.MjModel, qpos: Array, bodies: BodyPoses) -> tuple
     root = root_of(model)
     if bodies.is_local and root is not None:
         back = quat.inverse(rotation[:, root.body])[:, None]
-        position = quat.rotated(back, position - position[:, [root.body]])
+        position = quat.rotate(back, position - position[:, [root.body]])
         rotation = quat.product(back, rotation)
     columns = _matching_bodies(model, bodies)
     away = np.linalg.norm(bodies.position[rows][:, columns, None] - position[:, None], axis=-1).max(axis=0)

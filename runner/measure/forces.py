@@ -19,7 +19,7 @@ from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.contacts import Contact, within
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.spline import Path
-from dynsplines.solver.figure.algebra import applied, cross
+from dynsplines.solver.figure.algebra import cross, rotate
 from dynsplines.solver.figure.dynamics import RootWrench, inverse_dynamics
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.model import set_qpos
@@ -106,7 +106,7 @@ class Forces:
         dof = self.sampled.figure.links[root].dof
         links = self.samples.links
         out.force = np.ascontiguousarray(self.inverse[:, dof : dof + 3].T)
-        moment = applied(links.rotation[:, :, [root]], self.inverse[:, dof + 3 : dof + 6].T[:, None])[:, 0]
+        moment = rotate(links.rotation[:, :, [root]], self.inverse[:, dof + 3 : dof + 6].T[:, None])[:, 0]
         out.moment = moment - cross(out.centre - links.anchor[:, root], out.force)
         return out
 

@@ -17,7 +17,7 @@ from rich.text import Text
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.figure.algebra import turned
+from dynsplines.solver.figure.algebra import rotate_fixed
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Cycle
@@ -117,7 +117,7 @@ def _cycle_report(clip: Clip) -> dict[str, float]:
 def _centre_of_mass(samples: Samples) -> Array:
     """Return the centre of mass (3, T) [m] of the whole figure."""
     tables = samples.figure.tables
-    centres = samples.links.x + turned(samples.links.rotation, tables.centre)
+    centres = samples.links.x + rotate_fixed(samples.links.rotation, tables.centre)
     return np.einsum("l,cls->cs", tables.mass, centres) / max(float(tables.mass.sum()), TINY)
 
 

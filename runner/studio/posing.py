@@ -301,7 +301,7 @@ class Poser:
         link = next((link for link in self.figure.links[1:] if link.name == joint), None)
         if link is None:
             raise UserError(unknown("joint", joint, [each.name for each in self.figure.links[1:]]))
-        moved = quat.normalised(np.array(turn, float))
+        moved = quat.normalise(np.array(turn, float))
         out = np.array(qpos, float)
         set_qpos(self.figure.model, self.data, qpos)
         if link.kind in (JointKind.HINGE, JointKind.SLIDE):
@@ -315,7 +315,7 @@ class Poser:
         quaternion = out[start : start + 4]
         base = quat.product(self.data.xquat[link.body], quat.inverse(quaternion))
         there = quat.product(quat.product(quat.inverse(base), moved), quat.product(base, quaternion))
-        out[start : start + 4] = quat.normalised(there)
+        out[start : start + 4] = quat.normalise(there)
         return out
 
     def keyframe_entries(self, qpos: Array, home: Array | None = None) -> TomlTable:

@@ -114,7 +114,7 @@ class GaitCycle:
         """Return the cycle with a period [s] at times (T,) [s]; `plain` (T, nq) is the spline through the keyframes."""
         poses = process.poses
         vectors, variance = process.predicted(period, times)
-        rotations = quat.aligned(poses.map.rotations(vectors, times))
+        rotations = quat.align_signs(poses.map.rotations(vectors, times))
         unlike = float(np.mean((poses.map.vectors(poses.map.off_heading(plain, times)) - vectors) ** 2))
         trust = max(unlike - float(variance.mean()), QUARTER * unlike) / (variance + SURE**2)
         gain = process.gain(period)

@@ -37,7 +37,7 @@ def align_to_ground(recorded: Track, stances: Sequence[Contact], surfaces: Seque
     height, _ = height_over(surfaces, places, np.array([point.radius for point in points]))
     standing = _standing(recorded.times, stances, points)
     lift = -float(np.median(height[standing])) if standing.any() else 0.0
-    return recorded if abs(lift) < Thresholds.of(recorded.figure).tiny else recorded.moved([0, 0, lift])
+    return recorded if abs(lift) < Thresholds.of(recorded.figure).tiny else recorded.move([0, 0, lift])
 
 
 def move_to_ground(recorded: Track, points: Sequence[Point], surfaces: Sequence[Surface]) -> Track:
@@ -47,7 +47,7 @@ def move_to_ground(recorded: Track, points: Sequence[Point], surfaces: Sequence[
     places = _places(recorded, points)
     lowest, _ = heights(surfaces, places, np.array([point.radius for point in points]))
     lift = -float(np.percentile(lowest.min(axis=0), LOWEST))
-    return recorded.moved([0, 0, lift]) if abs(lift) > Thresholds.of(recorded.figure).same_spot else recorded
+    return recorded.move([0, 0, lift]) if abs(lift) > Thresholds.of(recorded.figure).same_spot else recorded
 
 
 def _level(recorded: Track, stances: Sequence[Contact], link: int) -> Track:
@@ -72,7 +72,7 @@ def _level(recorded: Track, stances: Sequence[Contact], link: int) -> Track:
         start, end = normal * np.sign(normal @ up), up
     if start @ end < np.cos(MOST):
         return recorded
-    return recorded.turned(columns, quat.swing(start, end, up))
+    return recorded.turn(columns, quat.swing(start, end, up))
 
 
 def _runs(figure: Figure, states: Array) -> Iterator[Samples]:

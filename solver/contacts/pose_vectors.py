@@ -121,7 +121,7 @@ class PoseVectors:
 
 def heading_of(times: Array, rotations: Array) -> Polynomial:
     """Return the angle [rad] of the x axis about z over time, for orientations (n, 4) at times (n,) [s]."""
-    ahead = quat.rotated(rotations, np.array([1.0, 0, 0]))
+    ahead = quat.rotate(rotations, np.array([1.0, 0, 0]))
     angle = np.unwrap(np.arctan2(ahead[:, 1], ahead[:, 0]))
     return Polynomial.fit(times, angle, BENT if times.size > FEW else EVEN)
 

@@ -16,13 +16,13 @@ _GTTRF, _GTTRS = get_lapack_funcs(("gttrf", "gttrs"))
 (_SYRK,) = get_blas_funcs(("syrk",))
 
 
-def factored(band: Array) -> Array | None:
+def cholesky(band: Array) -> Array | None:
     """Return L of L Lᵀ = A, overwriting `band` (n, width); None if A is not positive definite."""
     factor, info = _PBTRF(np.ascontiguousarray(band).T, lower=1, overwrite_ab=1)
     return factor.T if info == 0 else None
 
 
-def solved(factor: Array, right: Array) -> Array:
+def solve(factor: Array, right: Array) -> Array:
     """Return A⁻¹ b for right-hand sides (n, m)."""
     return _PBTRS(factor.T, right, lower=1)[0]
 
@@ -37,7 +37,7 @@ def other_half_solved(factor: Array, right: Array) -> Array:
     return _TBTRS(factor.T, right, uplo=b"L", trans=b"T")[0]
 
 
-def squared(rows: Array, factor: float = 1.0) -> Array:
+def square(rows: Array, factor: float = 1.0) -> Array:
     """Return the upper triangle of factor · RᵀR for R (k, n); zeros below."""
     return _SYRK(factor, rows.T, lower=1).T
 
@@ -50,6 +50,6 @@ class Tridiagonal:
         if info != 0:
             raise ArithmeticError("the tridiagonal matrix is singular")
 
-    def solved(self, right: Array, *, transposed: bool = False) -> Array:
+    def solve(self, right: Array, *, transposed: bool = False) -> Array:
         """Return A⁻¹ b, or A⁻ᵀ b, for right-hand sides (n, m)."""
         return np.ascontiguousarray(_GTTRS(*self.factor, right, trans="T" if transposed else "N")[0])

@@ -52,7 +52,7 @@ class Elimination:
                 used = spans[weight[spans + a] != 0]
                 self._local[used, a, column[used + a] - self._first[used]] += weight[used + a]
 
-    def sampled(self, sampling: Sampling) -> Sampling:
+    def sample(self, sampling: Sampling) -> Sampling:
         """Return the functions of this basis at the sample times of its spline."""
         values = np.matmul(sampling.values, self._local[sampling.first])
         return replace(sampling, first=self._first[sampling.first], values=values, size=self.size)
@@ -67,4 +67,4 @@ def _influence(spline: Spline, held: Mask) -> Array:
     beyond[1:, 0], beyond[:-1, 1] = ~held[:-1], ~held[1:]
     inner = np.where(beyond | ~held[:, None], 0.0, entries)
     matrix = Tridiagonal(inner[1:, 0], np.where(held, diagonal, 1.0), inner[:-1, 1])
-    return matrix.solved(np.where(beyond & held[:, None], entries, 0.0))
+    return matrix.solve(np.where(beyond & held[:, None], entries, 0.0))

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..array import Array, Mask, frozen, frozen_mask
+from ..array import Array, Mask, freeze, frozen_mask
 
 
 class TimelineError(ValueError):
@@ -41,7 +41,7 @@ class Frame:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "time", float(self.time))
-        object.__setattr__(self, "state", frozen(self.state))
+        object.__setattr__(self, "state", freeze(self.state))
         object.__setattr__(self, "fixed", frozen_mask(self.fixed))
         if self.state.ndim != 1 or self.state.shape != self.fixed.shape:
             raise TimelineError(f"state {self.state.shape} and fixed {self.fixed.shape} must be vectors of one length")
@@ -87,7 +87,7 @@ class Frame:
         Raises:
             TimelineError: The shapes do not match, or entries are not finite.
         """
-        times, states, fixed = np.array(times, float), frozen(states), frozen_mask(fixed)
+        times, states, fixed = np.array(times, float), freeze(states), frozen_mask(fixed)
         if states.ndim != 2 or states.shape != fixed.shape or times.shape != states.shape[:1]:
             raise TimelineError(f"times {times.shape}, states {states.shape} and fixed {fixed.shape} do not match")
         good = np.isfinite(times) & np.isfinite(states).all(axis=1)
@@ -147,7 +147,7 @@ class Timeline:
         widths = {frame.state.size for frame in self.frames}
         if len(widths) > 1:
             raise TimelineError(f"the frames' states have different lengths: {sorted(widths)}")
-        object.__setattr__(self, "end_slope", frozen(self.end_slope))
+        object.__setattr__(self, "end_slope", freeze(self.end_slope))
         if self.end_slope.shape != (2, self.width):
             raise TimelineError(f"end_slope has shape {self.end_slope.shape}, not (2, {self.width})")
         if self.ends not in ENDS:
@@ -176,12 +176,12 @@ class Timeline:
     @cached_property
     def times(self) -> Array:
         """The times of the frames, (M,) [s]."""
-        return frozen([frame.time for frame in self.frames])
+        return freeze([frame.time for frame in self.frames])
 
     @cached_property
     def states(self) -> Array:
         """The states of the frames, (M, N)."""
-        return frozen([frame.state for frame in self.frames])
+        return freeze([frame.state for frame in self.frames])
 
     @cached_property
     def fixed(self) -> Mask:
@@ -196,7 +196,7 @@ class Timeline:
     @cached_property
     def rows(self) -> Array:
         """The frames' states and below them `end_slope`, (M + 2, N); the spline is linear in these."""
-        return frozen(np.concatenate([self.states, self.end_slope]))
+        return freeze(np.concatenate([self.states, self.end_slope]))
 
     @cached_property
     def of_times(self) -> dict[str, Any]:
@@ -218,6 +218,6 @@ class Timeline:
         moved.of_times.update(self.of_times)
         return moved
 
-    def inserted(self, variable: Iterable[Frame]) -> Timeline:
+    def insert(self, variable: Iterable[Frame]) -> Timeline:
         """Return the timeline with more frames, at times that have none."""
         return Timeline(tuple(sorted((*self.frames, *variable), key=lambda f: f.time)), self.end_slope, self.ends)

@@ -36,15 +36,15 @@ def close_loop(
     """
     first, last = (_unit(figure, frame) for frame in (keys[0], keys[-1]))
     headings = _headings(figure, first, last, turn)
-    seam = Seam.turned(figure, first.state, last.state, headings, "joint")
+    seam = Seam.with_headings(figure, first.state, last.state, headings, "joint")
     seam = replace(seam, shift=_shift(figure, first, last, seam, _travel(figure, first, last, travel)))
     fixed, is_known = first.fixed | last.fixed, first.known | last.known
     from_first = first.fixed | (first.known & ~last.fixed)
     for x, heading in zip(figure.tables.position_columns[0], headings, strict=True):
         if heading:
             from_first[x : x + 2] = _has_place(first, x)
-    state = np.where(from_first, first.state, seam.moved(last.state, -1))
-    begin, end = state, seam.moved(state)
+    state = np.where(from_first, first.state, seam.move(last.state, -1))
+    begin, end = state, seam.move(state)
     difference = np.maximum(np.abs(end - last.state) * last.fixed, np.abs(begin - first.state) * first.fixed)
     if difference.max() > ROUNDING:
         raise TimelineError(
@@ -62,7 +62,7 @@ def _unit(figure: Figure, frame: Frame) -> Frame:
     state = np.array(frame.state)
     for columns in figure.tables.quaternion_columns.T:
         if frame.known[columns].all():
-            state[columns] = quat.normalised(state[columns])
+            state[columns] = quat.normalise(state[columns])
     return replace(frame, state=state)
 
 

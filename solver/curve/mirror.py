@@ -20,7 +20,7 @@ from .. import quaternion as quat
 from ..array import Array, Index, Mask
 from ..figure.figure import Figure, JointKind, quaternion_columns
 from .frame import Frame, Timeline
-from .symmetry import MIDDLE, WORLD, other_side, rounded, symmetric
+from .symmetry import MIDDLE, WORLD, other_side, round_to_signs, symmetric
 
 POLAR, AXIAL = (
     np.array([1.0, -1, 1]),
@@ -162,7 +162,7 @@ def _of_joint(reflection: Array) -> Array:
     """Return the matrix (4, 4) of a reflection M on a joint's quaternion: w, −M v."""
     matrix = np.eye(4)
     matrix[1:, 1:] = -reflection
-    return rounded(matrix)
+    return round_to_signs(matrix)
 
 
 def _of_quaternion(reflection: Array, source: int, link: int) -> Array:
@@ -172,4 +172,4 @@ def _of_quaternion(reflection: Array, source: int, link: int) -> Array:
     constant = quat.from_matrix(WORLD @ reflection[first].T)
     if source != first:
         constant = quat.inverse(TURN * constant)
-    return rounded(quat.right_matrix(constant) @ np.diag(TURN))
+    return round_to_signs(quat.right_matrix(constant) @ np.diag(TURN))

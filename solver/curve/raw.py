@@ -74,20 +74,20 @@ def raw_timeline(
             continue
         fixed = specified[:, columns].all(axis=1)
         base = bases(figure, states, link)
-        states[fixed, columns] = quat.product(base[fixed], quat.normalised(states[fixed, columns]))
+        states[fixed, columns] = quat.product(base[fixed], quat.normalise(states[fixed, columns]))
         if not fixed.all():
             relative = quat.product(quat.inverse(base), states[:, columns])
             relative[fixed] *= signs(plain.times[fixed], relative[fixed], spins=link.kind is JointKind.FREE)[:, None]
             states[:, columns] = relative
             _fill(plain.times, states, specified, columns, rest, samplings)
-            states[:, columns] = quat.product(base, quat.normalised(states[:, columns]))
+            states[:, columns] = quat.product(base, quat.normalise(states[:, columns]))
         if seam is not None and link.kind is JointKind.FREE:
             states[-1, columns] = seam.linear(states[0])[columns]
         elif seam is not None:  # relative to its parent, the last rotation is the first
             states[-1, columns] = quat.product(base[-1], quat.product(quat.inverse(base[0]), states[0, columns]))
         states[:, columns] = _signed_track(link, plain.times, base, states[:, columns])
     if seam is not None:
-        lifted = Seam.turned(figure, states[0], states[-1], seam.headings)
+        lifted = Seam.with_headings(figure, states[0], states[-1], seam.headings)
         states[-1] = lifted.linear(states[0]) + seam.shift
     frames = tuple(Frame.many(plain.times, states, plain.fixed, [key.posed for key in keys]))
     return Timeline(frames, _end_slope(figure, keys, states, ends, end_slope), ends)
@@ -234,7 +234,7 @@ def _steadiest(times: Array, steps: Array, angle: Array, unsure: Mask) -> Mask:
     return choice > 0
 
 
-def straightened(figure: Figure, timeline: Timeline) -> Timeline:
+def straighten(figure: Figure, timeline: Timeline) -> Timeline:
     """Return the timeline with its variable frames on the straight path between neighbouring frames with fixed entries.
 
     Joints turn relative to their parents; the signs of the quaternions determine the direction.
@@ -260,7 +260,7 @@ def straight(figure: Figure, times: Array, states: Array, t: Array) -> Array:
     for link in figure.links[1:]:
         columns = quaternion_columns(link)
         if columns is not None:
-            joint = quat.normalised(quat.product(quat.inverse(bases(figure, states, link)), states[:, columns]))
+            joint = quat.normalise(quat.product(quat.inverse(bases(figure, states, link)), states[:, columns]))
             turned = _arc(joint[span], joint[span + 1], share)
             out[:, columns] = quat.product(bases(figure, out, link), turned)
     return out
@@ -274,4 +274,4 @@ def _arc(a: Array, b: Array, share: Array) -> Array:
     divisor = np.where(flat, 1.0, sine)
     first = np.where(flat, 1 - share, np.sin((1 - share) * angle) / divisor)
     second = np.where(flat, share, np.sin(share * angle) / divisor)
-    return quat.normalised(first[:, None] * a + second[:, None] * b)
+    return quat.normalise(first[:, None] * a + second[:, None] * b)

@@ -82,23 +82,23 @@ class Track:
         every = np.ones(states.shape) if known is None else np.ones(states.shape) * known
         for columns in figure.tables.quaternion_columns.T:
             samples = np.flatnonzero((every[:, columns] > 0).all(axis=1))  # values in gaps must not affect signs
-            states[samples[:, None], columns] = quat.aligned(states[samples[:, None], columns])
+            states[samples[:, None], columns] = quat.align_signs(states[samples[:, None], columns])
         return cls(figure, np.asarray(times, float), states, every, exact)
 
-    def moved(self, shift: ArrayLike) -> Track:
+    def move(self, shift: ArrayLike) -> Track:
         """Return the recording with all free roots translated by (3,) [m]."""
         states = np.array(self.states)
         for columns in self.figure.tables.position_columns.T:
             states[:, columns] += np.asarray(shift, float)
         return replace(self, states=states)
 
-    def turned(self, columns: slice, turn: Array) -> Track:
+    def turn(self, columns: slice, turn: Array) -> Track:
         """Return the recording with the link of a quaternion rotated by (4,) in its axes, at all times."""
         states = np.array(self.states)
         states[:, columns] = quat.product(states[:, columns], turn)
         return replace(self, states=states)
 
-    def displaced(self, displacements: Array) -> Track:
+    def displace(self, displacements: Array) -> Track:
         """Return the recording with every sample displaced by (T, N) as in `between`."""
         states = self.states + displacements
         for columns in self.figure.tables.quaternion_columns.T:
@@ -143,25 +143,25 @@ class Track:
 
     @cached_property
     def path(self) -> Path:
-        return natural_spline(self.times, self._smoothed[0])
+        return natural_spline(self.times, self._smoothing[0])
 
     @property
     def bridged(self) -> Array:
         """(T, N) the most likely curve at the samples."""
-        return self._smoothed[0]
+        return self._smoothing[0]
 
     @cached_property
     def trust(self) -> Array:
         """(T, N) weight of every sample, 0 in gaps."""
-        return self._smoothed[1]
+        return self._smoothing[1]
 
     @cached_property
     def liveliness(self) -> Array:
         """(N,) A, the power spectral density of accelerations: [1/s³] of a quaternion's entries, or [m²/s³]."""
-        return self._smoothed[2]
+        return self._smoothing[2]
 
     @cached_property
-    def _smoothed(self) -> tuple[Array, Array, Array]:
+    def _smoothing(self) -> tuple[Array, Array, Array]:
         """The curve at the samples (T, N), their weights (T, N), and the liveliness (N,)."""
         smooth, trust, lively = np.array(self.states), np.array(self.known), np.ones(self.figure.width)
         if self.exact:
@@ -211,10 +211,10 @@ class Track:
                 band[a : count - 2 + a, b - a] += rows[a] * rows[b]
         samples = np.where(self.known[:, columns] > 0, self.states[:, columns], 0.0)
         right = weight[:, None] * samples
-        factor = banded.factored(band)
+        factor = banded.cholesky(band)
         if factor is None:
             raise ValueError("a recording without two samples of a joint")
-        smooth = banded.solved(factor, right)
+        smooth = banded.solve(factor, right)
         least = float(np.sum(right * (samples - smooth)))
         size = 2 * float(np.sum(np.log(factor[:, 0]))) + (count - 2) * np.log(prior)
         return smooth, -0.5 * (least + columns.size * size)

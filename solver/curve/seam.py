@@ -48,10 +48,12 @@ class Seam:
     def between(cls, figure: Figure, first: Array, last: Array) -> Seam:
         """Return the seam of a loop that begins and ends with these states (N,)."""
         about = figure.tables.position_columns[0][:, None] + np.arange(3, 7)  # of the roots' quaternions
-        return cls.turned(figure, first, last, heading_between(first[about], last[about]))
+        return cls.with_headings(figure, first, last, heading_between(first[about], last[about]))
 
     @classmethod
-    def turned(cls, figure: Figure, first: Array, last: Array, headings: Array, coordinates: str | None = None) -> Seam:
+    def with_headings(
+        cls, figure: Figure, first: Array, last: Array, headings: Array, coordinates: str | None = None
+    ) -> Seam:
         """Return the seam between states for known headings.
 
         Args:
@@ -91,7 +93,7 @@ class Seam:
         k = np.asarray(periods)[..., None]
         return self.signs**k * self._rotate(values, k * self.angles)
 
-    def moved(self, states: Array, periods: ArrayLike = 1) -> Array:
+    def move(self, states: Array, periods: ArrayLike = 1) -> Array:
         """Return states (..., N) after k periods (...): Aᵏ y + (1 + A + … + Aᵏ⁻¹) shift."""
         k = np.asarray(periods)[..., None]
         half = self.angles / 2
@@ -116,7 +118,7 @@ class Seam:
             return points
         state = np.zeros((*points.shape[:-1], self.signs.size))
         state[..., roots[:, 0]] = points
-        return self.moved(state, periods)[..., roots[:, 0]]
+        return self.move(state, periods)[..., roots[:, 0]]
 
     def turn(self, periods: int = 1) -> Array:
         """Return the rotation (4,) of the first free root, with its descendants, after a number of periods."""
@@ -169,7 +171,7 @@ def turning_root(figure: Figure, link: int, *, in_world: bool) -> int:
 
 def heading_between(first: Array, last: Array) -> Array:
     """Return the rotation (...) [rad] about the vertical between quaternions (..., 4); 0 for other axes."""
-    w, x, y, z = np.moveaxis(quat.normalised(quat.product(last, quat.inverse(first))), -1, 0)
+    w, x, y, z = np.moveaxis(quat.normalise(quat.product(last, quat.inverse(first))), -1, 0)
     upright = (np.abs(x) <= ROUNDING) & (np.abs(y) <= ROUNDING) & (np.abs(z) > ROUNDING)
     return np.where(upright, 2 * np.arctan2(np.copysign(1.0, w) * z, np.abs(w)), 0.0)
 

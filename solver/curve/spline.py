@@ -108,14 +108,14 @@ class Spline:
     def coefficients(self, rows: Array) -> Array:
         """Return the B-spline coefficients C = Φ⁻¹ Y (M + 2, N) for rows Y (M + 2, N) (eq. 6)."""
         if isinstance(self._collocation, Tridiagonal):
-            return self._collocation.solved(rows[self.order])
+            return self._collocation.solve(rows[self.order])
         return self._collocation.solve(np.ascontiguousarray(rows))
 
     def coefficients_transposed(self, gradient: Array) -> Array:
         """Return the gradient with respect to rows for one with respect to coefficients, by Φ⁻ᵀ; (M + 2, N)."""
         if isinstance(self._collocation, Tridiagonal):
             rows = np.empty(gradient.shape)
-            rows[self.order] = self._collocation.solved(gradient, transposed=True)
+            rows[self.order] = self._collocation.solve(gradient, transposed=True)
             return rows
         return self._collocation.solve(np.ascontiguousarray(gradient), trans="T")
 
@@ -371,7 +371,7 @@ def natural_end_slopes(times: Array, values: Array) -> Array:
     right[1:-1] = h[1:, None] * rise[:-1] + h[:-1, None] * rise[1:]
     diagonal = np.full(times.size, 2.0)
     diagonal[1:-1] = 2 * (h[1:] + h[:-1])
-    slopes = Tridiagonal(np.append(h[1:], 1.0), diagonal, np.append(1.0, h[:-1])).solved(right)
+    slopes = Tridiagonal(np.append(h[1:], 1.0), diagonal, np.append(1.0, h[:-1])).solve(right)
     return slopes[[0, -1]]
 
 

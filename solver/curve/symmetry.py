@@ -165,10 +165,10 @@ def symmetric(figure: Figure, pairs: Sequence[tuple[str, str]], middle: float) -
     reflection = np.array(
         [rest.turn[j].T @ images[r] @ rest.turn[i] for i, (j, r) in enumerate(zip(partner, rest.root, strict=True))]
     )
-    return rest, partner, rounded(reflection)
+    return rest, partner, round_to_signs(reflection)
 
 
-def rounded(matrix: Array) -> Array:
+def round_to_signs(matrix: Array) -> Array:
     """Return a matrix with entries close to 0, 1 or −1 rounded to these."""
     whole = np.round(matrix)
     return np.where(np.abs(matrix - whole) < ROUNDING, whole + 0.0, matrix)
@@ -179,8 +179,8 @@ def _planes(figure: Figure, root: int) -> list[Array]:
     if not root:
         return [WORLD]
     x, y, z = np.eye(3)
-    normals = (y, quat.rotated(quat.inverse(figure.links[root].turn), y), x, z)
-    return [rounded(np.eye(3) - 2 * np.outer(normal, normal)) for normal in normals]
+    normals = (y, quat.rotate(quat.inverse(figure.links[root].turn), y), x, z)
+    return [round_to_signs(np.eye(3) - 2 * np.outer(normal, normal)) for normal in normals]
 
 
 def _partners(figure: Figure, pairs: Sequence[tuple[str, str]]) -> Index:

@@ -154,7 +154,7 @@ class _Ties:
 
     def repeat(self, source: int, row: int, seam: Seam) -> None:
         """Make a row equal to an earlier one, mapped by the seam after one period."""
-        self.constant[row] = seam.moved(self.constant[source])
+        self.constant[row] = seam.move(self.constant[source])
         entries, unknowns, factors = self._of(source, source + 1)
         column = entries % self.width
         cosine, sine = (seam.signs * wave(seam.angles) for wave in (np.cos, np.sin))

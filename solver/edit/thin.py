@@ -83,7 +83,7 @@ class Recorded:
         """Return positions of the points (3, n, S) and unit orientations of the links (4, L, S) for states (S, N)."""
         links = LinkMotion(States(self.figure, states, states, states))
         turned = links.Q / np.sqrt(links.length_squared)
-        return links.x.take(self.points[1], axis=1) + links.fixed(self._weights), turned
+        return links.x.take(self.points[1], axis=1) + links.sum_fixed(self._weights), turned
 
     @cached_property
     def _recorded_poses(self) -> tuple[Array, Array]:

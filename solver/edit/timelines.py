@@ -68,7 +68,7 @@ def repeated(figure: Figure, timeline: Timeline, count: int) -> Timeline:
     seam, period = Seam.of(figure, timeline), timeline.times[-1] - timeline.times[0]
     frames = list(timeline.frames[:1])
     for number in range(count):
-        states = seam.moved(timeline.states[1:], number)
+        states = seam.move(timeline.states[1:], number)
         frames += Frame.many(timeline.times[1:] + number * period, states, timeline.fixed[1:])
     return Timeline(tuple(frames), _jumps(timeline, seam, count), "periodic")
 
@@ -97,7 +97,7 @@ class Placement:
         for link in figure.links[1:]:
             if link.kind is JointKind.FREE:
                 columns = slice(link.qpos, link.qpos + 3)
-                out[..., columns] = quat.rotated(self.turn, rates[..., columns])
+                out[..., columns] = quat.rotate(self.turn, rates[..., columns])
         in_world = figure.coordinates == "world"
         for i, columns in zip(figure.tables.quaternion_links, figure.tables.quaternion_columns.T, strict=True):
             if turning_root(figure, int(i), in_world=in_world):
@@ -130,8 +130,8 @@ def following(figure: Figure, before: Timeline, after: Timeline, duration: float
     place = figure.tables.position_columns[:, 0]
     (end, end_d), (start, start_d) = _side(before, -1), _side(after, 0)
     turn = quat.from_rotation_vector(_heading_between(figure, start, end) * np.array([0.0, 0.0, 1.0]))
-    pace = (end_d[place] + quat.rotated(turn, start_d[place])) / 2
-    shift = end[place] + pace * duration - quat.rotated(turn, start[place])
+    pace = (end_d[place] + quat.rotate(turn, start_d[place])) / 2
+    shift = end[place] + pace * duration - quat.rotate(turn, start[place])
     return Placement(turn, shift * np.array([1.0, 1, 0]))
 
 

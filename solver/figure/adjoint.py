@@ -9,15 +9,15 @@ import numpy as np
 
 from ..array import Array, Index
 from .algebra import (
-    applied,
-    conjugated,
+    combine,
+    conjugate,
     cross,
     dot,
-    gathered,
     hamilton,
     outer,
+    rotate,
+    rotate_back,
     swing_pulled_back,
-    turned_back,
     vector_product,
 )
 from .kinematics import Samples, from_parents, hinge_quaternions
@@ -185,7 +185,7 @@ def attached_pulled_back(
     if g_dd is not None:
         if swing is None:
             swing = links.swing if owners is None else links.swing[:, :, owners]
-        through = turned_back(swing, g_dd)
+        through = rotate_back(swing, g_dd)
         pull = through if pull is None else np.add(pull, through, out=through)
         _to_owners(into, "swing", outer(g_dd, s), owners)
     if pull is not None:
@@ -207,7 +207,7 @@ def _origins_pulled_back(cotangent: Cotangent) -> None:
     gradients: list[Array | None] = []
     for y_name, _, name in OF_THE_STATE:
         whole = cotangent.get(name)
-        g = None if whole is None else gathered(tables.beyond, whole)
+        g = None if whole is None else combine(tables.beyond, whole)
         gradients.append(g)
         if g is not None and tables.free_links.size:
             columns = tables.position_columns.ravel()
@@ -232,7 +232,7 @@ def _slides_pulled_back(cotangent: Cotangent, displacement_gradients: list[Array
     zero = np.zeros((3, slides.size, samples.count))
     g, g_d, g_dd = (zero if part is None else part[:, slides] for part in displacement_gradients)
     e, swing = links.slide_axis, links.swing[:, :, slides]
-    e_d, e_dd = cross(links.omega[:, slides], e), applied(swing, e)
+    e_d, e_dd = cross(links.omega[:, slides], e), rotate(swing, e)
     q, q_d, q_dd = (links.slide(order) for order in range(3))
     columns = tables.slide_columns
     cotangent.buffer("y")[:, columns] += (dot(g, e) + dot(g_d, e_d) + dot(g_dd, e_dd)).T
@@ -250,7 +250,7 @@ def _quaternion_gradients(cotangent: Cotangent) -> list[Array]:
     product = links.vector_product
     if omega_bar is None and alpha_bar is None:
         assert turn is not None
-        return [turned_back(product, turn * links.scale)]
+        return [rotate_back(product, turn * links.scale)]
     first = np.zeros_like(links.omega) if omega_bar is None else omega_bar
     if alpha_bar is None:
         h0, h1 = cross(links.omega, first), first * links.scale
@@ -266,22 +266,22 @@ def _quaternion_gradients(cotangent: Cotangent) -> list[Array]:
     rate = 2 * links.rates[0]
     if alpha_bar is None:
         h0 -= links.rates[0] * h1
-        return [_product_sum((product, h0), (vector_product(links.Q_d), h1)), turned_back(product, h1)]
+        return [_product_sum((product, h0), (vector_product(links.Q_d), h1)), rotate_back(product, h1)]
     h2 = alpha_bar * links.scale
     h1 -= rate * h2
     h0 -= links.rates[0] * h1
     h0 -= (links.rates[1] + dot(links.Q_d, links.Q_d) * links.scale) * h2
     product_d = vector_product(links.Q_d)
     g0 = _product_sum((product, h0), (product_d, h1), (vector_product(links.Q_dd), h2))
-    return [g0, _product_sum((product, h1), (product_d, 2 * h2)), turned_back(product, h2)]
+    return [g0, _product_sum((product, h1), (product_d, 2 * h2)), rotate_back(product, h2)]
 
 
 def _product_sum(*terms: tuple[Array, Array]) -> Array:
     """Return Σ Gᵀ h, (4, L, S)."""
     (matrix, vector), *rest = terms
-    total = turned_back(matrix, vector)
+    total = rotate_back(matrix, vector)
     for matrix, vector in rest:
-        total += turned_back(matrix, vector)
+        total += rotate_back(matrix, vector)
     return total
 
 
@@ -297,13 +297,13 @@ def _products_pulled_back(cotangent: Cotangent, gradients: list[Array]) -> list[
         parents = tables.parents[level]
         g, a, c = grads[:, :, level], base[:, :, parents], local[:, :, level]
         pairs = _OF_SUM, _OF_OTHER
-        up = _summed_back(hamilton(g[:, pairs[0]], conjugated(c[:, pairs[1]])))
-        grads[:, :, level] = _summed_back(hamilton(conjugated(a[:, pairs[1]]), g[:, pairs[0]]))
+        up = _summed_back(hamilton(g[:, pairs[0]], conjugate(c[:, pairs[1]])))
+        grads[:, :, level] = _summed_back(hamilton(conjugate(a[:, pairs[1]]), g[:, pairs[0]]))
         for i, parent in enumerate(parents):
             grads[:, :, parent] += up[:, :, i]
     if tables.has_turns and tables.levels:
         below = np.concatenate(tables.levels)
-        grads[:, :, below] = hamilton(conjugated(tables.turn[:, None, below, None]), grads[:, :, below])
+        grads[:, :, below] = hamilton(conjugate(tables.turn[:, None, below, None]), grads[:, :, below])
     grads = grads.swapaxes(0, 1)
     _hinges_pulled_back(cotangent, [grad[:, tables.hinge_links] for grad in grads])
     return [grad[:, tables.quaternion_links] for grad in grads]

@@ -58,22 +58,22 @@ def dot(a: Array, b: Array) -> Array:
     return np.einsum("i...,i...->...", a, b)
 
 
-def turned(rotation: Array, vectors: Array) -> Array:
+def rotate_fixed(rotation: Array, vectors: Array) -> Array:
     """Return R c for constant local vectors: (3, 3, n, S) with (3, n) -> (3, n, S)."""
     return np.einsum("ijns,jn->ins", rotation, vectors)
 
 
-def applied(rotation: Array, vectors: Array) -> Array:
+def rotate(rotation: Array, vectors: Array) -> Array:
     """Return R v for moving vectors: (3, 3, n, S) with (3, n, S)."""
     return np.einsum("ij...,j...->i...", rotation, vectors)
 
 
-def turned_back(rotation: Array, vectors: Array) -> Array:
+def rotate_back(rotation: Array, vectors: Array) -> Array:
     """Return Rᵀ v: (3, 3, n, S) with (3, n, S)."""
     return np.einsum("ji...,j...->i...", rotation, vectors)
 
 
-def gathered(weights: Array, vectors: Array) -> Array:
+def combine(weights: Array, vectors: Array) -> Array:
     """Return linear combinations over the link axis: (m, n) with (3, n, S) -> (3, m, S)."""
     return np.matmul(weights, vectors)
 
@@ -94,7 +94,7 @@ def hamilton(p: Array, q: Array) -> Array:
     return out
 
 
-def conjugated(q: Array) -> Array:
+def conjugate(q: Array) -> Array:
     """Return the conjugate, component first."""
     return np.concatenate([q[:1], -q[1:]])
 
@@ -143,8 +143,8 @@ def swing_matrix(omega: Array, alpha: Array) -> Array:
 def swing_pulled_back(gradient: Array, omega: Array) -> tuple[Array, Array]:
     """Return gradients with respect to ω and ω' for the gradient with respect to A of `swing_matrix`."""
     trace = np.einsum("ii...->...", gradient)
-    by_omega = applied(gradient, omega)
-    by_omega += turned_back(gradient, omega)
+    by_omega = rotate(gradient, omega)
+    by_omega += rotate_back(gradient, omega)
     trace *= 2
     by_omega -= trace * omega
     by_alpha = axial(gradient)

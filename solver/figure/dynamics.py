@@ -25,7 +25,7 @@ from ..array import Array
 from ..cache import cached_by_content
 from ..tolerances import TINY
 from .adjoint import Cotangent, attached_pulled_back
-from .algebra import applied, cross, cross_sum, dot, gathered, turned_back
+from .algebra import combine, cross, cross_sum, dot, rotate, rotate_back
 from .figure import Figure
 from .kinematics import LinkMotion, Samples
 
@@ -45,9 +45,9 @@ class InverseDynamics:
     def __init__(self, links: LinkMotion) -> None:
         self.links = links
         tables = links.figure.tables
-        self.offset = links.fixed(tables.centre_offsets)
+        self.offset = links.sum_fixed(tables.centre_offsets)
         self.centre = links.x + self.offset
-        self.net_force = applied(links.swing, self.offset)
+        self.net_force = rotate(links.swing, self.offset)
         self.net_force += links.x_dd
         self.net_force -= links.figure.gravity[:, None, None]
         self.net_force *= tables.mass[:, None]
@@ -56,10 +56,10 @@ class InverseDynamics:
         self.momenta = np.einsum("ijls,kjls->kils", self.inertia, links.spins)
         self.net_torque = cross(links.omega, self.momenta[0])
         self.net_torque += self.momenta[1]
-        self.force = gathered(tables.beyond, self.net_force)
+        self.force = combine(tables.beyond, self.net_force)
         about_origin = cross(self.centre, self.net_force)
         about_origin += self.net_torque
-        self.moment = gathered(tables.beyond, about_origin)
+        self.moment = combine(tables.beyond, about_origin)
         self.moment -= cross(links.anchor, self.force)
 
     def _world_inertia(self) -> Array:
@@ -115,8 +115,8 @@ def generalised_forces(samples: Samples) -> Array:
     axis.
     """
     figure, links = samples.figure, samples.links
-    inverse = samples.cached(InverseDynamics)
-    local = turned_back(links.rotation, inverse.moment)
+    inverse = samples.cache(InverseDynamics)
+    local = rotate_back(links.rotation, inverse.moment)
     qacc = None
     if np.any(figure.tables.armature):
         qacc = velocities(samples)[1]
@@ -131,7 +131,7 @@ def generalised_forces(samples: Samples) -> Array:
         elif link.kind == link.kind.HINGE:
             out[:, link.dof] = dot(axis, local[:, i])
         else:
-            out[:, link.dof] = dot(axis, turned_back(links.rotation, inverse.force)[:, i])
+            out[:, link.dof] = dot(axis, rotate_back(links.rotation, inverse.force)[:, i])
     if qacc is not None:
         out += figure.model.dof_armature * qacc
     return out
@@ -172,9 +172,9 @@ def velocities(samples: Samples) -> tuple[Array, Array]:
     parents = figure.tables.parents
     omega_p = links.omega[:, parents]
     spin = links.omega - omega_p
-    local = turned_back(links.rotation, spin)
-    local_d = turned_back(links.rotation, links.alpha - links.alpha[:, parents] - cross(links.omega, spin))
-    root, root_d = turned_back(links.rotation, links.omega), turned_back(links.rotation, links.alpha)
+    local = rotate_back(links.rotation, spin)
+    local_d = rotate_back(links.rotation, links.alpha - links.alpha[:, parents] - cross(links.omega, spin))
+    root, root_d = rotate_back(links.rotation, links.omega), rotate_back(links.rotation, links.alpha)
     qvel, qacc = np.zeros((2, samples.count, figure.model.nv))
     for i, link in enumerate(figure.links[1:], start=1):
         if link.kind == link.kind.FREE:
@@ -206,7 +206,7 @@ class RootWrench:
 
     def __init__(self, samples: Samples, root: int) -> None:
         self.samples, self.root = samples, root
-        self.inverse = samples.cached(InverseDynamics)
+        self.inverse = samples.cache(InverseDynamics)
         self.mass, self.share = tree_mass(samples.figure, root)
         self.centre = np.einsum("l,ils->is", self.share, self.inverse.centre)
         self.force = self.inverse.force[:, root]
@@ -245,7 +245,7 @@ def height(figure: Figure, root: int) -> float:
     This length is √12 times the radius. It converts moments to forces.
     """
     rest = figure.to_state(np.array(figure.model.qpos0))[None]
-    inverse = Samples.still(figure, rest).cached(InverseDynamics)
+    inverse = Samples.still(figure, rest).cache(InverseDynamics)
     mass, share = tree_mass(figure, root)
     away = inverse.centre[:, :, 0] - (inverse.centre[:, :, 0] @ share)[:, None]
     inertia = np.einsum("iil,l->", inverse.inertia[..., 0], figure.tables.path[:, root]) / 2

@@ -21,10 +21,10 @@ import numpy as np
 
 from ..array import Array, Index, Mask
 from .adjoint import Cotangent
-from .algebra import applied, cross, dot
+from .algebra import cross, dot, rotate
 from .dynamics import InverseDynamics, RootWrench
 from .kinematics import LinkMotion, Samples
-from .turns import add_rows_of_shifts, add_rows_of_turns, chosen, followers, following, places, turning
+from .turns import add_rows_of_shifts, add_rows_of_turns, followers, following, indices_of, places, turning
 from .wrenches import Wrenches, every_axis, of_point
 
 AT_ONCE = 20_000  # pairs of joints times samples in memory at once, about 9 MB per derived array
@@ -89,7 +89,7 @@ def joint_rows(samples: Samples) -> Array:
     The R efforts are the moments at b ball joints in world axes (x of all, then y, then z), the moments about the axes
     of hinges, and the forces along the axes of slides.
     """
-    tables, motion, inverse = samples.figure.tables, samples.links, samples.cached(InverseDynamics)
+    tables, motion, inverse = samples.figure.tables, samples.links, samples.cache(InverseDynamics)
     links, (place, _) = _Links(samples, np.ones(len(samples.figure.links))), places(samples.figure)
     balls, hinges, slides = tables.ball_links, tables.hinge_links, tables.slide_links
     edges = 3 * balls.size, 3 * balls.size + hinges.size
@@ -100,11 +100,11 @@ def joint_rows(samples: Samples) -> Array:
     )
     for moves in (_Turns(links), _Shifts(links)):
         for joint, moved, change in _pairs(links, moves):
-            for run in chosen(np.isin(joint, balls)):
+            for run in indices_of(np.isin(joint, balls)):
                 rows = np.searchsorted(balls, joint[run]) + balls.size * np.arange(3)[:, None]
                 moves.add(moved[run], change[:, :, 3:, run], rows, out)
             for kind, axes, effort, part, first in along:
-                for run in chosen(np.isin(joint, kind)):
+                for run in indices_of(np.isin(joint, kind)):
                     joints_of_run = joint[run]
                     axis = axes[:, place[joints_of_run]]
                     felt = np.einsum("okcns,cns->okns", change[:, :, part, run], axis)
@@ -153,7 +153,7 @@ class _Links:
         """
         self.samples, self.figure, self.has_moment = samples, samples.figure, moment
         self.rows = 6 if moment else 3
-        inverse, motion, tables = samples.cached(InverseDynamics), samples.links, samples.figure.tables
+        inverse, motion, tables = samples.cache(InverseDynamics), samples.links, samples.figure.tables
         self.origin = motion.x[:, 1:].mean(axis=1)
         self.anchors = _anchors(motion)
         self.anchors[0] -= self.origin[:, None]
@@ -212,7 +212,7 @@ class _Links:
         """Refer the moments of changes to a place (3, n, S) relative to the origin, instead of to the origin."""
         change[:, :, 3:] -= _crosses(place, change[:, :, :3])
 
-    def carried(self, joint: Index, s: Array) -> Array:
+    def carry(self, joint: Index, s: Array) -> Array:
         """Return the changes of all links beyond joints (P,), about their anchors, by shifts φ × s, s (3, 3, P, S)."""
         change, mass, lever = self._empty(joint.size), *self._levers(joint)
         _add_force(change, mass * s)
@@ -220,7 +220,7 @@ class _Links:
             change[order, :, 3:] = factor * _across(lever, s[2 - order])
         return change
 
-    def shifted(self, joint: Index) -> Array:
+    def shift(self, joint: Index) -> Array:
         """Return the same for shifts ψ."""
         change, mass, lever = self._empty(joint.size), *self._levers(joint)
         change[2, range(3), range(3)] = mass
@@ -275,8 +275,8 @@ class _Turns:
         links, anchors = self.links, self.links.anchors
         between = followers(links.figure)[joint, moved]
         nearest = np.where(between > 0, between, joint)
-        change = links.carried(joint, anchors[:, :, nearest] - anchors[:, :, moved])
-        for run in chosen(between == 0):
+        change = links.carry(joint, anchors[:, :, nearest] - anchors[:, :, moved])
+        for run in indices_of(between == 0):
             change[:, :, :, run] += links.turned[:, :, :, joint[run]]
         return change
 
@@ -296,7 +296,7 @@ class _Shifts:
         return self.links.by_shifts(self.links.figure.tables.beyond[joints])
 
     def before(self, joint: Index, moved: Index) -> Array:
-        return self.links.shifted(joint)
+        return self.links.shift(joint)
 
     def turned(self, joint: Index, moved: Index) -> Array:
         return np.zeros(joint.size)
@@ -325,7 +325,7 @@ def _runs(mask: Mask, most: int) -> Iterator[tuple[Index, Index]]:
 def _anchors(motion: LinkMotion) -> Array:
     places = np.array([motion.x, motion.x_d, motion.x_dd])
     if motion.hang is not None:
-        places += np.array([motion.hang, cross(motion.omega, motion.hang), applied(motion.swing, motion.hang)])
+        places += np.array([motion.hang, cross(motion.omega, motion.hang), rotate(motion.swing, motion.hang)])
     return places
 
 

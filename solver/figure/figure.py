@@ -179,7 +179,7 @@ class Figure:
             columns = quaternion_columns(link)
             if columns is None:
                 continue
-            relative = quat.normalised(state[..., columns])
+            relative = quat.normalise(state[..., columns])
             if self.tables.in_world[i] and link.kind is JointKind.BALL:
                 relative = quat.product(self._joint_base(state, link), relative)
             state[..., columns] = relative
@@ -212,7 +212,7 @@ class Figure:
             rotation = state[..., columns]
             if self.tables.in_world[i] and link.kind is JointKind.BALL:
                 rotation = quat.product(quat.inverse(self._joint_base(state, link)), rotation)
-            qpos[..., columns] = quat.normalised(rotation)
+            qpos[..., columns] = quat.normalise(rotation)
         return qpos
 
     def _joint_base(self, state: Array, link: Link) -> Array:
@@ -257,7 +257,7 @@ class Figure:
         Returns:
             The index of the link, and the points (..., 3) in the link's frame [m].
         """
-        offset = quat.rotated(self.body_turn[body], np.asarray(position, float))
+        offset = quat.rotate(self.body_turn[body], np.asarray(position, float))
         return int(self.body_link[body]), self.body_offset[body] + offset
 
 
@@ -296,8 +296,8 @@ def _links(model: mujoco.MjModel) -> tuple[tuple[Link, ...], Index, Array, Array
     for body in range(1, model.nbody):
         parent = int(model.body_parentid[body])
         link = int(body_link[parent])
-        offset = body_offset[parent] + quat.rotated(body_turn[parent], model.body_pos[body])
-        turn = quat.normalised(quat.product(body_turn[parent], model.body_quat[body]))
+        offset = body_offset[parent] + quat.rotate(body_turn[parent], model.body_pos[body])
+        turn = quat.normalise(quat.product(body_turn[parent], model.body_quat[body]))
         for joint in range(model.body_jntadr[body], model.body_jntadr[body] + model.body_jntnum[body]):
             kind = JointKind(int(model.jnt_type[joint]))
             place = np.zeros(3) if kind is JointKind.FREE else np.array(model.jnt_pos[joint])
@@ -311,7 +311,7 @@ def _links(model: mujoco.MjModel) -> tuple[tuple[Link, ...], Index, Array, Array
                     "qpos": int(model.jnt_qposadr[joint]),
                     "dof": int(model.jnt_dofadr[joint]),
                     "turn": turn,
-                    "offset": offset + quat.rotated(turn, place),
+                    "offset": offset + quat.rotate(turn, place),
                     "anchor": place,
                     "axis": np.array(model.jnt_axis[joint]),
                     "reference": float(model.qpos0[model.jnt_qposadr[joint]]),
@@ -321,7 +321,7 @@ def _links(model: mujoco.MjModel) -> tuple[tuple[Link, ...], Index, Array, Array
             loads.append([])
             link, offset, turn = len(rows) - 1, np.zeros(3), np.array([1.0, 0, 0, 0])
         body_link[body], body_offset[body], body_turn[body] = link, offset, turn
-        centre = offset + quat.rotated(turn, model.body_ipos[body])
+        centre = offset + quat.rotate(turn, model.body_ipos[body])
         axes = quat.product(turn, model.body_iquat[body])
         matrix = quat.matrices(axes)
         loads[link].append(
@@ -471,7 +471,7 @@ def _run(indices: Index) -> slice | None:
 
 
 def on_links(vectors: Array, owners: Index, count: int) -> Array:
-    """Return vectors (3, n) on links as weights (n, 3 L) of the rotations of `count` links, see `LinkMotion.fixed`."""
+    """Return vectors (3, n) on links as weights (n, 3 L) of rotations of `count` links, see `LinkMotion.sum_fixed`."""
     out = np.zeros((owners.size, 3, count))
     out[np.arange(owners.size), :, owners] = vectors.T
     return out.reshape(owners.size, 3 * count)

@@ -22,13 +22,13 @@ from numpy.typing import ArrayLike
 
 from ..array import Array, Index
 from .algebra import (
-    applied,
+    combine,
     cross,
-    gathered,
     hamilton,
+    rotate,
+    rotate_fixed,
     rotation_matrix,
     swing_matrix,
-    turned,
     vector_product,
 )
 from .figure import Figure, on_links
@@ -145,7 +145,7 @@ class Samples:
     def links(self) -> LinkMotion:
         return LinkMotion(self._states)
 
-    def cached(self, make: Callable[[LinkMotion], Derived]) -> Derived:
+    def cache(self, make: Callable[[LinkMotion], Derived]) -> Derived:
         """Return a quantity derived from the links' motion, computed once; it must not refer to the samples."""
         if make not in self._cache:
             self._cache[make] = make(self.links)
@@ -224,7 +224,7 @@ class LinkMotion:
 
     def points(self, links: Index, positions: Array) -> tuple[Array, Array]:
         """Return points at `positions` (3, n) on links (n,), and their offsets from the origins, (3, n, S) each."""
-        offset = self.fixed(on_links(positions, links, len(self.figure.links)))
+        offset = self.sum_fixed(on_links(positions, links, len(self.figure.links)))
         return self.x.take(links, axis=1) + offset, offset
 
     def poses(self, flat: Index) -> tuple[Array, Array]:
@@ -232,20 +232,20 @@ class LinkMotion:
         rotation = self.rotation.reshape(9, -1).take(flat, axis=1).reshape(3, 3, -1)
         return self.x.reshape(3, -1).take(flat, axis=1), rotation
 
-    def fixed(self, weights: Array) -> Array:
+    def sum_fixed(self, weights: Array) -> Array:
         """Return sums Σ_l R_l c_l of vectors fixed on links: weights (m, 3 L), all c_x first, -> (3, m, S)."""
         return np.matmul(weights, self.rotation.reshape(3, weights.shape[1], -1))
 
     @cached_property
     def step(self) -> Array:
         """R_parent · offset, the vector from the parent's origin to the joint's anchor, (3, L, S)."""
-        return self.fixed(self.figure.tables.steps)
+        return self.sum_fixed(self.figure.tables.steps)
 
     @cached_property
     def hang(self) -> Array | None:
         """R · anchor, from the link's origin to its joint's anchor; None if all joints are at bodies' origins."""
         tables = self.figure.tables
-        return turned(self.rotation, tables.anchor) if tables.has_anchors else None
+        return rotate_fixed(self.rotation, tables.anchor) if tables.has_anchors else None
 
     @cached_property
     def anchor(self) -> Array:
@@ -259,13 +259,13 @@ class LinkMotion:
     def slide_axis(self) -> Array:
         """R · axis of the slides, (3, s, S)."""
         tables = self.figure.tables
-        return turned(self.rotation[:, :, tables.slide_links], tables.axis[:, tables.slide_links])
+        return rotate_fixed(self.rotation[:, :, tables.slide_links], tables.axis[:, tables.slide_links])
 
     @cached_property
     def hinge_axis(self) -> Array:
         """R · axis of the hinges, (3, h, S)."""
         tables = self.figure.tables
-        return turned(self.rotation[:, :, tables.hinge_links], tables.axis[:, tables.hinge_links])
+        return rotate_fixed(self.rotation[:, :, tables.hinge_links], tables.axis[:, tables.hinge_links])
 
     def slide(self, order: int) -> Array:
         """Return the slides' displacements from their reference, or the derivatives of these, (s, S)."""
@@ -278,7 +278,7 @@ class LinkMotion:
         tables = self.figure.tables
         if tables.free_links.size:
             steps[:, tables.free_links] = self.states.columns(tables.position_columns, order)
-        return gathered(tables.path, steps)
+        return combine(tables.path, steps)
 
     @cached_property
     def x(self) -> Array:
@@ -302,13 +302,13 @@ class LinkMotion:
     @cached_property
     def x_dd(self) -> Array:
         slides = self.figure.tables.slide_links
-        steps = applied(self.parent_swing, self.step)
+        steps = rotate(self.parent_swing, self.step)
         if self.hang is not None:
-            steps -= applied(self.swing, self.hang)
+            steps -= rotate(self.swing, self.hang)
         if slides.size:
             e, omega, swing = self.slide_axis, self.omega[:, slides], self.swing[:, :, slides]
             steps[:, slides] += (
-                self.slide(2) * e + 2 * self.slide(1) * cross(omega, e) + self.slide(0) * applied(swing, e)
+                self.slide(2) * e + 2 * self.slide(1) * cross(omega, e) + self.slide(0) * rotate(swing, e)
             )
         return self._sum(steps, 2)
 

@@ -16,7 +16,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..array import Array, Index, Mask
-from .algebra import cross, dot, hamilton, rotation_matrix, turned_back, vector_product
+from .algebra import cross, dot, hamilton, rotate_back, rotation_matrix, vector_product
 from .figure import Figure
 from .kinematics import LinkMotion, Samples
 
@@ -33,11 +33,11 @@ def on_moving_axes(moments: Orders, omega: Array, alpha: Array | None) -> Orders
     """
     first, second, third = moments
     if second is not None:
-        first = summed(first, cross(second, omega))
+        first = add_terms(first, cross(second, omega))
     if third is not None and alpha is not None:
         through = cross(third, omega)
-        first = summed(first, cross(third, alpha) + cross(through, omega))
-        second = summed(second, 2 * through)
+        first = add_terms(first, cross(third, alpha) + cross(through, omega))
+        second = add_terms(second, 2 * through)
     return [first, second, third]
 
 
@@ -54,7 +54,7 @@ def on_quaternions(moments: Orders, turns: Array) -> Orders:
         moment = moments[order]
         if moment is not None:
             for derivative, factor in enumerate(factors):
-                part, total = turned_back(products[derivative], moment), totals[order - derivative]
+                part, total = rotate_back(products[derivative], moment), totals[order - derivative]
                 if factor != 1:
                     part *= factor
                 if total is None:
@@ -64,7 +64,7 @@ def on_quaternions(moments: Orders, turns: Array) -> Orders:
     return totals
 
 
-def summed(one: Array | None, other: Array) -> Array:
+def add_terms(one: Array | None, other: Array) -> Array:
     """Return the sum of two terms, of which the first may be None for zero."""
     return other if one is None else one + other
 
@@ -148,21 +148,21 @@ def add_rows_of_turns(samples: Samples, links: Index, changes: Array, row: Index
         return motion.omega[:, None, frames], motion.alpha[:, None, frames]
 
     is_hinge = np.isin(links, tables.hinge_links)
-    for run in chosen(is_hinge):
+    for run in indices_of(is_hinge):
         joints = links[run]
         axes = motion.hinge_axis[:, None, place[joints]]
         for order, moment in enumerate(on_moving_axes(list(changes[:, :, :, run]), *rates(joints))):
             if moment is not None:
                 out[tables.hinge_columns[place[joints]], row[:, run], order] = dot(axes, moment)
     for kind, is_world in ((tables.in_world, True), (~tables.in_world, False)):
-        for run in chosen(~is_hinge & kind[links]):
+        for run in indices_of(~is_hinge & kind[links]):
             joints = links[run]
             moments: Orders = list(changes[:, :, :, run])
             if not is_world:
-                axes = samples.cached(bases)[:, :, None, base[joints]]
+                axes = samples.cache(bases)[:, :, None, base[joints]]
                 moments = on_moving_axes(moments, *rates(tables.parents[joints]))
-                moments = [turned_back(axes, part) for part in moments if part is not None]
-            totals = on_quaternions(moments, samples.cached(quaternion_factors)[:, :, None, place[joints]])
+                moments = [rotate_back(axes, part) for part in moments if part is not None]
+            totals = on_quaternions(moments, samples.cache(quaternion_factors)[:, :, None, place[joints]])
             for order, total in enumerate(totals):
                 out[tables.quaternion_columns[:, None, place[joints]], row[:, run], order] = total
 
@@ -171,10 +171,10 @@ def add_rows_of_shifts(samples: Samples, links: Index, changes: Array, row: Inde
     """Do the same for translations along the world's axes, of slides and free joints."""
     tables, motion, (place, _) = samples.figure.tables, samples.links, places(samples.figure)
     for free, columns in zip(tables.free_links, tables.position_columns.T, strict=True):
-        for run in chosen(links == free):
+        for run in indices_of(links == free):
             for order in range(3):
                 out[columns[:, None, None], row[:, run], order] = changes[order][:, :, run]
-    for run in chosen(np.isin(links, tables.slide_links)):
+    for run in indices_of(np.isin(links, tables.slide_links)):
         joints = links[run]
         axes, frames = motion.slide_axis[:, None, place[joints]], joints[None]
         forces = on_moving_axes(list(changes[:, :, :, run]), motion.omega[:, frames], motion.alpha[:, frames])
@@ -183,7 +183,7 @@ def add_rows_of_shifts(samples: Samples, links: Index, changes: Array, row: Inde
                 out[tables.slide_columns[place[joints]], row[:, run], order] = dot(axes, force)
 
 
-def chosen(mask: Mask) -> Iterator[Index | slice]:
+def indices_of(mask: Mask) -> Iterator[Index | slice]:
     """Yield the indices where a mask is true, if any; all indices as a slice, which avoids a copy."""
     if mask.all() and mask.size:
         yield slice(None)

@@ -24,11 +24,12 @@ import numpy as np
 
 from .. import compiled
 from ..array import Array, Index, Mask
-from .algebra import cross, dot, turned_back
+from .algebra import cross, dot, rotate_back
 from .figure import Figure
 from .kinematics import Samples
 from .turns import (
     Orders,
+    add_terms,
     bases,
     followers,
     on_moving_axes,
@@ -36,7 +37,6 @@ from .turns import (
     places,
     quaternion_factors,
     relatives,
-    summed,
 )
 
 VECTORS = ("force", "torque", "force_d", "torque_d", "torque_dd")
@@ -82,12 +82,12 @@ class Wrenches:
     def vectors(self) -> dict[str, Array]:
         return {name: part for name in VECTORS if (part := getattr(self, name)) is not None}
 
-    def scaled(self, factor: Array) -> Wrenches:
+    def scale(self, factor: Array) -> Wrenches:
         """Return each wrench times a factor (P,)."""
         return Wrenches(self.at, self.link, **{name: part * factor for name, part in self.vectors.items()})
 
     @classmethod
-    def joined(cls, parts: Sequence[Wrenches]) -> Wrenches:
+    def join(cls, parts: Sequence[Wrenches]) -> Wrenches:
         """Return several sets of wrenches, concatenated."""
         if len(parts) == 1:
             return parts[0]
@@ -121,7 +121,7 @@ def _compiled_rows(samples: Samples, wrenches: Wrenches) -> Array:
     hinges = links.hinge_axis if tables.hinge_links.size else NONE
     motion = (links.x, x_d, links.anchor, anchor_d, omega, alpha, slides, hinges)
     quaternions = (
-        (samples.cached(quaternion_factors), samples.cached(bases)) if tables.quaternion_links.size else (NONE, NONE)
+        (samples.cache(quaternion_factors), samples.cache(bases)) if tables.quaternion_links.size else (NONE, NONE)
     )
     vectors = [getattr(wrenches, name) for name in VECTORS]
     figure = _facts(samples.figure)
@@ -305,11 +305,11 @@ class _Sweep:
                 moments[0] = cross(d, force)
             if force_d is not None:
                 d_d = self._ends(motion.x_d, motion.anchor_velocity, pairs, after) - motion.anchor_velocity[there]
-                moments[0] = summed(moments[0], cross(d_d, force_d))
+                moments[0] = add_terms(moments[0], cross(d_d, force_d))
                 moments[1] = cross(d, force_d)
         for order, torque in enumerate(self._of_pairs(self.torques, pairs)):
             if torque is not None:
-                moments[order] = summed(moments[order], torque if after is None else torque * (after == 0))
+                moments[order] = add_terms(moments[order], torque if after is None else torque * (after == 0))
         return moments
 
     def _of_pairs(self, vectors: Orders, pairs: _Pairs) -> Orders:
@@ -326,10 +326,10 @@ class _Sweep:
         omega, alpha = self.motion.omega, self.motion.alpha
         there = (slice(None), self.link, self.at)
         if torque_d is not None:
-            torque = summed(torque, cross(omega[there], torque_d))
+            torque = add_terms(torque, cross(omega[there], torque_d))
         if torque_dd is not None:
-            torque = summed(torque, cross(alpha[there], torque_dd))
-            torque_d = summed(torque_d, cross(omega[there], torque_dd))
+            torque = add_terms(torque, cross(alpha[there], torque_dd))
+            torque_d = add_terms(torque_d, cross(omega[there], torque_dd))
         return [torque, torque_d, torque_dd]
 
     def _on_axes(self, moments: Orders, frame: Index, at: Index) -> Orders:
@@ -377,13 +377,13 @@ class _Sweep:
             return
         parents = self.tables.parents[pairs.joint]
         moments = self._on_axes(self._moments(pairs), parents, pairs.at)
-        axes = self.samples.cached(bases)[:, :, self.base[pairs.joint], pairs.at]
-        self._add_quaternions(out, pairs, [None if part is None else turned_back(axes, part) for part in moments])
+        axes = self.samples.cache(bases)[:, :, self.base[pairs.joint], pairs.at]
+        self._add_quaternions(out, pairs, [None if part is None else rotate_back(axes, part) for part in moments])
 
     def _add_quaternions(self, out: Array, pairs: _Pairs, moments: Orders) -> None:
         place = self.place[pairs.joint]
         columns = self.tables.quaternion_columns[:, place]
-        turns = self.samples.cached(quaternion_factors)[: out.shape[1], :, place, pairs.at]
+        turns = self.samples.cache(quaternion_factors)[: out.shape[1], :, place, pairs.at]
         for order, total in enumerate(on_quaternions(moments, turns)):
             if total is not None:
                 out[pairs.wrench, order, columns] = total

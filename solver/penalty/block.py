@@ -97,7 +97,7 @@ class Block:
             return cls(none, np.zeros(0), (Wrenches(none, none, np.zeros((3, 0))),), one_sided=True)
         at, value = (np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "value"))
         changes = zip(*(part.changes for part in parts), strict=True)
-        return cls(at, value, tuple(Wrenches.joined(parts_of_kind) for parts_of_kind in changes), one_sided=True)
+        return cls(at, value, tuple(Wrenches.join(parts_of_kind) for parts_of_kind in changes), one_sided=True)
 
     @cached_property
     def counted(self) -> Array:
@@ -118,7 +118,7 @@ class Block:
         for change in self.changes:
             part = change if nonzero.size == bar.size else change.select(nonzero)
             if isinstance(part, Wrenches):
-                into.add_wrenches(part.scaled(bar[nonzero]))
+                into.add_wrenches(part.scale(bar[nonzero]))
             else:
                 part.pull_back(into, bar[nonzero])
 

@@ -146,7 +146,7 @@ class Bends:
         for columns, axis, angle in zip(self.columns, self._child[0], self._bent(qpos)[0][0], strict=True):
             if angle < least:
                 more = quat.from_rotation_vector((least - angle) * axis)
-                out[columns] = quat.product(quat.normalised(out[columns]), more)
+                out[columns] = quat.product(quat.normalise(out[columns]), more)
         return out
 
     @cached_property

@@ -99,7 +99,7 @@ class PointGoal:
 def _on_body(figure: Figure, link: int, position: Array) -> tuple[int, Array]:
     """Return the body of a link, and a position (3,) [m] in the frame of the link in that of the body."""
     body = figure.links[link].body
-    return body, quat.rotated(quat.inverse(figure.body_turn[body]), position - figure.body_offset[body])
+    return body, quat.rotate(quat.inverse(figure.body_turn[body]), position - figure.body_offset[body])
 
 
 def _jacobians(model: mujoco.MjModel, data: mujoco.MjData, body: int, places: Array) -> Array:
@@ -133,7 +133,7 @@ class BodyGoal:
         here = data.xquat[self._body(model)]
         if self.rotation is not None:
             return quat.rotation_vector(quat.product(here, quat.inverse(self.rotation)))
-        up = quat.rotated(quat.product(here, quat.inverse(rest_rotation(model, self._body(model)))), [0.0, 0, 1])
+        up = quat.rotate(quat.product(here, quat.inverse(rest_rotation(model, self._body(model)))), [0.0, 0, 1])
         tilt = np.cross([0.0, 0, 1], up)
         length = float(np.linalg.norm(tilt))
         if length < TINY:
@@ -174,4 +174,4 @@ def rest_rotation(model: mujoco.MjModel, body: int) -> Array:
     while body:
         turn = quat.product(model.body_quat[body], turn)
         body = int(model.body_parentid[body])
-    return quat.normalised(turn)
+    return quat.normalise(turn)

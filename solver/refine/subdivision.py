@@ -45,4 +45,4 @@ CRITERIA: dict[str, Callable[[Objective, Timeline], Array]] = {
 def split(timeline: Timeline, times: Array) -> Timeline:
     """Return the timeline with variable frames at `times` [s], on its curve, which does not change."""
     states = path_of(timeline).at(times)
-    return timeline.inserted(Frame.many(times, states, np.zeros(states.shape, bool)))
+    return timeline.insert(Frame.many(times, states, np.zeros(states.shape, bool)))

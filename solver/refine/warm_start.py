@@ -67,7 +67,7 @@ def warm_start(
     slopes = np.array(start.end_slope)
     free = np.array(raw.free_slopes)[:, None]
     slopes = np.where(free, np.array(solved.end_slope) * signs[[0, -1]], slopes)
-    return Timeline(tuple(posed), slopes, raw.ends).inserted(frames)
+    return Timeline(tuple(posed), slopes, raw.ends).insert(frames)
 
 
 def _matched(before: Sequence[Frame], keys: Sequence[Frame]) -> tuple[Array, Array]:

@@ -76,7 +76,7 @@ class Layout:
         is_fixed = np.asarray(~self.tied & ~self.free.any(axis=1))
         is_fixed[-2:] &= not self.is_loop  # rows of jumps
         self.basis = Elimination(spline, is_fixed)
-        self.sampling = self.basis.sampled(problem.sampling)
+        self.sampling = self.basis.sample(problem.sampling)
         self.count = self.basis.size
         order = np.arange(self.count)
         if self.is_loop:
@@ -88,7 +88,7 @@ class Layout:
         self.place = unknowns.place
         t, self.weights = gauss_nodes(np.asarray(spline.times), POINTS)
         nodes = Sampling.of(spline, t)
-        sampling = self.basis.sampled(nodes)
+        sampling = self.basis.sample(nodes)
         at_once = max(SPANS_AT_ONCE, SPAN_ENTRIES // self.width)
         edges = [*range(0, spline.times.size - 1, at_once), spline.times.size - 1]
         runs = [slice(POINTS * a, POINTS * b) for a, b in pairwise(edges)]
@@ -173,7 +173,7 @@ class Layout:
 
     def add_square(self, matrix: Array, span: int, rows: Array, sign: float = 1.0) -> None:
         """Add sign · Σ rowᵀrow of rows (P, 4 N) over the coefficients of one span."""
-        width, upper = self.width, banded.squared(rows, sign)
+        width, upper = self.width, banded.square(rows, sign)
         if self.is_loop:
             self._add_folded(matrix, span, upper + np.triu(upper, 1).T)
             return
@@ -196,11 +196,11 @@ class Layout:
         flat = matrix.reshape(self.count, self.width, -1)
         strides = (flat.strides[0], flat.strides[1] + flat.strides[2], flat.strides[2])
         band = np.lib.stride_tricks.as_strided(flat, (self.count, self.width, size), strides)
-        return banded.factored(np.array(band).reshape(-1, size))
+        return banded.cholesky(np.array(band).reshape(-1, size))
 
     def solve(self, factor: Array, right: Array) -> Array:
         """Return H⁻¹ v for v (C, N)."""
-        solution = banded.solved(factor, right[self.order].reshape(-1, 1))
+        solution = banded.solve(factor, right[self.order].reshape(-1, 1))
         return solution.reshape(self.count, self.width)[self.rank]
 
     def unwhiten(self, factor: Array, z: Array) -> Array:
@@ -252,7 +252,7 @@ class Layout:
 
     def _sampled(self, times: Array) -> Sampling:
         """Return the functions of the basis at times (S,) [s]."""
-        return self.basis.sampled(Sampling.of(self.problem.spline, times))
+        return self.basis.sample(Sampling.of(self.problem.spline, times))
 
     def _column_springs(self, frames: Index) -> tuple[Index, Index, Array]:
         """Return the springs on fixed columns of frames (R,), and on unused functions of the basis: columns (S,),

@@ -16,7 +16,7 @@ from dynsplines.solver import compiled
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.cache import cached_by_content
-from dynsplines.solver.cone import projection, unsupplied
+from dynsplines.solver.cone import projection, split_off_cone
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween, one_thread
@@ -44,9 +44,9 @@ def scipy_rotation(q: np.ndarray) -> Rotation:
 @few
 @given(quaternions, quaternions, vectors)
 def test_rotations_compose_and_turn_vectors_as_scipys_do(p, q, v):
-    np.testing.assert_allclose(quat.rotated(q, v), scipy_rotation(q).apply(v), atol=1e-12)
+    np.testing.assert_allclose(quat.rotate(q, v), scipy_rotation(q).apply(v), atol=1e-12)
     np.testing.assert_allclose(
-        quat.rotated(quat.product(p, q), v), (scipy_rotation(p) * scipy_rotation(q)).apply(v), atol=1e-12
+        quat.rotate(quat.product(p, q), v), (scipy_rotation(p) * scipy_rotation(q)).apply(v), atol=1e-12
     )
 
 
@@ -56,7 +56,7 @@ def test_exponential_and_logarithm_are_inverse_and_agree_with_scipy(q):
     log = quat.rotation_vector(q)
     assert np.linalg.norm(log) <= np.pi + 1e-12
     back = quat.from_rotation_vector(log)
-    unit = quat.normalised(q)
+    unit = quat.normalise(q)
     np.testing.assert_allclose(back * np.sign(back @ unit), unit, atol=1e-12)
     if np.linalg.norm(log) < 3.1:
         np.testing.assert_allclose(log, scipy_rotation(q).as_rotvec(), atol=1e-12)
@@ -93,7 +93,7 @@ def test_a_swing_is_the_shortest_rotation_of_one_direction_to_another(start, end
     other = np.roll(start, 1) * [1, -2, 3] + [0.0, 0, 9]
     swing = quat.swing(start, end, other)
     start, end = (v / np.linalg.norm(v) for v in (start, end))
-    np.testing.assert_allclose(quat.rotated(swing, start), end, atol=1e-9)
+    np.testing.assert_allclose(quat.rotate(swing, start), end, atol=1e-9)
     np.testing.assert_allclose(
         np.linalg.norm(quat.rotation_vector(swing)), np.arccos(np.clip(start @ end, -1, 1)), atol=1e-7
     )
@@ -103,7 +103,7 @@ def test_a_swing_is_the_shortest_rotation_of_one_direction_to_another(start, end
 
 def test_an_aligned_track_has_neighbours_on_one_hemisphere_and_the_same_rotations(rng):
     track = rng.normal(size=(40, 3, 4))
-    aligned = quat.aligned(track)
+    aligned = quat.align_signs(track)
     assert np.all(np.sum(aligned[1:] * aligned[:-1], axis=-1) >= 0)
     np.testing.assert_array_equal(np.abs(aligned), np.abs(track))
     np.testing.assert_array_equal(aligned[0], track[0])
@@ -128,7 +128,7 @@ def pyramids(rng: np.random.Generator, points: int, count: int) -> Array:
 def test_it_is_the_least_squares_over_shares_that_are_not_negative(rng, points, softness):
     edges, w = pyramids(rng, points, 60), rng.normal(size=(6, 60))
     w[2] += 1
-    found = unsupplied(w, edges, softness)
+    found = split_off_cone(w, edges, softness)
     for s in range(60):
         matrix = np.vstack([edges[:, :, s], np.sqrt(softness) * np.eye(edges.shape[1])])
         shares, size = nnls(matrix, np.append(w[:, s], np.zeros(edges.shape[1])))
@@ -139,12 +139,12 @@ def test_it_is_the_least_squares_over_shares_that_are_not_negative(rng, points, 
 
 def test_the_rest_and_the_shares_are_the_gradient(rng):
     edges, w = pyramids(rng, 4, 30), rng.normal(size=(6, 30))
-    found = unsupplied(w, edges, 1e-3)
+    found = split_off_cone(w, edges, 1e-3)
     by_edges = -2 * found.rest[:, None] * found.shares[None]
     assert found.shares.any()
 
     def value(point: Array) -> float:
-        return float(unsupplied(point[:, 0], point[:, 1:], 1e-3).value.sum())
+        return float(split_off_cone(point[:, 0], point[:, 1:], 1e-3).value.sum())
 
     point = np.concatenate([w[:, None], edges], axis=1)
     gradient = np.concatenate([2 * found.rest[:, None], by_edges], axis=1)
@@ -153,8 +153,8 @@ def test_the_rest_and_the_shares_are_the_gradient(rng):
 
 def test_the_projection_is_how_the_rest_moves_with_the_vector(rng):
     edges, w, h = pyramids(rng, 2, 20), rng.normal(size=(6, 20)), 1e-6
-    found, direction = unsupplied(w, edges, 1e-3), rng.normal(size=(6, 20))
-    after, before = (unsupplied(w + sign * h * direction, edges, 1e-3).rest for sign in (1, -1))
+    found, direction = split_off_cone(w, edges, 1e-3), rng.normal(size=(6, 20))
+    after, before = (split_off_cone(w + sign * h * direction, edges, 1e-3).rest for sign in (1, -1))
     moved = np.einsum("sij,js->is", projection(found, edges, 1e-3), direction)
     np.testing.assert_allclose((after - before) / (2 * h), moved, atol=1e-6)
 

@@ -139,7 +139,7 @@ HOP_TERMS = [*SMOOTHNESS, (Torque(), 0.5)]
 def turned(qpos: Array, angle: float) -> Array:
     """A configuration turned about the vertical through the centre of the circle."""
     turn = quat.from_rotation_vector(angle * UP)
-    place = CENTRE + quat.rotated(turn, qpos[:3] - CENTRE)
+    place = CENTRE + quat.rotate(turn, qpos[:3] - CENTRE)
     return np.concatenate([place, quat.product(turn, qpos[3:7]), qpos[7:]])
 
 

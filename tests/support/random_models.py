@@ -132,7 +132,7 @@ def distance_from_key(figure: Figure, state: np.ndarray, key: Frame) -> float:
             continue
         a, b = qpos[block], key.state[block]
         if len(block) == 4:
-            b = quat.normalised(b)
+            b = quat.normalise(b)
             a = a * np.sign(a @ b)
         apart.append(float(np.abs(a - b).max()))
     return max(apart)

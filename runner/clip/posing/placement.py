@@ -101,7 +101,7 @@ def with_pose(
     key = keys[k]
     home = np.where(key.fixed, key.state, figure.to_qpos(path.states[k]))
     for columns in figure.tables.quaternion_columns.T:
-        home[columns] = quat.normalised(home[columns])
+        home[columns] = quat.normalise(home[columns])
     also += _kept_headings(figure, keys[k - 1], goals) if k else []
     home = _root_above_feet(figure, home, ~key.fixed, goals, soles)
     ground = stander.surfaces if _is_slow(figure, path, k) else ()

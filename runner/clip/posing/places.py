@@ -134,7 +134,7 @@ class Places:
     def _geom_point(self, name: str) -> Point:
         model, geom = self.figure.model, self._geoms[name]
         middle, half = np.split(model.geom_aabb[geom], 2)
-        centre = model.geom_pos[geom] + quat.rotated(model.geom_quat[geom], middle)
+        centre = model.geom_pos[geom] + quat.rotate(model.geom_quat[geom], middle)
         link, position = self.figure.point_on_link(int(model.geom_bodyid[geom]), centre)
         return Point(name, link, position, float(half.min()))
 
@@ -236,7 +236,7 @@ def _round(figure: Figure, link: int, kinds: Sequence[int]) -> Iterator[tuple[Ar
         if not wanted[geom]:
             continue
         half = 0.0 if model.geom_type[geom] == ROUND[0] else float(model.geom_size[geom, 1])
-        half_axis = half * quat.rotated(model.geom_quat[geom], np.eye(3)[2])
+        half_axis = half * quat.rotate(model.geom_quat[geom], np.eye(3)[2])
         _, ends = figure.point_on_link(
             int(model.geom_bodyid[geom]), model.geom_pos[geom] + np.stack([-half_axis, half_axis])
         )

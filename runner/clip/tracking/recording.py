@@ -124,7 +124,7 @@ class TrackedRecording:
         every = np.concatenate([times, ends])
         order = np.argsort(every)
         curve = _smooth(every[order], np.vstack([displacements, np.zeros((len(ends), displacements.shape[1]))])[order])
-        return recorded.displaced(curve(np.clip(recorded.times, every.min(), every.max())))
+        return recorded.displace(curve(np.clip(recorded.times, every.min(), every.max())))
 
     def _times(self, near: TrackingPenalty, edits: Sequence[Frame]) -> Array:
         """Return the times of frames (M,) [s]: the recording's where it is unchanged, otherwise as many as needed."""

@@ -127,6 +127,6 @@ def captured(position: Array, local: Array) -> CapturedSkeleton:
     relative to the parent."""
     ours, (away, turn) = quat.inverse(hierarchy.Y_UP), placed(PARENT, np.tile(OFFSET, (len(local), 1, 1)), local)
     place = position[:, None] + away
-    ends = {joint: quat.rotated(ours, end) for joint, end in ENDS.items()}
-    rotation = quat.aligned(quat.product(turn, hierarchy.Y_UP))
-    return CapturedSkeleton(list(NAMES), list(PARENT), quat.rotated(ours, OFFSET), ends, place, rotation)
+    ends = {joint: quat.rotate(ours, end) for joint, end in ENDS.items()}
+    rotation = quat.align_signs(quat.product(turn, hierarchy.Y_UP))
+    return CapturedSkeleton(list(NAMES), list(PARENT), quat.rotate(ours, OFFSET), ends, place, rotation)

@@ -74,10 +74,10 @@ def skeleton(sampled: Sampled) -> Skeleton:
         above = 0 if body in tops else above
         is_root = body == rows[0]
         relative = quat.product(quat.conjugate(turn[:, above]), turn[:, body])
-        moved = quat.rotated(quat.conjugate(turn[:, above]), place[:, body] - place[:, above])
+        moved = quat.rotate(quat.conjugate(turn[:, above]), place[:, body] - place[:, above])
         moves = is_root or float(np.ptp(moved, axis=0).max()) > SINGLE
         order = "YXZ" if is_root or body in tops else "ZYX"
-        end = CENTIMETRES * y_up(quat.rotated(at_rest.rotation[0, body], hierarchy.end(model, body)))
+        end = CENTIMETRES * y_up(quat.rotate(at_rest.rotation[0, body], hierarchy.end(model, body)))
         joints.append(
             Joint(
                 "_".join(names[body].split()),

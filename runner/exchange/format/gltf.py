@@ -128,8 +128,8 @@ def _meshes(document: _Document, model: mujoco.MjModel, names: list[str], reach:
 
 def _place(piece: MeshPiece, part: Triangles) -> Triangles:
     """Transform from the geom's axes to its body's."""
-    points = quat.rotated(piece.rotation, part.points) + piece.position
-    return Triangles(points, quat.rotated(piece.rotation, part.normals), part.faces, part.texture)
+    points = quat.rotate(piece.rotation, part.points) + piece.position
+    return Triangles(points, quat.rotate(piece.rotation, part.normals), part.faces, part.texture)
 
 
 def _primitive(document: _Document, part: Triangles, material: int) -> dict[str, Any]:

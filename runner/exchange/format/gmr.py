@@ -41,7 +41,7 @@ def write(sampled: Sampled, path: Path) -> None:
         "root_pos": np.ascontiguousarray(root[:, :3]),
         "root_rot": np.roll(root[:, 3:], -1, axis=1),
         "dof_pos": sampled.qpos[:, robot.columns],
-        "local_body_pos": quat.rotated(quat.inverse(root[:, None, 3:]), away),
+        "local_body_pos": quat.rotate(quat.inverse(root[:, None, 3:]), away),
         "link_body_list": robot.body_names,
     }
     plain_pickle.dump(entries, path)

@@ -61,7 +61,7 @@ class MimicPart:
         """Return the columns of qpos for entries (T, width) of frames."""
         if self.width == 1:
             return numbers + self.rest
-        rotation = quat.aligned(quat.from_rotation_vector(numbers))
+        rotation = quat.align_signs(quat.from_rotation_vector(numbers))
         return rotation if self.order is None else euler_angles(rotation[:, None], self.order)[:, 0] + self.rest
 
 
@@ -145,7 +145,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         )
     qpos = np.tile(figure.qpos0, (len(frames), 1))
     qpos[:, root : root + 3] = frames[:, :3]
-    qpos[:, root + 3 : root + 7] = quat.aligned(quat.from_rotation_vector(frames[:, 3:6]))
+    qpos[:, root + 3 : root + 7] = quat.align_signs(quat.from_rotation_vector(frames[:, 3:6]))
     start = 6
     for part in joints:
         qpos[:, part.columns] = part.configuration(frames[:, start : start + part.width])

@@ -71,7 +71,7 @@ class Skeleton:
                 else:
                     turn = np.radians(value)[:, None] * np.eye(3)[axis]
                     rotation[:, i] = quat.product(rotation[:, i], quat.from_rotation_vector(turn))
-        return position, quat.aligned(rotation)
+        return position, quat.align_signs(rotation)
 
     @cached_property
     def world(self) -> tuple[Array, Array]:
@@ -84,9 +84,9 @@ def placed(parents: Sequence[int], position: Array, rotation: Array) -> tuple[Ar
     position, rotation = position.copy(), rotation.copy()
     for i, parent in enumerate(parents):
         if parent >= 0:
-            position[:, i] = position[:, parent] + quat.rotated(rotation[:, parent], position[:, i])
+            position[:, i] = position[:, parent] + quat.rotate(rotation[:, parent], position[:, i])
             rotation[:, i] = quat.product(rotation[:, parent], rotation[:, i])
-    return position, quat.aligned(quat.normalised(rotation))
+    return position, quat.align_signs(quat.normalise(rotation))
 
 
 def skeleton(joints: Sequence[Joint], place: Array, turn: Array, fps: float) -> Skeleton:

@@ -57,7 +57,7 @@ def figure(captured: CapturedSkeleton) -> tuple[str, Array]:
         body[:] = sorted(body, key=lambda child: child.tag == "body")
     order, turn = _depth_first(captured)[1:], captured.rotation
     above = quat.conjugate(turn[:, [captured.parents[i] for i in order]])
-    local = quat.aligned(quat.product(above, turn[:, order])).reshape(len(turn), -1)
+    local = quat.align_signs(quat.product(above, turn[:, order])).reshape(len(turn), -1)
     qpos = np.concatenate([captured.position[:, 0], turn[:, 0], local], axis=1)
     ET.indent(root)
     return ET.tostring(root, encoding="unicode"), qpos
@@ -130,7 +130,7 @@ def _soles(bodies: list[ET.Element], captured: CapturedSkeleton) -> None:
         back = over_ankle - 0.25 * (over_toe - over_ankle)
         for name, joint, point in (("heel", ankle, back), ("toe", toe, over_toe)):
             on_ground = np.array([point[0], point[1], captured.ground]) - captured.position[low, joint]
-            place = quat.rotated(quat.conjugate(captured.rotation[low, joint]), on_ground)
+            place = quat.rotate(quat.conjugate(captured.rotation[low, joint]), on_ground)
             ET.SubElement(bodies[joint], "site", name=f"{side}_{name}", pos=_row(place))
 
 

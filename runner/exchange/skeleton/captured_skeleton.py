@@ -93,10 +93,10 @@ class CapturedSkeleton:
         back = quat.inverse(rest)
         return replace(
             self,
-            offset=quat.rotated(rest, self.offset),
-            ends={i: quat.rotated(rest, end) for i, end in self.ends.items()},
-            position=quat.rotated(world, self.position),
-            rotation=quat.aligned(quat.product(quat.product(world, self.rotation), back)),
+            offset=quat.rotate(rest, self.offset),
+            ends={i: quat.rotate(rest, end) for i, end in self.ends.items()},
+            position=quat.rotate(world, self.position),
+            rotation=quat.align_signs(quat.product(quat.product(world, self.rotation), back)),
         )
 
     @cached_property
@@ -141,7 +141,7 @@ class CapturedSkeleton:
 
     def at(self, joint: int, point: Array) -> Array:
         """Return the positions (T, 3) of a joint's point in the world."""
-        return self.position[:, joint] + quat.rotated(self.rotation[:, joint], point)
+        return self.position[:, joint] + quat.rotate(self.rotation[:, joint], point)
 
     @cached_property
     def feet(self) -> dict[str, tuple[int, int, Array, int]]:

@@ -29,9 +29,9 @@ def names(model: mujoco.MjModel) -> list[str]:
 def local(model: mujoco.MjModel, bodies: Bodies) -> tuple[Array, Array]:
     """Return continuous positions (T, nbody, 3) and rotations (T, nbody, 4) in the parent's axes; the world at 0."""
     parent = model.body_parentid
-    turn = quat.conjugate(quat.normalised(bodies.rotation[:, parent]))
-    position = quat.rotated(turn, bodies.position - bodies.position[:, parent])
-    rotation = quat.aligned(quat.normalised(quat.product(turn, bodies.rotation)))
+    turn = quat.conjugate(quat.normalise(bodies.rotation[:, parent]))
+    position = quat.rotate(turn, bodies.position - bodies.position[:, parent])
+    rotation = quat.align_signs(quat.normalise(quat.product(turn, bodies.rotation)))
     return position, rotation
 
 

@@ -66,7 +66,7 @@ class _Standing:
         parents = [int(p) - 1 for p in model.body_parentid[1:]]
         bodies = {role: 1 + body for role, body in mapped_roles(names, parents, bone_map, "figure").items()}
         stand, notes = standing_turn(rest.position[0], bodies)
-        place, turn = quat.rotated(stand, rest.position[0]), quat.product(stand, rest.rotation[0])
+        place, turn = quat.rotate(stand, rest.position[0]), quat.product(stand, rest.rotation[0])
         return cls(model, place, turn, bodies, notes)
 
     def straightened(self, role: str) -> Array:
@@ -110,7 +110,7 @@ class _Standing:
         onward = self.roles.get(f"{side}_{NEXT.get(part, '')}")
         if onward is not None:
             return self.at_zero[onward] - self.at_zero[body]
-        return quat.rotated(self.turn[body], hierarchy.end(self.model, body))
+        return quat.rotate(self.turn[body], hierarchy.end(self.model, body))
 
 
 Pose = _Standing | CapturedSkeleton  # in the figure's rest pose, or in the skeleton's zero pose
@@ -194,9 +194,9 @@ def _limbs(
         about = captured.position[:, captured.roles[chain[-1]]] - captured.position[:, captured.start_of(chain[0])]
         pelvis = standing.roles.get("pelvis", -1)
         if parts is LEG and pelvis in turns and side in standing.bracketed:
-            about = about - quat.rotated(captured.rotation[:, captured.roles["pelvis"]], _bracket(captured, side))
-            in_pelvis = quat.rotated(quat.conjugate(standing.turn[pelvis]), _bracket(standing, side))
-            about = about + quat.rotated(turns[pelvis], in_pelvis) / size
+            about = about - quat.rotate(captured.rotation[:, captured.roles["pelvis"]], _bracket(captured, side))
+            in_pelvis = quat.rotate(quat.conjugate(standing.turn[pelvis]), _bracket(standing, side))
+            about = about + quat.rotate(turns[pelvis], in_pelvis) / size
         yield bodies, size * about
 
 
@@ -251,13 +251,13 @@ def _toes_in_foot(captured: CapturedSkeleton, side: str, *, at_zero: bool) -> Ca
     if at_zero:
         straight = captured.at_zero[toe] + end - captured.at_zero[ankle]
     else:
-        straight = quat.rotated(quat.conjugate(turn[low]), along[low])
-    start, stop = quat.rotated(turn, straight), along
+        straight = quat.rotate(quat.conjugate(turn[low]), along[low])
+    start, stop = quat.rotate(turn, straight), along
     sizes = np.linalg.norm(start, axis=1) * np.linalg.norm(stop, axis=1)
     swung = np.concatenate([(sizes + np.sum(start * stop, axis=1))[:, None], np.cross(start, stop)], axis=1)
     swung[swung[:, 0] <= 1e-6 * sizes] = [1, 0, 0, 0]  # toes turned back by 180°, or without length
     rotation = captured.rotation.copy()
-    rotation[:, ankle] = quat.product(quat.normalised(swung), turn)
+    rotation[:, ankle] = quat.product(quat.normalise(swung), turn)
     return replace(captured, rotation=rotation)
 
 
@@ -295,11 +295,11 @@ def _upright(captured: CapturedSkeleton, standing: _Standing, shared: list[str])
         mine, theirs = standing.bone(role), _bone(captured, role)
         if part == "thigh":
             mine, theirs = mine + _ahead(standing, role), theirs + _ahead(captured, role)
-        mine = quat.rotated(straight, mine)
+        mine = quat.rotate(straight, mine)
         if part == "foot":  # soles are level in both; only their headings may differ
             mine, theirs = mine * [1, 1, 0], theirs * [1, 1, 0]
         if min(np.linalg.norm(mine), np.linalg.norm(theirs)) > 1e-3:
-            out[role] = quat.product(quat.swing(mine, theirs, quat.rotated(facing, np.array([1.0, 0, 0]))), straight)
+            out[role] = quat.product(quat.swing(mine, theirs, quat.rotate(facing, np.array([1.0, 0, 0]))), straight)
     for side in SIDES:  # in line with the forearm in both
         if {f"{side}_hand", f"{side}_forearm"} <= out.keys():
             out[f"{side}_hand"] = out[f"{side}_forearm"]
@@ -318,7 +318,7 @@ def _bone(captured: CapturedSkeleton, role: str) -> Array:
 
 def _local(captured: CapturedSkeleton, role: str, vector: Array) -> Array:
     """Return the mean (3,) of world directions (T, 3) in a joint's axes."""
-    return quat.rotated(quat.conjugate(captured.rotation[:, captured.roles[role]]), vector).mean(axis=0)
+    return quat.rotate(quat.conjugate(captured.rotation[:, captured.roles[role]]), vector).mean(axis=0)
 
 
 def _by_bends(captured: CapturedSkeleton, standing: _Standing, shared: list[str]) -> dict[str, Array]:
@@ -345,7 +345,7 @@ def _by_bends(captured: CapturedSkeleton, standing: _Standing, shared: list[str]
             if not all(role in shared for role in pair):
                 continue
             along = [
-                quat.rotated(captured.rotation[:, captured.roles[role]], unit(_bone(captured, role))) for role in pair
+                quat.rotate(captured.rotation[:, captured.roles[role]], unit(_bone(captured, role))) for role in pair
             ]
             bend = sign * np.cross(along[0], along[1])
             is_bent = float(np.linalg.norm(bend, axis=1).mean()) > BENT
@@ -380,7 +380,7 @@ def _like_parent(captured: CapturedSkeleton, role: str, out: dict[str, Array]) -
     if above is None:
         return np.array([1.0, 0, 0, 0])
     relative = quat.product(quat.conjugate(captured.rotation[:, joint]), captured.rotation[:, above])
-    return quat.product(quat.normalised(quat.aligned(relative).mean(axis=0)), out[role_of[above]])
+    return quat.product(quat.normalise(quat.align_signs(relative).mean(axis=0)), out[role_of[above]])
 
 
 def _at_root(standing: _Standing, root: Root, turns: Mapping[int, Array]) -> tuple[Array, slice]:
@@ -389,7 +389,7 @@ def _at_root(standing: _Standing, root: Root, turns: Mapping[int, Array]) -> tup
     first = next(body for body in sorted(turns) if root.body in hierarchy.above(standing.model, body, itself=True))
     relative = quat.product(quat.conjugate(standing.turn[first]), standing.turn[root.body])
     qpos = np.tile(standing.model.qpos0, (len(turns[first]), 1))
-    qpos[:, start + 3 : start + 7] = quat.aligned(quat.normalised(quat.product(turns[first], relative)))
+    qpos[:, start + 3 : start + 7] = quat.align_signs(quat.normalise(quat.product(turns[first], relative)))
     return qpos, slice(start, start + 7)
 
 
@@ -399,9 +399,9 @@ def _place(captured: CapturedSkeleton, standing: _Standing, root: Root, qpos: Ar
     hips = captured.position[:, [captured.start_of(f"{side}_thigh") for side in SIDES]].mean(axis=1)
     middle = standing.at_zero[[standing.start_of(f"{side}_thigh") for side in SIDES]].mean(axis=0)
     pelvis = standing.roles["pelvis"]
-    offset = quat.rotated(quat.conjugate(standing.turn[pelvis]), middle - standing.at_zero[pelvis])
+    offset = quat.rotate(quat.conjugate(standing.turn[pelvis]), middle - standing.at_zero[pelvis])
 
-    places = [data.xpos[pelvis] + quat.rotated(data.xquat[pelvis], offset) for data in posed(model, qpos)]
+    places = [data.xpos[pelvis] + quat.rotate(data.xquat[pelvis], offset) for data in posed(model, qpos)]
     return _shift(model, root, qpos, scale * hips - np.array(places))
 
 

@@ -21,7 +21,7 @@ from ... import quaternion as quat
 from ...array import Array, Index, Mask, pairs_within
 from ...contacts import Contact
 from ...contacts.thresholds import Thresholds
-from ...figure.algebra import applied, cross, dot, turned_back
+from ...figure.algebra import cross, dot, rotate, rotate_back
 from ...figure.kinematics import Samples
 from ...figure.wrenches import along_axes, of_point, of_velocity
 from ...surface import Surface
@@ -110,13 +110,13 @@ class Attachment(Penalty):
         """
         pieces = self._pieces
         origin, rotation = samples.links.poses(pieces.links[piece] * samples.count + at)
-        offset = applied(rotation, pieces.points[:, piece])
+        offset = rotate(rotation, pieces.points[:, piece])
         spot = pieces.spots[:, piece] + pieces.drifts[:, piece] * (samples.t[at] - pieces.since[piece])
         away = origin + offset - spot
         if pieces.others.any():
             origin, rotation = samples.links.poses(pieces.others[piece] * samples.count + at)
             away += spot
-            spot = applied(rotation, spot)
+            spot = rotate(rotation, spot)
             away -= origin + spot
         return offset, spot, away * pieces.is_constrained[:, piece]
 
@@ -266,7 +266,7 @@ def _sliding(samples: Samples, grasp: Contact, at: Index) -> Block:
 def slipped(samples: Samples, grasp: Contact) -> Array:
     """Return positions (3, S) [m] of a grasp's point in the axes of the link that it grasps."""
     _, spot_offset = _offsets(samples, grasp, np.arange(samples.count))
-    return turned_back(samples.links.rotation[:, :, grasp.on], spot_offset)
+    return rotate_back(samples.links.rotation[:, :, grasp.on], spot_offset)
 
 
 def _offsets(samples: Samples, grasp: Contact, at: Index) -> tuple[Array, Array]:

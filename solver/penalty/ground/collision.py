@@ -11,7 +11,7 @@ import numpy as np
 
 from ...array import Array, Index
 from ...curve.frame import Timeline
-from ...figure.algebra import applied
+from ...figure.algebra import rotate
 from ...figure.dynamics import Size
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
@@ -174,7 +174,7 @@ class Collision(Penalty):
         if not self.carrier:
             return force, place
         rotation = samples.links.rotation[:, :, self.carrier, at]
-        return applied(rotation, force), applied(rotation, place)
+        return rotate(rotation, force), rotate(rotation, place)
 
     def _near(self, samples: Samples, near: Index) -> _Near:
         """Return all points of k pairs of a group and a sample.

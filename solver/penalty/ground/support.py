@@ -14,10 +14,10 @@ from typing import NamedTuple
 import numpy as np
 
 from ...array import Array, Index, Mask
-from ...cone import Unsupplied, projection, unsupplied
+from ...cone import Unsupplied, projection, split_off_cone
 from ...contacts import Contact, Interval, within
 from ...figure.adjoint import Cotangent
-from ...figure.algebra import applied, cross
+from ...figure.algebra import cross, rotate
 from ...figure.dynamics import RootWrench, height, weight
 from ...figure.effort_rows import Pushes, wrench_rows
 from ...figure.figure import Figure
@@ -157,14 +157,14 @@ class Support(Penalty):
         links, positions, edges = self._arrays
         link, sample = links[which], known[at]
         x, rotation = samples.links.poses(link * samples.count + sample)
-        offset = applied(rotation, positions[:, which])
+        offset = rotate(rotation, positions[:, which])
         edges_at = edges[:, which]
         lever = (x + offset - wrench.centre[:, sample]) / self.length
         pyramid = np.zeros((6, int(slot.max(initial=0)) + 1, EDGES, known.size))
         pyramid[:3, slot, :, at] = edges_at.transpose(1, 0, 2)
         pyramid[3:, slot, :, at] = cross(lever[:, :, None], edges_at).transpose(1, 0, 2)
         pyramid = pyramid.reshape(6, -1, known.size)
-        unsupplied_part = unsupplied(w, pyramid, self.softness)
+        unsupplied_part = split_off_cone(w, pyramid, self.softness)
         shares = unsupplied_part.shares.reshape(-1, EDGES, known.size)[slot, :, at]
         force = self.unit * np.einsum("ipe,pe->ip", edges_at, shares)
         return _Evaluation(wrench, unsupplied_part, Pushes(sample, link, offset, force), pyramid)

@@ -124,7 +124,7 @@ class BendLimits(Penalty):
             carried = np.einsum("jin,kjn->kin", rotation_matrix(turn, 2 / dot(turn, turn)), carried)
         fixed = np.concatenate([*carried, *axes], axis=1)
         owners = np.concatenate([joints, joints, *[tables.parents[joints]] * 3])
-        rotated = samples.links.fixed(on_links(fixed, owners, len(samples.figure.links)))
+        rotated = samples.links.sum_fixed(on_links(fixed, owners, len(samples.figure.links)))
         rotated = rotated.reshape(3, 5, joints.size, samples.count).swapaxes(0, 1)
         world, frame = rotated[:2], rotated[2:]
         v, u = np.einsum("bins,kins->kbns", frame, world)

@@ -136,7 +136,7 @@ def closures(figure: Figure) -> tuple[Contact, ...]:
         for offset in offsets:
             ends = []
             for body, position, turn in frames:
-                link, place = figure.point_on_link(body, position + quat.rotated(turn, offset))
+                link, place = figure.point_on_link(body, position + quat.rotate(turn, offset))
                 ends.append(Point(name, link, place))
             if ends[0].link != ends[1].link:
                 one, two = ends
@@ -152,5 +152,5 @@ def _frames(model: mujoco.MjModel, equality: int, *, weld: bool) -> list[tuple[i
     if not weld:
         return [(ids[0], np.array(data[:3]), UNTURNED), (ids[1], np.array(data[3:6]), UNTURNED)]
     # the anchor in the second body, the anchor in the first, and the rotation of the second in the first
-    anchor, place, turn = np.array(data[:3]), np.array(data[3:6]), quat.normalised(np.array(data[6:10]))
+    anchor, place, turn = np.array(data[:3]), np.array(data[3:6]), quat.normalise(np.array(data[6:10]))
     return [(ids[0], place, turn), (ids[1], anchor, UNTURNED)]

@@ -22,7 +22,7 @@ from ... import quaternion as quat
 from ...array import Array, Index
 from ...cache import cached_by_content
 from ...curve.frame import Timeline
-from ...figure.algebra import applied, cross, dot, turned
+from ...figure.algebra import cross, dot, rotate, rotate_fixed
 from ...figure.dynamics import Size
 from ...figure.figure import Figure
 from ...figure.kinematics import Samples
@@ -126,7 +126,7 @@ class SelfContact(Penalty):
         links, centres, axes, halves, radii = self._arrays
         at, i, j = self._candidates(samples, near + self.margin, watched)
         (x, a, u), (y, b, v) = (
-            (origin, applied(rotation, centres[:, bar]), applied(rotation, axes[:, bar]))
+            (origin, rotate(rotation, centres[:, bar]), rotate(rotation, axes[:, bar]))
             for bar in (i, j)
             for origin, rotation in [samples.links.poses(links[bar] * samples.count + at)]
         )
@@ -145,7 +145,7 @@ class SelfContact(Penalty):
         carriers, middles, directions, lengths, bounds = self._bounds
         pairs, pair_of = self._link_pairs
         place, _ = samples.links.points(carriers, middles)
-        axis = turned(samples.links.rotation[:, :, carriers], directions)
+        axis = rotate_fixed(samples.links.rotation[:, :, carriers], directions)
         a, b = pairs if watched is None else pairs[:, watched]
         *_, apart = nearest_on_segments(
             place[:, a] - place[:, b], axis[:, a], axis[:, b], lengths[a, None], lengths[b, None]
@@ -277,7 +277,7 @@ def _bars(figure: Figure, geom: int) -> list[Bar]:
         return []
     body, size = int(model.geom_bodyid[geom]), np.array(model.geom_size[geom])
     axes = quat.matrices(model.geom_quat[geom])
-    axis = quat.rotated(figure.body_turn[body], axes[:, 2])
+    axis = quat.rotate(figure.body_turn[body], axes[:, 2])
     if model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_CAPSULE:
         filled, half = (np.zeros((1, 3)), size[:1]), float(size[1])
     else:

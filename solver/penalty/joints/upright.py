@@ -14,7 +14,7 @@ import numpy as np
 from ... import quaternion as quat
 from ...array import Array, Index, pairs_within
 from ...curve.frame import Timeline
-from ...figure.algebra import applied, cross
+from ...figure.algebra import cross, rotate
 from ...figure.figure import Figure, quaternion_columns
 from ...figure.kinematics import Samples
 from ...figure.wrenches import along_axes, of_turn
@@ -60,7 +60,7 @@ class Upright(Penalty):
             rest = Samples.still(figure, figure.to_state(figure.model.qpos0)[None])
             axes = rest.links.rotation[2][:, links, 0].T
         else:
-            axes = [quat.rotated(figure.body_turn[body], axis) / np.linalg.norm(axis) for body in bodies]
+            axes = [quat.rotate(figure.body_turn[body], axis) / np.linalg.norm(axis) for body in bodies]
         return cls(tuple(Lean(link, along) for link, along in zip(links, axes, strict=True)), "upright.bodies")
 
     @cached_property
@@ -72,7 +72,7 @@ class Upright(Penalty):
         which, at = pairs_within(samples.t, *times)
         if not which.size:
             return
-        turned = applied(samples.links.poses(links[which] * samples.count + at)[1], axes[:, which])
+        turned = rotate(samples.links.poses(links[which] * samples.count + at)[1], axes[:, which])
         at, link, along = along_axes(at, links[which])
         changes = of_turn(at, link, cross(np.tile(turned, 3), along))
         yield Block(at, (turned - np.array([[0.0], [0], [1]])).ravel(), (changes,))

@@ -18,7 +18,7 @@ from ...contacts.gait import GaitCycle
 from ...curve.frame import Frame, Timeline
 from ...curve.spline import path_of
 from ...figure.adjoint import Cotangent
-from ...figure.algebra import add_at, applied, conjugated, cross, dot, hamilton, vector_product
+from ...figure.algebra import add_at, conjugate, cross, dot, hamilton, rotate, vector_product
 from ...figure.figure import Figure, independent_joints
 from ...figure.kinematics import Samples
 from ...tolerances import ROUNDING
@@ -60,7 +60,7 @@ class Cycle(Guide):
 
         def pulled_back(into: Cotangent, bar: Array) -> None:
             bar = root * bar.reshape(v.shape)
-            turn = applied(rotation, w * bar + cross(bar, v))
+            turn = rotate(rotation, w * bar + cross(bar, v))
             buffer = into.buffer("turn")
             add_at(buffer, child, turn)
             add_at(buffer, parent, -turn)
@@ -145,7 +145,7 @@ class Cycle(Guide):
             turn = tables.turn.copy()
             turn[:, tables.free_links] = [[1.0], [0], [0], [0]]
             base = hamilton(base, turn[:, child][:, :, None])
-        q = hamilton(conjugated(hamilton(base, wanted)), links.Q[:, child])
+        q = hamilton(conjugate(hamilton(base, wanted)), links.Q[:, child])
         q /= np.sqrt(dot(q, q))
         return q[0], q[1:]
 

@@ -86,11 +86,11 @@ class Segments:
         joints, tips = places(self.turns, self.offsets[:, None], self.tips[:, None])
         ends = np.concatenate([tips, joints[:, :, ANKLES]], axis=2)
         placed = np.asarray(self.is_placed, float)
-        hips = quat.rotated(back, self.hips - self.hips[:, 1:2]) * (placed * placed[:, 1:2])[..., None]
+        hips = quat.rotate(back, self.hips - self.hips[:, 1:2]) * (placed * placed[:, 1:2])[..., None]
         heights = np.concatenate([self.hips[..., 2:], ends[:, :, 2:, 2] + self.hips[..., 2:]], axis=2)
         heights = heights * placed[..., None]
         floor = np.asarray(self.on_floor, float)[:, None]
-        parts = turned, quat.rotated(back[:, None], ends), hips, self.steps[0]
+        parts = turned, quat.rotate(back[:, None], ends), hips, self.steps[0]
         others = heights.reshape(count, -1) * floor, floor, self.is_known, placed, self.gaps, 1 / (self.gaps + SOFT)
         return np.concatenate([*(part.reshape(count, -1) for part in parts), *others], axis=1, dtype=float)
 
@@ -125,9 +125,9 @@ class Segments:
         amplitudes = outputs[..., : 3 * MODES].reshape(*outputs.shape[:2], MODES, 3)
         shares = 1 / (1 + np.exp(-outputs[..., 3 * MODES : 3 * MODES + 2]))
         tangents = shares.transpose(0, 2, 1)[..., None] * self.bends
-        tangents[:, :, 12] = quat.rotated(quat.conjugate(self.heading)[:, None], tangents[:, :, 12])
+        tangents[:, :, 12] = quat.rotate(quat.conjugate(self.heading)[:, None], tangents[:, :, 12])
         out = np.einsum("bpm,bjmc->bpjc", sines(u), amplitudes) + np.einsum("bpt,btjc->bpjc", cubics(u), tangents)
-        out[:, :, 12] = quat.rotated(self.heading[:, None], out[:, :, 12])
+        out[:, :, 12] = quat.rotate(self.heading[:, None], out[:, :, 12])
         return out
 
     def poses(self, differences: Array, u: Array) -> tuple[Array, Array]:
@@ -152,8 +152,8 @@ def places(turns: Array, offsets: Array, tips: Array) -> tuple[Array, Array]:
     """Return the origins of the parts (..., 12, 3) and of wrists and toes (..., 4, 3) relative to the hips."""
     joints = [np.zeros((*turns.shape[:-2], 3))]
     for part, parent in enumerate(PARENTS[1:], start=1):
-        joints.append(joints[parent] + quat.rotated(turns[..., parent, :], offsets[..., part, :]))
-    ends = [joints[part] + quat.rotated(turns[..., part, :], tips[..., k, :]) for k, part in enumerate(TIPS)]
+        joints.append(joints[parent] + quat.rotate(turns[..., parent, :], offsets[..., part, :]))
+    ends = [joints[part] + quat.rotate(turns[..., part, :], tips[..., k, :]) for k, part in enumerate(TIPS)]
     return np.stack(joints, axis=-2), np.stack(ends, axis=-2)
 
 

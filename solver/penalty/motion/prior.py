@@ -84,11 +84,11 @@ class Person:
             raise ValueError("the figure does not stand in its rest pose")
         turns, back = np.tile(heading, (12, 1)), quat.conjugate(heading)
         for part in HANGING:
-            turns[part] = quat.product(heading, quat.swing(DOWN, quat.rotated(back, bones[part]), LATERAL))
+            turns[part] = quat.product(heading, quat.swing(DOWN, quat.rotate(back, bones[part]), LATERAL))
         origins = anchors.copy()
         origins[0] = middle
         steps = [origins[part] - origins[max(parent, 0)] for part, parent in enumerate(PARENTS)]
-        offsets = quat.rotated(quat.conjugate(turns[[max(parent, 0) for parent in PARENTS]]), np.array(steps)) / leg
+        offsets = quat.rotate(quat.conjugate(turns[[max(parent, 0) for parent in PARENTS]]), np.array(steps)) / leg
         arms = REACH * np.linalg.norm(bones[[2, 4]], axis=1) / leg
         toe = np.array([TOE, 0, -SOLE])
         tips = np.array([*(arms[:, None] * DOWN), toe, toe])
@@ -129,14 +129,14 @@ class Person:
     def posture(self, states: Array, ground: float) -> tuple[Array, Array]:
         """Return hips (..., 3), relative to the length of a leg, and orientations (..., 12, 4) of states (..., N)."""
         motion = Samples.still(self.figure, states.reshape(-1, states.shape[-1])).links
-        rotations = quat.normalised(motion.Q[:, self.links].transpose(2, 1, 0)).reshape(*states.shape[:-1], 12, 4)
-        hips = states[..., self.position] + quat.rotated(rotations[..., 0, :], self.middle)
+        rotations = quat.normalise(motion.Q[:, self.links].transpose(2, 1, 0)).reshape(*states.shape[:-1], 12, 4)
+        hips = states[..., self.position] + quat.rotate(rotations[..., 0, :], self.middle)
         return (hips - self._floor(ground)) / self.leg, quat.product(rotations, self.turns)
 
     def states(self, hips: Array, turns: Array, ground: float) -> tuple[Array, Array]:
         """Return the positions of the pelvis (..., 3) [m] and orientations of the links (..., 12, 4) of a posture."""
         rotations = quat.product(turns, quat.conjugate(self.turns))
-        return self.leg * hips + self._floor(ground) - quat.rotated(rotations[..., 0, :], self.middle), rotations
+        return self.leg * hips + self._floor(ground) - quat.rotate(rotations[..., 0, :], self.middle), rotations
 
     def _floor(self, ground: float) -> Array:
         """The point (3,) [m] on the ground, below which ankles are as high as in the recordings."""
@@ -243,7 +243,7 @@ def _segments(person: Person, keys: Timeline, ground: float | None) -> Segments:
     states, gaps = keys.states[places], np.diff(keys.times[places], axis=1)
     if keys.ends == "periodic":
         seam = Seam.of(person.figure, keys)
-        states[0, 0], states[-1, 3] = seam.moved(keys.states[-2], -1), seam.moved(keys.states[1], 1)
+        states[0, 0], states[-1, 3] = seam.move(keys.states[-2], -1), seam.move(keys.states[1], 1)
         gaps[0, 0], gaps[-1, 2], has_neighbours = gaps[-1, 1], gaps[0, 1], np.ones_like(has_neighbours)
     hips, turns = person.posture(states, ground or 0.0)
     count = len(hips)

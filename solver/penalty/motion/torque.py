@@ -33,7 +33,7 @@ class Torque(Penalty):
 
     def residuals(self, samples: Samples) -> Iterator[Dense]:
         tables, links = samples.figure.tables, samples.links
-        inverse, balls = samples.cached(InverseDynamics), tables.ball_links
+        inverse, balls = samples.cache(InverseDynamics), tables.ball_links
         moment, spin = inverse.moment[:, balls], None
         armature, parents = tables.armature[balls][:, None], tables.parents[balls]
         if armature.any():

@@ -150,7 +150,7 @@ def test_a_hip_that_holds_the_thigh_aside_keeps_the_leg_upright_if_the_foot_cann
     for text in (aside, stiff):
         model, qpos, _ = onto(captured, text)
         found = Bodies.of(model, qpos, np.zeros((len(qpos), model.nv)))
-        down = quat.rotated(found.rotation[:, model.body("left_knee_link").id], np.array([0.0, 0, -1]))
+        down = quat.rotate(found.rotation[:, model.body("left_knee_link").id], np.array([0.0, 0, -1]))
         tilt.append(np.degrees(np.median(np.abs(np.arcsin(down[:, 1])))))
     assert tilt[1] < 0.5 * tilt[0], tilt
 
@@ -186,8 +186,8 @@ def in_t_pose(captured: CapturedSkeleton) -> CapturedSkeleton:
     )
     return replace(
         captured,
-        offset=quat.rotated(zero[np.maximum(captured.parents, 0)], captured.offset),
-        ends={joint: quat.rotated(zero[joint], end) for joint, end in captured.ends.items()},
+        offset=quat.rotate(zero[np.maximum(captured.parents, 0)], captured.offset),
+        ends={joint: quat.rotate(zero[joint], end) for joint, end in captured.ends.items()},
         rotation=quat.product(captured.rotation, quat.conjugate(zero)),
     )
 

@@ -168,7 +168,7 @@ def test_a_repeated_loop_has_the_samples_and_keyframes_of_every_period(motions, 
     loop = motions["loop"]
     many, seam, period = edits.repeated(loop, count), Seam.of(loop.figure, loop.timeline), 0.41
     for number in range(count):
-        wanted = loop.figure.to_qpos(seam.moved(path_of(loop.timeline).at(TIMES), number))
+        wanted = loop.figure.to_qpos(seam.move(path_of(loop.timeline).at(TIMES), number))
         assert_same(loop, at(many, np.minimum(TIMES + number * period, count * period)), wanted)
     wanted = [key.time + period * i for i in range(count) for key in loop.keys[i > 0 :]]
     assert [key.time for key in many.keys] == pytest.approx(wanted)

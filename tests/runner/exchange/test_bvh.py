@@ -183,13 +183,13 @@ def disguised(
     for i, body in enumerate(bodies):
         order, parent = orders[i % len(orders)], int(model.body_parentid[body])
         offset = (
-            larger / unit * theirs(quat.rotated(zeros.get(parent, zeros[body]), model.body_pos[body]))
+            larger / unit * theirs(quat.rotate(zeros.get(parent, zeros[body]), model.body_pos[body]))
             if i
             else np.zeros(3)
         )
         sites = np.flatnonzero(model.site_bodyid == body)
         leaf = body not in model.body_parentid[bodies]
-        end = larger / unit * theirs(quat.rotated(zeros[body], model.site_pos[sites[-1]])) if leaf else None
+        end = larger / unit * theirs(quat.rotate(zeros[body], model.site_pos[sites[-1]])) if leaf else None
         places = PLACES if i == 0 or every_place else ()
         name = MIXAMO.get(model.body(body).name, model.body(body).name)
         joints.append(
@@ -236,7 +236,7 @@ def test_a_t_pose_skeleton_of_any_unit_and_axes_moves_our_figure_alike(other, wa
 def test_a_skeleton_whose_zero_pose_means_nothing_still_points_its_limbs_alike(walk, rng, unmapped, off):
     """As LAFAN1's: directions of limbs come from the motion; a forearm's own twist may differ."""
     model = walk.model
-    zero = {model.body(b).name: quat.normalised(rng.normal(size=4)) for b in range(1, model.nbody)}
+    zero = {model.body(b).name: quat.normalise(rng.normal(size=4)) for b in range(1, model.nbody)}
     with maps.using(MapTable(recording=dict.fromkeys(unmapped, ""))):
         qpos, _ = retarget.onto(CapturedSkeleton.of(disguised(walk, zero=zero)), model, "a.bvh")
     back = Bodies.of(model, qpos, np.zeros((len(qpos), model.nv)))

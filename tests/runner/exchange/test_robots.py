@@ -60,7 +60,7 @@ def check_forces(saved: Saved, expected: Array) -> None:
         mujoco.mj_fwdPosition(model, data)
         np.testing.assert_allclose(row, data.subtree_com[root.body], atol=EXACT)
     assert_close(force, expected[:, dof : dof + 3])
-    turned = quat.rotated(at.qpos[:, q + 3 : q + 7], expected[:, dof + 3 : dof + 6])
+    turned = quat.rotate(at.qpos[:, q + 3 : q + 7], expected[:, dof + 3 : dof + 6])
     assert_close(moment, turned - np.cross(centre - at.qpos[:, q : q + 3], force))
 
 

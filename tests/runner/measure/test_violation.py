@@ -80,7 +80,7 @@ def leaning(angle: float) -> str:
     """A human at rest leans so far forward [degrees] about its toes."""
     turn = quat.from_rotation_vector([0, np.radians(angle), 0])
     toe = np.array([0.17, 0, 0])
-    x, _, z = toe + quat.rotated(turn, [0, 0, 0.93] - toe)
+    x, _, z = toe + quat.rotate(turn, [0, 0, 0.93] - toe)
     row = f"root.position = [{x}, 0, {z}]\nroot.rotation = {{rotvec = [0, {angle}, 0]}}\n{REST}"
     return keys(row, row)
 
@@ -247,7 +247,7 @@ def kinds(found: Sequence[Violation]) -> set[str]:
 def with_frame(problem: Clip, time: float, change: np.ndarray) -> Timeline:
     """The raw spline with one more frame, in which the state is another."""
     raw = solving.unsolved(problem).motion.raw
-    return raw.inserted([Frame.variable(time, path_of(raw).at(np.array([time]))[0] + change)])
+    return raw.insert([Frame.variable(time, path_of(raw).at(np.array([time]))[0] + change)])
 
 
 # penetration
@@ -446,7 +446,7 @@ def test_a_limb_that_whips():
     turn = quat.from_rotation_vector(np.array([0, -1.0, 0]))
     turned[elbow : elbow + 4] = quat.product(turn, state[elbow : elbow + 4])
     frames = [Frame.variable(0.45, state), Frame.variable(0.5, turned), Frame.variable(0.55, state)]
-    found = [each for each in wrong(problem, raw.inserted(frames)) if each.kind == "whip"]
+    found = [each for each in wrong(problem, raw.insert(frames)) if each.kind == "whip"]
     assert found[0].name == "left_elbow"
     assert found[0].text.startswith("left_elbow whips: ")
     assert found[0].time == pytest.approx(0.5, abs=0.06)

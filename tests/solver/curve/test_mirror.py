@@ -136,8 +136,8 @@ def turned_frames(rng, *, names: str, root=None) -> tuple[mujoco.MjModel, list[i
     """A symmetric figure whose bodies' frames are turned at random, and whose axes point either way; the body on the
     other side of each, and the pairs of joints whose names do not tell. "one side": only the left is named as such."""
     parts = [*PARTS, *(other_part(part) for part in PARTS if "left" in part[0])]
-    turns = {name: quat.normalised(rng.normal(size=4)) for name, *_ in parts}
-    turns["trunk"] = np.array([1.0, 0, 0, 0]) if root is None else quat.normalised(root)
+    turns = {name: quat.normalise(rng.normal(size=4)) for name, *_ in parts}
+    turns["trunk"] = np.array([1.0, 0, 0, 0]) if root is None else quat.normalise(root)
     place = {name: np.array(where) for name, _, where, *_ in parts}
     called = {name: name for name, *_ in parts}
     if names == "one side":
@@ -150,7 +150,7 @@ def turned_frames(rng, *, names: str, root=None) -> tuple[mujoco.MjModel, list[i
         back = quat.inverse(turns[parent]) if parent else np.array([1.0, 0, 0, 0])
         offset = np.array(where) - (place[parent] if parent else 0)
         body = bodies[parent].add_body(
-            name=called[name], pos=quat.rotated(back, offset), quat=quat.product(back, turns[name])
+            name=called[name], pos=quat.rotate(back, offset), quat=quat.product(back, turns[name])
         )
         body.add_geom(type=mujoco.mjtGeom.mjGEOM_SPHERE, size=[0.05, 0, 0])
         bodies[name] = body
@@ -160,7 +160,7 @@ def turned_frames(rng, *, names: str, root=None) -> tuple[mujoco.MjModel, list[i
         sign = rng.choice([-1.0, 1.0])
         joint = body.add_joint(name=f"{called[name]}_joint", type=getattr(mujoco.mjtJoint, f"mjJNT_{kind.upper()}"))
         if kind != "ball":
-            joint.axis, joint.ref = quat.rotated(quat.inverse(turns[name]), sign * np.array(axis, float)), rng.normal()
+            joint.axis, joint.ref = quat.rotate(quat.inverse(turns[name]), sign * np.array(axis, float)), rng.normal()
     model = spec.compile()
     ids = {name: model.body(called[name]).id for name in called}
     left = [name for name, *_ in parts if "left" in name and names == "none"]

@@ -72,7 +72,7 @@ def test_a_recording_bent_by_its_way_to_another_is_that_and_goes_there_by_even_t
     ways = between(figure, one.states, other.states, known)
     quaternions = figure.tables.quaternion_columns.T
     for share in (1.0, 0.5):
-        bent = one.displaced(share * ways).states
+        bent = one.displace(share * ways).states
         for columns in quaternions:
             start, end, found = (
                 Rotation.from_quat(np.roll(states[:, columns], -1, axis=1))
@@ -84,7 +84,7 @@ def test_a_recording_bent_by_its_way_to_another_is_that_and_goes_there_by_even_t
         wanted = one.states + share * (other.states - one.states)
         np.testing.assert_allclose(bent[:, rest], wanted[:, rest], atol=1e-12)
     nothing = between(figure, one.states, other.states, ~known)
-    np.testing.assert_allclose(one.displaced(nothing).states, one.states, atol=1e-12)
+    np.testing.assert_allclose(one.displace(nothing).states, one.states, atol=1e-12)
 
 
 def test_what_fills_a_gap_turns_no_sign_about():

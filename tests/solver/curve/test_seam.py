@@ -31,7 +31,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.loop_keys import close_loop
-from dynsplines.solver.curve.raw import NEARLY_HALF, raw_timeline, signs, straightened
+from dynsplines.solver.curve.raw import NEARLY_HALF, raw_timeline, signs, straighten
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import Unknowns
@@ -54,7 +54,7 @@ def test_a_loop_is_smooth_across_its_seam_for_every_x(rng, coordinates, partial,
     np.testing.assert_allclose(unknowns.rows(unknowns.start), timeline.rows, atol=1e-11)
     angle, sign = (way == "circle") * TURN, -1 if way == "spinning" else 1
     turn = quat.from_rotation_vector(angle * UP)
-    travel = CENTRE - quat.rotated(turn, CENTRE) if way == "circle" else [STRIDE, 0, 0]
+    travel = CENTRE - quat.rotate(turn, CENTRE) if way == "circle" else [STRIDE, 0, 0]
     for x in (unknowns.start, unknowns.start + 0.1 * rng.normal(size=unknowns.size)):
         moved = timeline.with_rows(unknowns.rows(x))
         path, seam = path_of(moved), Seam.of(figure, moved)
@@ -62,7 +62,7 @@ def test_a_loop_is_smooth_across_its_seam_for_every_x(rng, coordinates, partial,
         assert seam.discontinuity(path).max() < 1e-9
         for order in range(3):
             start, end = path.at([0.0, PERIOD], order)
-            place = quat.rotated(turn, start[:3]) + (0 if order else travel)
+            place = quat.rotate(turn, start[:3]) + (0 if order else travel)
             knee = sign * quat.product(turn, start[7:]) if coordinates == "world" else start[7:]
             expected = np.concatenate([place, sign * quat.product(turn, start[3:7]), knee])
             np.testing.assert_allclose(end, expected, atol=1e-9)
@@ -97,17 +97,17 @@ def test_a_period_is_one_by_default_and_takes_what_hangs_from_the_root_with_it(t
     first = figure.to_state(pose(0.0))
     about = quat.from_rotation_vector(np.array([0, 0, turn]))
     last = np.array(first)
-    last[:3] = quat.rotated(about, first[:3]) + np.array([0.5, -0.1, 0])
+    last[:3] = quat.rotate(about, first[:3]) + np.array([0.5, -0.1, 0])
     last[3:7], last[7:] = quat.product(about, first[3:7]), quat.product(about, first[7:])
     seam = Seam.between(figure, first, last)
-    np.testing.assert_allclose(seam.moved(first), last, atol=1e-12)
+    np.testing.assert_allclose(seam.move(first), last, atol=1e-12)
     np.testing.assert_allclose(seam.turn(), about, atol=1e-12)
     np.testing.assert_allclose(seam.turn(-1), quat.inverse(about), atol=1e-12)
     states = rng.normal(size=(4, figure.width))
     np.testing.assert_allclose(states @ seam.matrix().T, seam.linear(states), atol=1e-12)
     np.testing.assert_allclose(seam.linear(seam.linear(states)), seam.linear(states, 2), atol=1e-12)
     points = rng.normal(size=(4, 3))
-    expected = quat.rotated(about, points) + np.array([0.5, -0.1, 0])
+    expected = quat.rotate(about, points) + np.array([0.5, -0.1, 0])
     np.testing.assert_allclose(seam.moved_points(figure, points), expected, atol=1e-12)
     back = seam.moved_points(figure, expected, -1)
     np.testing.assert_allclose(back, points, atol=1e-12)
@@ -222,7 +222,7 @@ def test_what_a_root_carries_travels_with_it(given):
     travel = np.array([0.5, -0.25, 0, 0, 0, 0, 0, 0.5, -0.25, 0, 0, 0, 0, 0])
     ends, seam = close_loop(figure, [Frame.key(0, first), Frame.key(1, first + travel)], given, None)
     np.testing.assert_allclose(ends[1].state - ends[0].state, travel, atol=1e-15)
-    np.testing.assert_allclose(seam.moved(first, 3), first + 3 * travel, atol=1e-15)
+    np.testing.assert_allclose(seam.move(first, 3), first + 3 * travel, atol=1e-15)
     with pytest.raises(TimelineError, match=r"'cup' along x \(with travel = \[0.5, -0.25, 0\]\) by 0.001"):
         close_loop(figure, [Frame.key(0, first), Frame.key(1, first + travel + 1e-3 * np.eye(14)[7])], given, None)
 
@@ -313,7 +313,7 @@ def test_variable_frames_are_moved_and_what_keyframes_fix_stays_even_partly(figu
     keys = partial_keys(figure, rng)
     keys = closed(keys) if ends == "periodic" else keys
     first = evenly(raw_timeline(figure, keys, ends, rng.normal(size=(2, figure.width))), 2)
-    found, told = straightened(figure, first), key_rows(first)
+    found, told = straighten(figure, first), key_rows(first)
     assert told.size == len(keys)
     np.testing.assert_array_equal(found.rows[told], first.rows[told])
     np.testing.assert_array_equal(found.fixed, first.fixed)

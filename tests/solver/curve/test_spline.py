@@ -160,15 +160,15 @@ def test_solves_are_those_with_the_dense_matrix_and_its_two_halves(rng, n, width
     dense = positive(rng, n, width)
     right = rng.normal(size=(n, sides))
     kept = right.copy()
-    factor, half = banded.factored(stored(dense, width)), np.linalg.cholesky(dense)
+    factor, half = banded.cholesky(stored(dense, width)), np.linalg.cholesky(dense)
     assert factor is not None
-    np.testing.assert_allclose(banded.solved(factor, right), np.linalg.solve(dense, right), rtol=1e-8, atol=1e-10)
+    np.testing.assert_allclose(banded.solve(factor, right), np.linalg.solve(dense, right), rtol=1e-8, atol=1e-10)
     np.testing.assert_allclose(banded.half_solved(factor, right), np.linalg.solve(half, right), rtol=1e-8, atol=1e-10)
     other = banded.other_half_solved(factor, right)
     np.testing.assert_allclose(other, np.linalg.solve(half.T, right), rtol=1e-8, atol=1e-10)
     np.testing.assert_array_equal(right, kept)
     dense[n // 2, n // 2] = -1.0
-    assert banded.factored(stored(dense, width)) is None
+    assert banded.cholesky(stored(dense, width)) is None
 
 
 @settings(max_examples=30)

@@ -76,7 +76,7 @@ def test_a_free_joint_starts_as_its_own_keyframes_say_however_its_parents_turn(f
     keys = random_keys(figure, rng, dict.fromkeys((1, 2), mask_without(figure, joint.name)))
     turned = [key.state.copy() for key in keys]
     for qpos in turned:
-        qpos[3:7] = quat.normalised(rng.normal(size=4))
+        qpos[3:7] = quat.normalise(rng.normal(size=4))
     others = [Frame.key(key.time, qpos, key.fixed) for key, qpos in zip(keys, turned, strict=True)]
     one, other = (figure.to_qpos(raw_timeline(figure, each).states)[:, joint.columns] for each in (keys, others))
     if joint.kind is JointKind.BALL:  # q and −q are one rotation

@@ -98,13 +98,13 @@ def test_a_repeated_loop_continues_period_by_period(rng, way, count):
     t = np.linspace(0, PERIOD, 41)
     for number in range(count):
         at = np.clip(t + PERIOD * number, 0, path_of(many).span[1])
-        assert_close(path_of(many).at(at), seam.moved(path_of(timeline).at(t), number))
+        assert_close(path_of(many).at(at), seam.move(path_of(timeline).at(t), number))
         for order in (1, 2):
             assert_close(path_of(many).at(at, order), seam.linear(path_of(timeline).at(t, order), number))
     assert len(many.frames) == count * (len(timeline.frames) - 1) + 1
     assert Seam.of(figure, many).discontinuity(path_of(many)).max() < 1e-9
     first = timeline.states[0]
-    np.testing.assert_allclose(Seam.of(figure, many).moved(first), seam.moved(first, count), atol=1e-12)
+    np.testing.assert_allclose(Seam.of(figure, many).move(first), seam.move(first, count), atol=1e-12)
     again = Unknowns.of(figure, many)
     np.testing.assert_allclose(again.rows(again.start), many.rows, atol=1e-9)
 
@@ -187,7 +187,7 @@ def test_a_placed_figure_is_turned_and_shifted_as_a_whole(rng, coordinates):
     figure = Figure(model, coordinates)
     place = timelines.Placement(quat.from_rotation_vector([0, 0, 0.7]), np.array([1.0, -2, 0]))
     qpos = random_qpos(figure, rng)
-    turn = np.stack([quat.rotated(place.turn, e) for e in np.eye(3)], axis=1)
+    turn = np.stack([quat.rotate(place.turn, e) for e in np.eye(3)], axis=1)
     before = kinematics(model, qpos)
     after = kinematics(model, figure.to_qpos(place.states(figure, figure.to_state(qpos))))
     np.testing.assert_allclose(after.xpos[1:], before.xpos[1:] @ turn.T + place.shift, atol=1e-9)
@@ -201,7 +201,7 @@ def test_a_placed_figure_is_turned_and_shifted_as_a_whole(rng, coordinates):
 
 def axes(q: Array) -> Array:
     """(3, 3) the rotation matrix of a unit quaternion."""
-    return np.stack([quat.rotated(q, e) for e in np.eye(3)], axis=1)
+    return np.stack([quat.rotate(q, e) for e in np.eye(3)], axis=1)
 
 
 def test_a_walk_continues_the_way_that_its_trunk_faces_whichever_foot_is_ahead():

@@ -400,7 +400,7 @@ def test_a_motion_moved_and_turned_about_the_vertical_costs_the_same(name, rng) 
     tables = samples.figure.tables
     for order, part in enumerate(moved):
         for columns in tables.position_columns.T:
-            part[:, columns] = quat.rotated(turn, part[:, columns]) + (order == 0) * shift
+            part[:, columns] = quat.rotate(turn, part[:, columns]) + (order == 0) * shift
         for i, columns in zip(tables.quaternion_links.tolist(), tables.quaternion_columns.T, strict=True):
             if tables.in_world[i] or samples.figure.links[i].kind is JointKind.FREE:
                 part[:, columns] = quat.product(turn, part[:, columns])

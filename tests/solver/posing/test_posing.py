@@ -159,7 +159,7 @@ def human_pose(rng: np.random.Generator) -> Array:
         if i in bends:
             turn = rng.uniform(np.radians(5), np.radians(110)) * bends[i].lateral
         else:
-            turn = rng.uniform(0, 0.6) * quat.normalised(rng.normal(size=3))
+            turn = rng.uniform(0, 0.6) * quat.normalise(rng.normal(size=3))
         qpos[columns] = quat.from_rotation_vector(turn)
     return qpos
 
@@ -241,11 +241,11 @@ def test_flat_is_upright_as_at_rest_with_the_heading_free(rest):
     )
     home = quat.from_rotation_vector(np.array([2.0, -1.0, 0.7]))
     found = posing.find_pose(figure, home, np.ones(4, bool), [posing.BodyGoal("sole")])
-    up = quat.rotated(quat.product(seen(figure, found.qpos).body("sole").xquat, quat.inverse(rest)), [0.0, 0, 1])
+    up = quat.rotate(quat.product(seen(figure, found.qpos).body("sole").xquat, quat.inverse(rest)), [0.0, 0, 1])
     np.testing.assert_allclose(up, [0, 0, 1], atol=1e-6)
     assert found.is_met
     turned = quat.angle_between(home, found.qpos)
-    tilt = quat.rotated(quat.product(quat.product(rest, home), quat.inverse(rest)), [0.0, 0, 1])
+    tilt = quat.rotate(quat.product(quat.product(rest, home), quat.inverse(rest)), [0.0, 0, 1])
     assert turned == pytest.approx(np.arccos(tilt[2]), abs=1e-6)  # the shortest way up, no turn about the vertical
 
 

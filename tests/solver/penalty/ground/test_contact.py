@@ -220,7 +220,7 @@ def test_a_hand_stays_on_a_box_that_turns_where_the_raw_spline_loses_it(is_known
     spot, keys = np.array([0.9, 0, 0]), []
     for i in range(2):
         box, turn = np.array([0.5, 0.4, 0.3]) * i, [np.cos(0.6 * i), 0, 0, np.sin(0.6 * i)]
-        keys.append(Frame.key(float(i), [*(box + quat.rotated(turn, spot)), 1, 0, 0, 0, *box, *turn]))
+        keys.append(Frame.key(float(i), [*(box + quat.rotate(turn, spot)), 1, 0, 0, 0, *box, *turn]))
     hand = Point("hand", 1, np.zeros(3))
     grasp = Contact.at(hand, 0.0, 1.0, spot, on=2) if is_known else Contact(hand, 0.0, 1.0, 2)
 

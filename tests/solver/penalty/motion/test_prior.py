@@ -71,7 +71,7 @@ def test_the_value_is_zero_along_the_prediction(walk: Clip, phase: float) -> Non
     prior, figure = prior_of(walk), walk.figure
     times = prior.times[:-1] + np.diff(prior.times) * phase / (prior.predicted.shape[1] - 1)
     expected = (prior.predicted[:, int(np.floor(phase))] + prior.predicted[:, int(np.ceil(phase))]) / 2
-    rotations = quat.normalised(expected[:, 3:].reshape(-1, 12, 4)).reshape(-1, 48)
+    rotations = quat.normalise(expected[:, 3:].reshape(-1, 12, 4)).reshape(-1, 48)
     states = walk.context.keys.states[:-1].copy()
     states[:, prior.positions], states[:, prior.quaternions.ravel()] = expected[:, :3], rotations
     np.testing.assert_allclose(prior.evaluate(Samples.still(figure, states, times)), 0, atol=1e-12)
@@ -81,11 +81,11 @@ def test_keyframes_moved_and_turned_about_the_vertical_have_the_same_prediction(
     person, keys = walker(walk), walk.context.keys
     turn, shift = quat.from_rotation_vector(np.array([0, 0, 2.0])), np.array([3.0, -1, 0])
     states = keys.states.copy()
-    states[:, person.position] = quat.rotated(turn, states[:, person.position]) + shift
+    states[:, person.position] = quat.rotate(turn, states[:, person.position]) + shift
     states[:, person.quaternions] = quat.product(turn, states[:, person.quaternions])
     prior, moved = prior_of(walk), prior_of(walk, timeline(keys, keys.times, states))
     expected = prior.predicted.copy()
-    expected[..., :3] = quat.rotated(turn, expected[..., :3]) + shift
+    expected[..., :3] = quat.rotate(turn, expected[..., :3]) + shift
     rotations = expected[..., 3:].reshape(*expected.shape[:2], 12, 4)
     expected[..., 3:] = quat.product(turn, rotations).reshape(*expected.shape[:2], 48)
     up_to_sign(moved.predicted, expected, atol=1e-8)
@@ -184,7 +184,7 @@ def constant(outputs: Array, **more: Array) -> people.Weights:
 
 def random_segments(rng: np.random.Generator) -> people.Segments:
     return people.Segments(
-        rng.normal(size=(3, 4, 3)), quat.normalised(rng.normal(size=(3, 4, 12, 4))), rng.normal(size=(3, 12, 3)),
+        rng.normal(size=(3, 4, 3)), quat.normalise(rng.normal(size=(3, 4, 12, 4))), rng.normal(size=(3, 12, 3)),
         rng.normal(size=(3, 4, 3)), rng.uniform(0.3, 1, (3, 3)), np.array([[True, True], [False, True], [True, False]]),
         np.ones((3, 4), bool), np.ones(3, bool),
     )  # fmt: skip
