@@ -22,7 +22,7 @@ from .figure.dynamics import Size
 from .figure.figure import Figure
 from .figure.kinematics import Samples
 from .penalty import Block, Dense, Penalty, Role
-from .penalty.block import summed
+from .penalty.block import sum_of_blocks
 
 # see `tension`: LONG [s] time between keyframes from which tension rises; exponent of the rise; upper limit of tension
 LONG, TENSION_POWER, MAX_TENSION = 0.25, 4.0, 8.0
@@ -382,7 +382,7 @@ class Discretised:
             cotangent, blocks_by_term = Cotangent(samples), list[Sequence[Block | Dense]]()
             for term, share in zip(self.objective.terms, shares, strict=True):
                 blocks = tuple(term.penalty.residuals(samples))
-                part = float(share @ summed(blocks, samples, cotangent, share))
+                part = float(share @ sum_of_blocks(blocks, samples, cotangent, share))
                 parts[term.penalty.name] = parts.get(term.penalty.name, 0.0) + part
                 blocks_by_term.append(blocks)
             piece.add_pulled_back(gradient, cotangent.gradients())

@@ -52,7 +52,9 @@ def penetration(model: mujoco.MjModel, time: Array, qpos: Array) -> Penetration:
     over_time = np.zeros(time.size)
     reach = model.geom_rbound[movers]
     body = model.body_weldid[model.geom_bodyid[movers]]
-    apart = {solid: np.array([(int(b), solid) not in touch.bolted(model) for b in body], bool) for solid in solids}
+    apart = {
+        solid: np.array([(int(b), solid) not in touch.overlapping_pairs(model) for b in body], bool) for solid in solids
+    }
     for i, q in enumerate(qpos):
         data.qpos[:] = q
         mujoco.mj_kinematics(model, data)

@@ -20,11 +20,11 @@ from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import slipped
+from dynsplines.solver.penalty import grasp_places
 from dynsplines.solver.penalty.allowance import Allowance
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import height_over
-from dynsplines.solver.surface.points import Point, placed
+from dynsplines.solver.surface.points import Point, sets_places
 from dynsplines.solver.tolerances import ROUNDING
 
 from ..errors import UserError, unknown
@@ -273,6 +273,8 @@ def _positions(samples: Samples, keys: Timeline, contact: Contact) -> tuple[Inde
     """Return the indices (k,) of keyframes within a contact that set both the point and the link that it touches, the
     positions (3, K) on that link in all keyframes, and which (K,) fix them."""
     both = [contact.point, Point(contact.point.name, contact.on, np.zeros(3))]
-    is_set, exact = (np.logical_and.reduce(placed(samples.figure, mask, both)) for mask in (keys.known, keys.fixed))
+    is_set, exact = (
+        np.logical_and.reduce(sets_places(samples.figure, mask, both)) for mask in (keys.known, keys.fixed)
+    )
     inside = (keys.times >= contact.first - ROUNDING) & (keys.times <= contact.last + ROUNDING)
-    return np.flatnonzero(inside & is_set), slipped(samples, contact), exact
+    return np.flatnonzero(inside & is_set), grasp_places(samples, contact), exact

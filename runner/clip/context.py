@@ -210,7 +210,7 @@ class Context:
         places = Samples.still(self.figure, keys.states).links.x[:2, feet]
         moves = displacements(places).min(axis=0, initial=np.inf)
         gaps, whole = np.diff(keys.times), keys.fixed.all(axis=1)
-        stands = whole & schedule.touches
+        stands = whole & schedule.is_low
         strides = moves > STEP * height(self.figure, schedule.root)
         lost = (gaps >= limits.far_apart) & strides & stands[:-1] & stands[1:]
         for first, last in schedule.flights:

@@ -53,7 +53,7 @@ from dynsplines.solver.penalty import (
 from dynsplines.solver.surface import Box, Plane, Surface
 from dynsplines.solver.surface.cover import covering_points, wide_points
 from dynsplines.solver.surface.points import Point, body_points
-from dynsplines.solver.surface.touch import bolted
+from dynsplines.solver.surface.touch import overlapping_pairs
 
 from ..errors import UserError, unknown
 from .contacts import moving_bodies
@@ -226,7 +226,7 @@ def _bend(context: Context, options: Options) -> Penalty | None:
     if not context.bends:
         return None
     if context.is_tracking:
-        return BendLimits(context.bends).extended(Samples.still(context.figure, context.keys.states))
+        return BendLimits(context.bends).extend(Samples.still(context.figure, context.keys.states))
     return bend_limits(context.bends, options).allowing(context.figure, context.keys)
 
 
@@ -296,7 +296,7 @@ def _contacts(
 def bolted_links(figure: Figure) -> dict[str, frozenset[int]]:
     """Return the links that overlap a static geom by design, by the name of its surface."""
     links: dict[str, set[int]] = {}
-    for body, geom in bolted(figure.model):
+    for body, geom in overlapping_pairs(figure.model):
         links.setdefault(geom_name(figure.model, geom), set()).add(int(figure.body_link[body]))
     return {name: frozenset(numbers) for name, numbers in links.items()}
 
@@ -335,7 +335,7 @@ def _grounded(context: Context, options: Options) -> Penalty | None:
     if not schedule.is_grounded or not (context.points or context.figure.tables.free_links.size):
         return None
     reach = options.reach or limits.highest
-    return HoverPenalty(schedule.low_points, context.surfaces, reach, limits.float_blend, schedule.landed)
+    return HoverPenalty(schedule.low_points, context.surfaces, reach, limits.float_blend, schedule.grounded_intervals)
 
 
 def _equality(context: Context, options: Options) -> Penalty | None:

@@ -32,7 +32,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure import dynamics
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.root import sliding_joints
-from dynsplines.solver.surface.touch import bolted, is_scenery, movers, solids
+from dynsplines.solver.surface.touch import is_scenery, movers, overlapping_pairs, solids
 
 from ..clip import load as clip
 from ..errors import listed
@@ -282,7 +282,7 @@ def _collide(spec: mujoco.MjSpec, model: mujoco.MjModel) -> list[str]:
             other = names[names.index("world") - 1]
             notes.append(f"the scene to simulate lets the world and '{other}' collide, which the model excludes")
             remove(spec, pair)
-    for first, second in sorted({(body, int(model.geom_bodyid[solid])) for body, solid in bolted(model)}):
+    for first, second in sorted({(body, int(model.geom_bodyid[solid])) for body, solid in overlapping_pairs(model)}):
         _exclude(spec, first, second)  # a limb and its fixed base overlap by design
     return notes
 

@@ -29,12 +29,12 @@ from dynsplines.solver.penalty import (
     Speed,
     closures,
     couplings,
-    slipped,
+    grasp_places,
 )
 from dynsplines.solver.penalty.motion.acceleration import relative_accelerations
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import FAR, heights
-from dynsplines.solver.surface.points import Point, placed, places_of
+from dynsplines.solver.surface.points import Point, places_of, sets_places
 
 from ..motion import samples_at
 from .bounds import BOUNDS, SPEED_SHARE, WHIP_SHARE, Row, row_of
@@ -126,7 +126,7 @@ class Fixed:
     @cached_property
     def places(self) -> Mask:
         origins = [Point("", i, np.zeros(3)) for i in range(len(self.figure.links))]
-        return placed(self.figure, self.states, origins)
+        return sets_places(self.figure, self.states, origins)
 
     def joints(self, links: Sequence[int]) -> Mask:
         """Return which keyframes fix the joints of n links, (n, K). Of a free joint, only the rotation counts."""
@@ -311,7 +311,7 @@ def slips(grasps: Sequence[Contact], starts: Sequence[Array], fixed: Fixed) -> C
     def hits(samples: Samples) -> Hits:
         out = np.zeros((len(grasps), samples.count))
         for i, (grasp, start) in enumerate(zip(grasps, starts, strict=True)):
-            out[i] = grasp.during(samples.t) * np.linalg.norm(slipped(samples, grasp) - start[:, None], axis=0)
+            out[i] = grasp.during(samples.t) * np.linalg.norm(grasp_places(samples, grasp) - start[:, None], axis=0)
         return Hits.of(out)
 
     return Check.each(
@@ -324,13 +324,13 @@ def turns(contacts: Sequence[Contact], path: Path, fixed: Fixed) -> Check:
     figure, text = fixed.figure, "{} rotates by {{}} in the grasp of {}"
     names = [(figure.body_name(contact.on), contact.point.name) for contact in contacts]
     rows = [row_of("grasp rotation", hand, text.format(body, hand)) for body, hand in names]
-    starts = [slipped(samples_at(figure, path, np.array([contact.first])), contact) for contact in contacts]
+    starts = [grasp_places(samples_at(figure, path, np.array([contact.first])), contact) for contact in contacts]
 
     def hits(samples: Samples) -> Hits:
         out = np.zeros((len(contacts), samples.count))
         for i, (contact, start) in enumerate(zip(contacts, starts, strict=True)):
             place = contact.place(samples.t) if contact.is_placed else start
-            away = np.linalg.norm(slipped(samples, contact) - place, axis=0)
+            away = np.linalg.norm(grasp_places(samples, contact) - place, axis=0)
             out[i] = contact.during(samples.t) * np.degrees(away / Thresholds.of(figure).object_arm)
         return Hits.of(out)
 

@@ -88,7 +88,7 @@ class Forces:
         """(T,) whether the forces that carry the figure are known: while feet stand, in flights, and where there is no
         ground or no gravity."""
         if self.support is not None and self.support.has_intervals:
-            return self.support.known(self.samples.t)
+            return self.support.is_known(self.samples.t)
         is_carried = self.support is not None and self.sampled.figure.gravity.any() and static_surfaces(self.model)
         return np.full(self.samples.count, not is_carried)
 

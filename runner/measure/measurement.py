@@ -24,8 +24,8 @@ from dynsplines.solver.penalty import (
     Rolling,
     Speed,
     Sum,
+    grasp_places,
     joint_ranges,
-    slipped,
 )
 from dynsplines.solver.penalty.motion.acceleration import relative_accelerations
 from dynsplines.solver.surface.points import Point, places_of
@@ -148,7 +148,7 @@ def _checks(
     if context.schedule.grasps:
         path = path_of(timeline)
         starts = [
-            slipped(samples_at(figure, path, np.array([grasp.first])), grasp)[:, 0]
+            grasp_places(samples_at(figure, path, np.array([grasp.first])), grasp)[:, 0]
             if grasp.specified is None
             else grasp.specified
             for grasp in context.schedule.grasps

@@ -112,7 +112,7 @@ def _support(clip: Clip, samples: Samples) -> dict[str, float]:
     if clip.context.support is None or not clip.context.support.has_intervals:
         return {}
     carried = clip.context.support.stiff
-    rest = carried.rest(samples)[:, carried.known(samples.t)]
+    rest = carried.rest(samples)[:, carried.is_known(samples.t)]
     force = np.linalg.norm(rest[:3], axis=0)
     out = {"root mean square": float(np.sqrt(np.mean(force**2)))}
     out["moment, root mean square"] = float(np.sqrt(np.mean(np.sum(rest[3:] ** 2, axis=0))))

@@ -64,7 +64,7 @@ class PoseProcess:
         smooth = _smooth(self.poses.times, self.poses.times, self.poses.limits.smooth)
         return np.asarray(REST * np.kron(np.eye(self.poses.sides), smooth), dtype=np.float64)
 
-    def predicted(self, period: float, at: Array) -> tuple[Array, Array]:
+    def predict(self, period: float, at: Array) -> tuple[Array, Array]:
         """Return the poses' vectors (T, D) at times (T,) [s], and the variance of each (T,) [rad²]."""
         rows = self.poses.rows
         covariance = self._across(period)
@@ -113,7 +113,7 @@ class GaitCycle:
     def of(cls, process: PoseProcess, period: float, times: Array, plain: Array) -> GaitCycle:
         """Return the cycle with a period [s] at times (T,) [s]; `plain` (T, nq) is the spline through the keyframes."""
         poses = process.poses
-        vectors, variance = process.predicted(period, times)
+        vectors, variance = process.predict(period, times)
         rotations = quat.align_signs(poses.map.rotations(vectors, times))
         unlike = float(np.mean((poses.map.vectors(poses.map.off_heading(plain, times)) - vectors) ** 2))
         trust = max(unlike - float(variance.mean()), QUARTER * unlike) / (variance + SURE**2)

@@ -16,7 +16,7 @@ from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..surface import Surface
 from ..surface.heights import heights
-from ..surface.points import Point, arrays_of, displacements, placed
+from ..surface.points import Point, arrays_of, displacements, sets_places
 from .thresholds import Thresholds
 
 
@@ -98,12 +98,12 @@ class KeyframePoints:
     @cached_property
     def is_known(self) -> Mask:
         """Whether the position is fixed, or computed by inverse kinematics, (n, K)."""
-        return placed(self.figure, self.keys.known, self.points)
+        return sets_places(self.figure, self.keys.known, self.points)
 
     @cached_property
     def is_fixed(self) -> Mask:
         """Whether the keyframe fixes the position, (n, K)."""
-        return placed(self.figure, self.keys.fixed, self.points)
+        return sets_places(self.figure, self.keys.fixed, self.points)
 
     @property
     def is_near(self) -> Mask:
@@ -182,7 +182,7 @@ class KeyframePoints:
         return np.asarray(self.strides & (np.diff(self.keys.times) <= self.limits.shortly))
 
     @property
-    def touches(self) -> Mask:
+    def is_low(self) -> Mask:
         """Whether the lowest of the points is on the ground, (K,)."""
         return np.asarray(self.heights.min(axis=0, initial=np.inf) < self.limits.clear)
 

@@ -117,10 +117,10 @@ class ContactSchedule:
     @property
     def is_grounded(self) -> bool:
         """Whether the figure is on the ground in any keyframe."""
-        return bool(self._low_points.touches.any())
+        return bool(self._low_points.is_low.any())
 
     @property
-    def landed(self) -> tuple[Interval, ...]:
+    def grounded_intervals(self) -> tuple[Interval, ...]:
         """The intervals [s] in which the ground carries the figure.
 
         They are between a free fall and the keyframe on the ground before or after it, and between two keyframes on the
@@ -130,13 +130,13 @@ class ContactSchedule:
         keys, blur, intervals = self.keys.times, Thresholds.of(self.figure).lift_off, list[Interval]()
         for begin, end in () if self.specified_flights is not None else self.flights:
             before, after = np.searchsorted(keys, begin) - 1, np.searchsorted(keys, end, side="right")
-            if before >= 0 and self._low_points.touches[before]:
+            if before >= 0 and self._low_points.is_low[before]:
                 intervals.append((float(keys[before]), begin - blur))
-            if after < keys.size and self._low_points.touches[after]:
+            if after < keys.size and self._low_points.is_low[after]:
                 intervals.append((end + blur, float(keys[after])))
         if self.root is not None and self.points:
             first = self.figure.links[self.root].qpos
-            is_open, down = ~self.keys.fixed[:, first + 2], self._low_points.touches
+            is_open, down = ~self.keys.fixed[:, first + 2], self._low_points.is_low
             travel = np.linalg.norm(np.diff(self.keys.states[:, first : first + 2], axis=0), axis=1)
             is_slow = travel < Thresholds.of(self.figure).travels * np.diff(keys)
             for k in np.flatnonzero((is_open[:-1] | is_open[1:]) & down[:-1] & down[1:] & is_slow).tolist():
@@ -185,9 +185,9 @@ class ContactSchedule:
         return None if is_set or i >= len(self.points) else self.resting_points.stance(i, k)
 
     @property
-    def touches(self) -> Mask:
+    def is_low(self) -> Mask:
         """For each keyframe, whether any sole point is on the ground, (K,)."""
-        return self._soles.touches
+        return self._soles.is_low
 
     def exclude_grasped(self, points: Sequence[Point]) -> tuple[Point, ...]:
         """Return the points that do not belong to grasped objects."""

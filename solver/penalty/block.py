@@ -90,7 +90,7 @@ class Block:
     curved: Callable[[Curvature, Array], None] | None = None
 
     @classmethod
-    def joined(cls, parts: Sequence[Block]) -> Block:
+    def join(cls, parts: Sequence[Block]) -> Block:
         """Concatenate blocks of one-sided residuals with one wrench each. Without parts, the block is empty."""
         none = np.zeros(0, np.intp)
         if not parts:
@@ -201,7 +201,7 @@ class Dense:
             curvature.add_rows(every, scale, np.stack(cotangent.gradients(), axis=1))
 
 
-def summed(
+def sum_of_blocks(
     blocks: Iterable[Block | Dense], samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0
 ) -> Array:
     """Return f at every sample, (S,). If `into` is given, add the gradient of Σ_s scale_s f(s) to `into`."""
@@ -216,7 +216,7 @@ def summed(
 def one_sided_residuals(blocks: Iterable[Block | Dense], samples: Samples) -> OneSidedResiduals | None:
     """Return the one-sided residuals among blocks; None if there are none."""
     chosen = [block for block in blocks if isinstance(block, Block) and block.one_sided]
-    return OneSidedResiduals.joined([block.one_sided_residuals(samples) for block in chosen]) if chosen else None
+    return OneSidedResiduals.join([block.one_sided_residuals(samples) for block in chosen]) if chosen else None
 
 
 def every(

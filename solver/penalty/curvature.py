@@ -161,18 +161,18 @@ class OneSidedResiduals:
     rows: Array
 
     @classmethod
-    def joined(cls, parts: Sequence[OneSidedResiduals]) -> OneSidedResiduals:
+    def join(cls, parts: Sequence[OneSidedResiduals]) -> OneSidedResiduals:
         if len(parts) == 1:
             return parts[0]
         return cls(*(np.concatenate([getattr(part, name) for part in parts]) for name in ("at", "value", "rows")))
 
-    def shifted(self, first: int) -> OneSidedResiduals:
+    def shift(self, first: int) -> OneSidedResiduals:
         return OneSidedResiduals(self.at + first, self.value, self.rows)
 
     def select(self, indices: Index) -> OneSidedResiduals:
         return OneSidedResiduals(self.at[indices], self.value[indices], self.rows[indices])
 
-    def moved(self, change: Array) -> Array:
+    def changes(self, change: Array) -> Array:
         """Return the changes (P,) of the residuals for a change (S, N) of y."""
         changes = np.empty(self.at.size)
         few = max(1, ENTRIES_AT_ONCE // self.rows.shape[1])

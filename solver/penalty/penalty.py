@@ -19,7 +19,7 @@ from ..curve.frame import Timeline
 from ..curve.spline import Path
 from ..figure.adjoint import Cotangent
 from ..figure.kinematics import Samples
-from .block import Block, Dense, summed
+from .block import Block, Dense, sum_of_blocks
 
 # distances from a bound, a length [m] on an adult and an angle [rad], that one step of the search may cover
 NEAR_LENGTH, NEAR_ANGLE = 0.03, float(np.radians(4))
@@ -123,7 +123,7 @@ class Penalty(ABC):
 
     def evaluate(self, samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0) -> Array:
         """Return f_j at every sample, (S,). If `into` is given, add the gradient of Σ_s scale_s f_j(s) to `into`."""
-        return summed(self.residuals(samples), samples, into, scale)
+        return sum_of_blocks(self.residuals(samples), samples, into, scale)
 
 
 class Guide(Penalty):

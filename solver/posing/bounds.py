@@ -11,7 +11,7 @@ import numpy as np
 from .. import quaternion as quat
 from ..array import Array, Index, Mask
 from ..figure.figure import Figure, JointKind
-from ..penalty.joints.bend import ANGLE, SIGN, BendLimits, bent
+from ..penalty.joints.bend import ANGLE, SIGN, BendLimits, bend_angles
 from ..tolerances import ROUNDING
 from .least_squares import Part
 
@@ -162,7 +162,7 @@ class Bends:
     def _bent(self, qpos: Array) -> tuple[Array, Array]:
         """Return the angles of the joints (3, k), and their derivatives by their degrees of freedom (3, k, 3)."""
         turn = self._rest @ quat.matrices(qpos[self.columns])
-        angles, axes = bent(self.limits.axes[1], np.einsum("nij,bnj->bin", turn, self._child))
+        angles, axes = bend_angles(self.limits.axes[1], np.einsum("nij,bnj->bin", turn, self._child))
         return angles, np.einsum("nij,ian->anj", turn, axes)
 
     def linearise(self, qpos: Array, nv: int) -> tuple[Part, Part]:

@@ -339,13 +339,13 @@ class OneSidedTerms:
             for term, blocks in zip(layout.problem.objective.terms, run.blocks, strict=True):
                 residuals = one_sided_residuals(blocks, run.samples)
                 if residuals is not None and residuals.at.size:
-                    parts.append((term.factor, residuals.shifted(run.piece.which.start)))
+                    parts.append((term.factor, residuals.shift(run.piece.which.start)))
         return cls(layout, parts) if parts else None
 
     def change(self, step: Array) -> Array:
         """Return the change (P,) of the residuals for coefficients of a step (C, N)."""
         change = self.sampling.bases[0] @ step
-        return np.concatenate([residuals.moved(change) for _, residuals in self._parts])
+        return np.concatenate([residuals.changes(change) for _, residuals in self._parts])
 
     def pulled_back(self, forces: Array) -> Array:
         """Return the gradient (C, N) of forces · residuals, forces (P,)."""

@@ -171,7 +171,7 @@ def displacements(places: Array) -> Array:
     return np.asarray(np.linalg.norm(np.diff(places, axis=2), axis=0))
 
 
-def placed(figure: Figure, specified: Mask, points: Sequence[Point]) -> Mask:
+def sets_places(figure: Figure, specified: Mask, points: Sequence[Point]) -> Mask:
     """Return whether a keyframe specifies every joint from the root to a point, and so its position, (n, K).
 
     Args:

@@ -94,7 +94,7 @@ def grounds(model: mujoco.MjModel) -> list[int]:
 
 
 @lru_cache(maxsize=8)
-def bolted(model: mujoco.MjModel) -> frozenset[tuple[int, int]]:
+def overlapping_pairs(model: mujoco.MjModel) -> frozenset[tuple[int, int]]:
     """Return pairs of a moving body (the first of those welded together) and a static geom that overlap by design.
 
     These are bodies without a free joint on their chain to the world that touch a static geom at rest, unless a slide

@@ -21,7 +21,7 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.dynamics import height
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.surface.heights import FAR, heights
-from dynsplines.solver.surface.points import Point, body_points, free_root, hanging, placed
+from dynsplines.solver.surface.points import Point, body_points, free_root, hanging, sets_places
 from dynsplines.solver.surface.surface import DEEP
 
 HANGING = 0.15  # largest height above the ground, relative to the figure's, of a standing one, as in rest poses
@@ -156,7 +156,7 @@ class Grounding:
         mask[:, self._columns] = True
         for point in self._soles:  # the foot's own joint may be free
             mask[:, self.figure.links[point.link].columns] = True
-        return bool(placed(self.figure, mask, self._soles).all())
+        return bool(sets_places(self.figure, mask, self._soles).all())
 
     def _drops(self, centres: Array, radii: Array, starts: Sequence[Array]) -> Iterator[Array]:
         """Yield displacements [m] of spheres (3, n) by a start (3,) and then vertically to the ground below soles or

@@ -232,10 +232,10 @@ def _unmet_balance(
         return []
     feet = {point.link for point in soles}
     others = [point for point in body_points(figure) if point.link not in feet]
-    return [] if _touches(figure, pose, others, surfaces) else preferred
+    return [] if _is_near(figure, pose, others, surfaces) else preferred
 
 
-def _touches(figure: Figure, pose: Array, points: Sequence[Point], surfaces: Sequence[Surface]) -> bool:
+def _is_near(figure: Figure, pose: Array, points: Sequence[Point], surfaces: Sequence[Surface]) -> bool:
     """Return whether one of the points touches a surface in a pose (nq,)."""
     height, _ = heights(surfaces, *places_of(points, Samples.still(figure, figure.to_state(pose[None]))))
     return bool((height < Thresholds.of(figure).near_surface).any())

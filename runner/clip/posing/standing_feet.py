@@ -31,7 +31,7 @@ from dynsplines.solver.posing import (
     reached,
 )
 from dynsplines.solver.surface import Surface, static_surfaces
-from dynsplines.solver.surface.points import Point, placed
+from dynsplines.solver.surface.points import Point, sets_places
 
 from ..contacts import schedule_of
 from ..kinds import posing_limits
@@ -106,7 +106,7 @@ def _grasp(schedule: ContactSchedule, grasp: Contact, k: int) -> list[Goal]:
     A body follows the rotation of a hand, whereas a hand follows only the position of a body.
     """
     t, ends = schedule.keys.times[k], (grasp.point, Point(grasp.point.name, grasp.on, np.zeros(3)))
-    hand, body = placed(schedule.figure, schedule.keys.known[k : k + 1], ends)[:, 0]
+    hand, body = sets_places(schedule.figure, schedule.keys.known[k : k + 1], ends)[:, 0]
     if not grasp.is_placed or not grasp.covers(t) or (body and (hand or grasp in schedule.turns)):
         return []
     return [PointGoal.of(schedule.figure, grasp.point, grasp.place(np.array([t]))[:, 0], grasp.on)]

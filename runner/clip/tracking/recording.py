@@ -24,7 +24,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import TrackingPenalty
 from dynsplines.solver.problem import Problem
-from dynsplines.solver.surface.points import Point, placed, places_of
+from dynsplines.solver.surface.points import Point, places_of, sets_places
 from dynsplines.solver.tolerances import ROUNDING
 
 from ...errors import UserError
@@ -189,7 +189,7 @@ class TrackedRecording:
 
     def _moves(self, point: Point, edit: Frame) -> bool:
         figure = self.recorded.figure
-        if not placed(figure, edit.fixed[None], [point])[0, 0]:
+        if not sets_places(figure, edit.fixed[None], [point])[0, 0]:
             return False
         qpos = np.stack([edit.state, self.pose(edit.time)])
         states = figure.to_state(qpos)

@@ -71,14 +71,14 @@ class Attachment(Penalty):
         return self._pieces.owners[piece], at, self._vectors(samples, piece, at)[2]
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        yield from self._placed(samples)
+        yield from self._distances(samples)
         if self.resting:
             yield from self._resting(samples)
         for contact in self.contacts:
             if contact.on and not contact.is_placed and (at := np.flatnonzero(contact.during(samples.t))).size:
                 yield _sliding(samples, contact, at)
 
-    def _placed(self, samples: Samples) -> Iterator[Block]:
+    def _distances(self, samples: Samples) -> Iterator[Block]:
         """Yield the distances of points from known positions."""
         pieces = self._pieces
         piece, at = pairs_within(samples.t, pieces.first, pieces.last)
@@ -263,7 +263,7 @@ def _sliding(samples: Samples, grasp: Contact, at: Index) -> Block:
     return Block(when, slide.ravel(), changes, Thresholds.of(samples.figure).settling ** 2)
 
 
-def slipped(samples: Samples, grasp: Contact) -> Array:
+def grasp_places(samples: Samples, grasp: Contact) -> Array:
     """Return positions (3, S) [m] of a grasp's point in the axes of the link that it grasps."""
     _, spot_offset = _offsets(samples, grasp, np.arange(samples.count))
     return rotate_back(samples.links.rotation[:, :, grasp.on], spot_offset)

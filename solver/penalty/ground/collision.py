@@ -17,7 +17,7 @@ from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...figure.wrenches import of_point
 from ...surface import Box, Plane, Surface
-from ...surface.points import Point, arrays_of, placed
+from ...surface.points import Point, arrays_of, sets_places
 from ...surface.surface import FAR
 from ...tolerances import ROUNDING
 from ..allowance import Allowance
@@ -57,7 +57,7 @@ class Collision(Penalty):
         samples = Samples.still(figure, keys.states)
         centres = self.relative_to_carrier(samples, self.centres(samples)[0])
         deep = np.max([surface.depth(centres, self._arrays[2])[0] for surface in self.surfaces], axis=0)
-        is_set = placed(figure, keys.fixed, self.points)
+        is_set = sets_places(figure, keys.fixed, self.points)
         excess, path = deep * is_set, figure.tables.path > 0
         for link, first, last in holding:
             limb = np.flatnonzero((path[:, link] | path[link])[self._arrays[0]])
@@ -155,7 +155,7 @@ class Collision(Penalty):
         for surface, touched in zip(self.surfaces, touching, strict=True):
             if block is not None and touched.any():
                 parts.append(self._in(surface, samples, block, margin))
-        yield Block.joined(parts)
+        yield Block.join(parts)
 
     def _in(self, surface: Surface, samples: Samples, candidates: _Near, margin: float) -> Block:
         flat, arms, centres, radii = candidates

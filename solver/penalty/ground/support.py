@@ -101,14 +101,14 @@ class Support(Penalty):
         """The same with so little softness that `rest` is only what contacts cannot supply."""
         return replace(self, softness=STIFF)
 
-    def known(self, t: Array) -> Mask:
+    def is_known(self, t: Array) -> Mask:
         """Return whether it is known what carries the figure at times t (S,), (S,)."""
         return within(self.flights, t) | (self._active(t).any(axis=0) if self.footings else np.zeros(t.size, bool))
 
     def rest(self, samples: Samples, wrench: RootWrench | None = None) -> Array:
         """Return the unsupplied force and moment (6, S) in units of weight and weight times height; wrench: at the
         root."""
-        out, at = np.zeros((6, samples.count)), np.flatnonzero(self.known(samples.t))
+        out, at = np.zeros((6, samples.count)), np.flatnonzero(self.is_known(samples.t))
         if at.size:
             out[:, at] = self._evaluate(samples, at, wrench).unsupplied.rest
         return out
@@ -116,7 +116,7 @@ class Support(Penalty):
     def reactions(self, samples: Samples, wrench: RootWrench | None = None) -> Reactions:
         """Return the contact forces that supply as much as possible, at samples with known support; wrench: at the
         root."""
-        supported = np.flatnonzero(self.known(samples.t))
+        supported = np.flatnonzero(self.is_known(samples.t))
         which, _, _ = self._pairs(samples.t[supported])
         if not which.size:
             none = np.zeros(0, np.intp)
@@ -126,7 +126,7 @@ class Support(Penalty):
         return Reactions(pushes.at, which, x + pushes.offset, pushes.force)
 
     def residuals(self, samples: Samples) -> Iterator[Dense]:
-        at = np.flatnonzero(self.known(samples.t))
+        at = np.flatnonzero(self.is_known(samples.t))
         if not at.size:
             return
         solution = self._evaluate(samples, at)

@@ -79,7 +79,7 @@ class BendLimits(Penalty):
         excess = np.maximum(self.excess(self.angles(samples)), 0) * fixed
         return replace(self, allowed=Allowance(keys.times, excess)) if excess.any() else self
 
-    def extended(self, samples: Samples) -> BendLimits:
+    def extend(self, samples: Samples) -> BendLimits:
         """Return the limits, extended to nearly all samples."""
         flexion, *aside = self.angles(samples)
         sideways, twist = (float(np.percentile(np.abs(angle), 100 - RARE)) for angle in aside)
@@ -128,7 +128,7 @@ class BendLimits(Penalty):
         rotated = rotated.reshape(3, 5, joints.size, samples.count).swapaxes(0, 1)
         world, frame = rotated[:2], rotated[2:]
         v, u = np.einsum("bins,kins->kbns", frame, world)
-        angles, planar, p = _bent(u, v)
+        angles, planar, p = _angles(u, v)
         return angles, (world, frame, u, v, planar, p)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
@@ -146,7 +146,7 @@ class BendLimits(Penalty):
         yield Block(at, excess[side, joint, at], changes, one_sided=True)
 
 
-def bent(parent: Array, child: Array) -> tuple[Array, Array]:
+def bend_angles(parent: Array, child: Array) -> tuple[Array, Array]:
     """Return the angles of n joints, and their derivatives by rotations of the children.
 
     Args:
@@ -158,7 +158,7 @@ def bent(parent: Array, child: Array) -> tuple[Array, Array]:
         changes it as much, (3, 3, n): by component and angle.
     """
     v, u = np.einsum("bin,kin->kbn", parent, child)
-    angles, planar, p = _bent(u, v)
+    angles, planar, p = _angles(u, v)
     return angles, _turning_axes((child[:, :, None], parent, u, v, planar, p), EVERY)
 
 
@@ -182,7 +182,7 @@ def _turning_axes(frames: tuple[Array, ...], which: Array) -> Array:
     return np.add.reduce(cross(world.swapaxes(0, 1), np.einsum("kb...p,bip->ik...p", bars, frame)), axis=1)
 
 
-def _bent(u: Array, v: Array) -> tuple[Array, Array, Array]:
+def _angles(u: Array, v: Array) -> tuple[Array, Array, Array]:
     """Return the three angles of axes u and v in parent coordinates (3, ...), |(x, z)|, and the normal's part p."""
     x, z, y = u
     planar = np.maximum(np.hypot(x, z), ROUNDING)

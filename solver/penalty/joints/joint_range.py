@@ -82,7 +82,7 @@ class JointRange(Penalty):
             value = samples.columns(self._columns(samples))
             excess[:, plain] = low[plain, None] - value, value - high[plain, None]
         if balls.size:
-            excess[1, balls] = self._turned(samples)[0] - high[balls, None]
+            excess[1, balls] = self._rotations(samples)[0] - high[balls, None]
         links = [figure.links[joint.link] for joint in self.joints]
         columns = [quaternion_columns(link) or slice(link.qpos, link.qpos + 1) for link in links]
         fixed = np.array([keys.fixed[:, group].all(axis=1) for group in columns])
@@ -103,7 +103,7 @@ class JointRange(Penalty):
             low, high = self._limits(samples.t, plain)
             out[plain] = np.maximum(low - value, value - high)
         if balls.size:
-            out[balls] = self._turned(samples)[0] - self._limits(samples.t, balls)[1]
+            out[balls] = self._rotations(samples)[0] - self._limits(samples.t, balls)[1]
         return out
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
@@ -121,7 +121,7 @@ class JointRange(Penalty):
                 joint, at = np.nonzero(over > least)
                 yield Block(at, over[joint, at], (Entries(at, 0, columns[joint], sign),), one_sided=True)
         if balls.size:
-            _, angle, rate, axis = self._turned(samples)
+            _, angle, rate, axis = self._rotations(samples)
             most = self._limits(samples.t, balls)[1]
             least = np.where(self._is_home, NEAR_HOME, NEAR_ANGLE)[:, None]
             over, axes = (angle - most)[None], (rate * axis)[:, None]
@@ -183,7 +183,7 @@ class JointRange(Penalty):
         below, above = self.allowed.at(t)[:, joints]
         return low - below, high + above
 
-    def _turned(self, samples: Samples) -> tuple[Array, Array, Array, Array]:
+    def _rotations(self, samples: Samples) -> tuple[Array, Array, Array, Array]:
         """Return quantities of the ball joints, (b, S) each: angle [rad], smoothed angle [rad], derivative of the
         second by the first; and the axes in the world (3, b, S)."""
         links, tables, children = samples.links, samples.figure.tables, self._links

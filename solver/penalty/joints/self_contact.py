@@ -87,7 +87,7 @@ class SelfContact(Penalty):
             return self
         pairs, pair_of = self._link_pairs
         excess = np.zeros((pairs.shape[1], keys.times.size))
-        at, i, j, depth, *_ = self._met(Samples.still(figure, keys.states), 0.0, None)
+        at, i, j, depth, *_ = self._overlaps(Samples.still(figure, keys.states), 0.0, None)
         np.maximum.at(excess, (pair_of[i, j], at), depth)
         path = figure.tables.path[:, 1:] > 0
         specified = np.array([keys.fixed[:, link.columns].all(axis=1) for link in figure.links[1:]])
@@ -99,7 +99,7 @@ class SelfContact(Penalty):
         """Return the penalty of the watched pairs of links and those that are in each other."""
         found = [np.zeros(0, np.intp) if self.watched is None else self.watched]
         for part in parts:
-            _, i, j, depth, *_ = self._met(part, 0.0, None)
+            _, i, j, depth, *_ = self._overlaps(part, 0.0, None)
             deep = depth > UNWATCHED * Size.of(part.figure).length
             found.append(self._link_pairs[1][i[deep], j[deep]])
         watched = np.unique(np.concatenate(found))
@@ -110,11 +110,11 @@ class SelfContact(Penalty):
         if self.pairs.size and (self.watched is None or self.watched.size):
             links = self._arrays[0]
             near = NEAR_LENGTH * Size.of(samples.figure).enlargement
-            at, i, j, depth, first, last, direction = self._met(samples, near, self.watched)
+            at, i, j, depth, first, last, direction = self._overlaps(samples, near, self.watched)
             wrenches = of_point(at, links[i], first, -direction), of_point(at, links[j], last, direction)
             yield Block(at, depth, wrenches, one_sided=True)
 
-    def _met(
+    def _overlaps(
         self, samples: Samples, near: float, watched: Index | None
     ) -> tuple[Index, Index, Index, Array, Array, Array, Array]:
         """Return the pairs of capsules less than `near` [m] apart, of the `watched` pairs of links.
@@ -159,7 +159,7 @@ class SelfContact(Penalty):
         order, count = np.argsort(links, kind="stable"), np.bincount(np.searchsorted(carriers, links))
         first, sides = np.cumsum(count) - count, []
         for one, other in ((a, b), (b, a)):
-            entry, bar = _expanded(first[one], count[one])
+            entry, bar = _expand(first[one], count[one])
             bar, bound = order[bar], other * samples.count + at
             d = centre.take(bar * samples.count + at[entry], axis=1) - place.take(bound, axis=1).take(entry, axis=1)
             v, half = axis.take(bound, axis=1).take(entry, axis=1), lengths[other][entry]
@@ -169,7 +169,7 @@ class SelfContact(Penalty):
             sides.append((entry[near], bar[near]))
         (entry, i), (entries, bars) = sides
         count = np.bincount(entries, minlength=pair.size)
-        which, j = _expanded((np.cumsum(count) - count)[entry], count[entry])
+        which, j = _expand((np.cumsum(count) - count)[entry], count[entry])
         at, i, j = at[entry[which]], i[which], bars[j]
         d = centre.take(i * samples.count + at, axis=1) - centre.take(j * samples.count + at, axis=1)
         near = np.flatnonzero((dot(d, d) < (extent[i] + extent[j] + reach) ** 2) & (pair_of[i, j] >= 0))
@@ -216,7 +216,7 @@ def _arrays(bars: Sequence[Bar]) -> tuple[Index, Array, Array, Array, Array]:
     return links, centres.reshape(-1, 3).T, axes.reshape(-1, 3).T, halves, radii
 
 
-def _expanded(first: Index, count: Index) -> tuple[Index, Index]:
+def _expand(first: Index, count: Index) -> tuple[Index, Index]:
     """Return for ranges of `count` (n,) integers from `first` (n,) each integer's range, and the integers."""
     owner = np.repeat(np.arange(count.size), count)
     return owner, np.arange(owner.size) + np.repeat(first - np.cumsum(count) + count, count)

@@ -80,9 +80,9 @@ class CovariantAcceleration(Penalty):
             into.accumulate("q_d", by_q_d, donate=True)
             into.accumulate("q_dd", by_q_dd, donate=True)
 
-        return Dense(w.reshape(-1, samples.count), pulled_back, partial(self._curved, samples))
+        return Dense(w.reshape(-1, samples.count), pulled_back, partial(self._add_curvature, samples))
 
-    def _curved(self, samples: Samples, into: Curvature, scale: Array) -> None:
+    def _add_curvature(self, samples: Samples, into: Curvature, scale: Array) -> None:
         q, q_d, q_dd = (part.transpose(2, 1, 0) for part in (samples.q, samples.q_d, samples.q_dd))
         rows = _residual_jacobians(q, q_d, q_dd, samples.q_dots.transpose(0, 2, 1))
         into.add_blocks(samples.figure.tables.quaternion_columns.T, rows, scale)

@@ -67,7 +67,7 @@ class Cycle(Guide):
 
         def curved(into: Curvature, scale: Array) -> None:
             links = samples.links
-            moved = _moved(w, v, rotation)
+            moved = _derivative(w, v, rotation)
             by_q = vector_product(links.Q) * links.scale
             rows = np.zeros((samples.count, child.size, 3, 3, 8))
             rows[:, :, :, 0, :4] = np.einsum("ijns,jkns->snik", moved, by_q[:, :, child])
@@ -150,7 +150,7 @@ class Cycle(Guide):
         return q[0], q[1:]
 
 
-def _moved(w: Array, v: Array, rotation: Array) -> Array:
+def _derivative(w: Array, v: Array, rotation: Array) -> Array:
     """Return the derivative of 2 v by a small rotation of the link in the world, (w + [v]×) Rᵀ, (3, 3, n, S)."""
     rows = rotation.swapaxes(0, 1)
     out = w * rows

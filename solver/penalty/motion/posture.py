@@ -116,7 +116,7 @@ class Posture(Penalty):
             add_at(buffer, child, by_omega)
             add_at(buffer, parent, -by_omega)
 
-        curved = partial(_curved, samples, share) if figure.is_world else None
+        curved = partial(_add_curvature, samples, share) if figure.is_world else None
         yield Dense(value.reshape(-1, samples.count), pulled_back, curved)
 
     def _costs(self, links: Index, t: Array) -> Array:
@@ -151,7 +151,7 @@ def _roots(figure: Figure) -> Index:
     return tables.free_links[tables.children[tables.free_links] > 0]
 
 
-def _curved(samples: Samples, share: Array, into: Curvature, scale: Array) -> None:
+def _add_curvature(samples: Samples, share: Array, into: Curvature, scale: Array) -> None:
     """Add the curvature of joints whose links' orientations are in the state: rows of eight columns each.
 
     Args:

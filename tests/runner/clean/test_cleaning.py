@@ -80,7 +80,7 @@ def measured(clean: Cleaned, path: Path) -> dict[str, float]:
         for still in [samples_at(figure, path, np.linspace(rest.first, rest.last, 50))]
     ]
     support = next(penalty for penalty, _ in clean.problem.penalties if isinstance(penalty, Support))
-    force = support.rest(samples)[:3][:, support.known(samples.t)]
+    force = support.rest(samples)[:3][:, support.is_known(samples.t)]
     return {
         "slip": max(slip(figure, path, rest) for rest in clean.rests),
         "height": max(float(height.max()) for height in heights),

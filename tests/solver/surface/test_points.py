@@ -17,7 +17,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.surface import Ellipsoid, cover
 from dynsplines.solver.surface.cover import covering_points
-from dynsplines.solver.surface.points import DIRECTIONS, Point, all_round, arrays_of, body_points, placed
+from dynsplines.solver.surface.points import DIRECTIONS, Point, all_round, arrays_of, body_points, sets_places
 
 LIMBS_OF_SHAPES = read_data("limbs_of_shapes.xml")
 
@@ -138,7 +138,7 @@ def test_a_keyframe_specifies_where_a_point_is_if_it_tells_all_that_moves_it(tex
             mujoco.mj_jacBody(model, data, way, turn, figure.links[point.link].body)
             row.append(bool(way[:, own].any() or turn[:, own].any()))
         moves.append(row)
-    found = placed(figure, np.array([*told, np.ones(model.nq, bool)]), points)
+    found = sets_places(figure, np.array([*told, np.ones(model.nq, bool)]), points)
     np.testing.assert_array_equal(found[:, -1], True)
     np.testing.assert_array_equal(found[:, :-1], ~np.array(moves).T)
 

@@ -24,7 +24,7 @@ from dynsplines.solver.surface import (
 from dynsplines.solver.surface import heights as terrain
 from dynsplines.solver.surface.static import DOWN
 from dynsplines.solver.surface.surface import DEEP, GROUNDED
-from dynsplines.solver.surface.touch import SCENERY, bolted, counts_all, grounds, movers, solids
+from dynsplines.solver.surface.touch import SCENERY, counts_all, grounds, movers, overlapping_pairs, solids
 
 SCENE = read_data("surfaces.xml")
 
@@ -256,7 +256,7 @@ def test_colliding_mocap_bodies_are_obstacles_unless_they_are_handles_of_the_fig
     model = mujoco.MjModel.from_xml_string(MOCAP.format(seen='contype="0" conaffinity="0"'))
     assert named(model, solids(model)) == ["top", "vase", "base"]
     assert named(model, movers(model)) == ["arm", "ball"]
-    touching = {(model.body(body).name, model.geom(geom).name) for body, geom in bolted(model)}
+    touching = {(model.body(body).name, model.geom(geom).name) for body, geom in overlapping_pairs(model)}
     assert touching == {("arm", "base")}
 
 
@@ -272,7 +272,7 @@ def test_floors_are_the_planes_that_no_programme_moves_and_that_face_up():
 
 def test_limbs_are_bolted_to_what_they_are_in_at_rest_unless_they_can_leave_it():
     model = mujoco.MjModel.from_xml_string(ARM)
-    found = {(model.body(body).name, model.geom(geom).name) for body, geom in bolted(model)}
+    found = {(model.body(body).name, model.geom(geom).name) for body, geom in overlapping_pairs(model)}
     # the arm's first limb turns in its socket and reaches into the floor, the cart cannot leave it; lift and die can
     assert found == {("one", "base"), ("one", "floor"), ("cart", "floor")}
 
@@ -285,7 +285,7 @@ def test_a_clips_obstacle_is_bolted_to_the_first_limb_alone():
       </body></body></worldbody></mujoco>"""
     for bit, bodies in ((1, {"upper", "hand"}), (1 | SCENERY, {"upper"})):
         model = mujoco.MjModel.from_xml_string(arm.format(bit))
-        assert {model.body(body).name for body, _ in bolted(model)} == bodies
+        assert {model.body(body).name for body, _ in overlapping_pairs(model)} == bodies
 
 
 ROOM = read_data("room.xml")

@@ -196,7 +196,7 @@ def sliding(samples: Samples, grasp: Contact) -> Array:
     """(S, 3) how fast the hand moves on the body, in that link's axes, by differences along y', y''."""
     h = 1e-5
     there = [
-        penalty.slipped(Samples(samples.figure, samples.y + k * h * samples.y_d, samples.y_d, samples.y_dd), grasp)
+        penalty.grasp_places(Samples(samples.figure, samples.y + k * h * samples.y_d, samples.y_d, samples.y_dd), grasp)
         for k in (-1, 1)
     ]
     return ((there[1] - there[0]) / (2 * h)).T
@@ -228,7 +228,7 @@ def test_a_hand_stays_on_a_box_that_turns_where_the_raw_spline_loses_it(is_known
         penalties = [*SMOOTHNESS, (penalty.Attachment((grasp,)), weight)]
         motion = inbetween(Problem(figure, keys, penalties, Settings(tolerance=1e-5)))
         samples = Samples(figure, *(figure.to_state(motion.at(np.linspace(0, 1, 80))),) * 3)
-        return float(np.linalg.norm(penalty.slipped(samples, grasp) - spot[:, None], axis=0).max())
+        return float(np.linalg.norm(penalty.grasp_places(samples, grasp) - spot[:, None], axis=0).max())
 
     assert worst(0.0) > 0.1
     assert worst(300.0) < 0.003
