@@ -42,7 +42,7 @@ from dynsplines.solver.curve.spline import Spline
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Collision, CovariantAcceleration, RootAcceleration, UnitMagnitude
 from dynsplines.solver.refine.subdivision import split
-from dynsplines.solver.search.descent import optimised
+from dynsplines.solver.search.descent import optimise
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import site_points
 
@@ -408,7 +408,7 @@ def _refined(runner: Runner, end: Path, settings: Settings) -> Path:
     """15 frames a segment on a curve that is there, optimised on."""
     timeline = _split_evenly(runner.timeline.with_rows(end.rows), REFINED)
     objective = Objective.of(runner.figure, runner.penalties, quadrature=settings.quadrature)
-    better = optimised(objective, timeline, max_evaluations=settings.max_evaluations, tolerance=1e-9)
+    better = optimise(objective, timeline, max_evaluations=settings.max_evaluations, tolerance=1e-9)
     return Path(Spline(better.times), np.asarray(better.rows))
 
 

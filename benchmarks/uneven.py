@@ -14,7 +14,7 @@ from shooting import energy_of, has_closed, quaternions_of, shot
 from dynsplines.solver import Settings, Solution
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.refine.subdivision import by_weak_form, midpoints, split
-from dynsplines.solver.search.descent import optimised
+from dynsplines.solver.search.descent import optimise
 
 FIRST_SEED = 3000
 RATIO = 50.0
@@ -60,7 +60,7 @@ def _nearest(track: Track, motion: Solution, exact: float | None) -> tuple[float
     if from_ours is not None and _is_near(own_energy, from_ours):
         return from_ours, WAYS[0]
     halved = split(motion.timeline, midpoints(motion.timeline))
-    fine = path_of(optimised(motion.objective, halved, max_evaluations=600, tolerance=1e-10))
+    fine = path_of(optimise(motion.objective, halved, max_evaluations=600, tolerance=1e-10))
     for candidate, method in zip((exact_energy_from(track, fine), exact), WAYS[1:-1], strict=True):
         if candidate is not None and _is_near(own_energy, candidate):
             return candidate, method

@@ -25,9 +25,9 @@ from .curve.spline import path_of
 from .objective import Discretised, Evaluation, Objective, segment_integrals
 from .penalty import Role
 from .problem import Problem, Settings, guide_of
-from .refine.parts import SearchPart, Window, edited, is_long, windows
+from .refine.parts import SearchPart, Window, is_long, parts_of_edits, windows
 from .refine.subdivision import CRITERIA, midpoints, split
-from .search.descent import minimised, optimiser_of
+from .search.descent import minimise, optimiser_of
 from .search.minimum import NEGLIGIBLE, Optimiser, Stop
 from .search.nlopt_methods import NONE
 from .search.restarts import (
@@ -187,7 +187,7 @@ class _Loop:
             guess = guide.initial_guess(first, most)
             if self.objective.value(path_of(guess)) < self.objective.value(path_of(first)):
                 first = guess
-        return self.searched(first, len(raw.frames) - 1, settings.frames)
+        return self.search(first, len(raw.frames) - 1, settings.frames)
 
     def continue_from(self, raw: Timeline, begin: Timeline, between: Sequence[tuple[float, float]]) -> Timeline:
         """Return the nearest minimum from a timeline, over the whole clip or only near the edited intervals."""
@@ -198,7 +198,7 @@ class _Loop:
             limit = None if budget is None else max(least, budget * count // segments)
             return self.run(part.timeline, count, limit)[-1][0]
 
-        parts = edited(raw, between)
+        parts = parts_of_edits(raw, between)
         if parts:
             return self.over_parts(raw, begin, parts, "clamped", nearest)
         limit = None if budget is None else max(budget, begin.variable_count)
@@ -214,7 +214,7 @@ class _Loop:
             if budget is not None:
                 others = part.whole.variable_count - part.timeline.variable_count
                 limit = min(round(budget * count / segments), budget - others)
-            return self.searched(part.timeline, count, limit)
+            return self.search(part.timeline, count, limit)
 
         return self.over_parts(raw, first, windows(segments), raw.ends, best)
 
@@ -248,7 +248,7 @@ class _Loop:
             self.round += 1
         return timeline
 
-    def searched(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
+    def search(self, timeline: Timeline, segments: int, budget: int | None) -> Timeline:
         """Return the best timeline of several searches, each started only if the minimum before it is poor.
 
         The first search starts from `timeline`, the second from the straight path between keyframes. The order is
@@ -287,8 +287,8 @@ class _Loop:
             starts.reverse()
         return [
             *starts,
-            lambda: self.loosened(straighten(figure, timeline)),
-            lambda: self.loosened(timeline),
+            lambda: self.search_without_limits(straighten(figure, timeline)),
+            lambda: self.search_without_limits(timeline),
         ]
 
     def _is_poor(self, timeline: Timeline, minima: Sequence[tuple[float, dict[str, float]]]) -> bool:
@@ -318,7 +318,9 @@ class _Loop:
             if self.stop is Stop.CONVERGED and refinements < MOST_REFINEMENTS:
                 finer = self.objective.watching(path_of(timeline)).finer(path_of(timeline))
             is_finer = finer is not self.objective
-            chosen, promise = (np.zeros(0), 0.0) if is_last else self.chosen(timeline, budget - timeline.variable_count)
+            chosen, promise = (
+                (np.zeros(0), 0.0) if is_last else self.choose_segments(timeline, budget - timeline.variable_count)
+            )
             if not chosen.size and (is_last or rough <= tolerance):
                 if not is_finer:
                     return ends
@@ -338,11 +340,11 @@ class _Loop:
             self.objective = objective
             self.least = np.inf if self.best is None else objective.value(path_of(self.best())) * (1 + ROUNDING)
 
-    def loosened(self, timeline: Timeline) -> Timeline:
+    def search_without_limits(self, timeline: Timeline) -> Timeline:
         """Return the minimum of a rough search without limits of joints, which can trap a limb on the wrong side."""
         terms = tuple(term for term in self.objective.terms if term.penalty.role is not Role.LIMIT)
         problem = replace(self.objective, terms=terms).on(timeline)
-        minimum = minimised(problem, optimiser=NONE, max_evaluations=self.settings.max_evaluations, tolerance=ROUGH)
+        minimum = minimise(problem, optimiser=NONE, max_evaluations=self.settings.max_evaluations, tolerance=ROUGH)
         self.evaluations += minimum.evaluations
         if minimum.stop is Stop.INTERRUPTED:
             raise KeyboardInterrupt
@@ -360,7 +362,7 @@ class _Loop:
             if value >= self.least:
                 return
             self.least = value
-            self.best = partial(_built, self.part, problem, x)
+            self.best = partial(_insert, self.part, problem, x)
             parts = dict(evaluation.parts)
             for term, more in zip(self.objective.terms, outside_terms, strict=True):
                 parts[term.penalty.name] += float(more)
@@ -368,7 +370,7 @@ class _Loop:
             if self.improved is not None:
                 self.improved(Improvement(before + count, self.round, value, parts, self.best))
 
-        minimum = minimised(
+        minimum = minimise(
             problem,
             optimiser=self.optimiser,
             max_evaluations=self.settings.max_evaluations,
@@ -379,7 +381,7 @@ class _Loop:
         self.stop = minimum.stop
         return timeline.with_rows(problem.unknowns.rows(minimum.x))
 
-    def chosen(self, timeline: Timeline, max_count: int) -> tuple[Array, float]:
+    def choose_segments(self, timeline: Timeline, max_count: int) -> tuple[Array, float]:
         """Return the middles of the segments to split next, and their predicted reduction as a share of E."""
         scores = CRITERIA[self.settings.criterion](self.objective, timeline)
         threshold, present = self.settings.threshold, 0.0
@@ -396,7 +398,7 @@ class _Loop:
         return np.sort(middles[order]), promise
 
 
-def _built(part: SearchPart | None, problem: Discretised, x: Array) -> Timeline:
+def _insert(part: SearchPart | None, problem: Discretised, x: Array) -> Timeline:
     """Return the whole clip with the searched part at the unknowns x (n,)."""
     solved = problem.timeline.with_rows(problem.unknowns.rows(x))
     return solved if part is None else part.put_back(solved)

@@ -27,7 +27,7 @@ from .penalty.block import sum_of_blocks
 # see `tension`: LONG [s] time between keyframes from which tension rises; exponent of the rise; upper limit of tension
 LONG, TENSION_POWER, MAX_TENSION = 0.25, 4.0, 8.0
 FROM_REST = 0.3  # [1] share of the first or the last segment over which tension rises from an end at rest
-SMALL_SHARE = 0.01  # [1] share of the clip's length in the smallest divisor of a term, see `renormalised`
+SMALL_SHARE = 0.01  # [1] share of the clip's length in the smallest divisor of a term, see `renormalise`
 # [1] see `_typical`: percentile of segment means, cap in multiples of that percentile, smallest share of an integral
 MOST_OF_TIME, VIOLENT, LEAST_TYPICAL = 0.8, 4.0, 0.1
 HEAVY = 10.0  # [1] multiple of the raw spline's cost; above this multiple, gross violations dominate E
@@ -89,7 +89,7 @@ class Objective:
         terms = tuple(Term(penalty, float(weight), float(weight)) for penalty, weight in penalties)
         return cls(figure, terms, quadrature or Quadrature())
 
-    def renormalised(self, raw: Path, initial_guess: Path | None = None) -> Objective:
+    def renormalise(self, raw: Path, initial_guess: Path | None = None) -> Objective:
         """Return the objective with every term divided by its integral over the raw path (eq. 7).
 
         The divisor of a term is limited to an interval:

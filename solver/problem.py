@@ -145,18 +145,18 @@ class Problem:
     @cached_property
     def objective(self) -> Objective:
         """The objective E, renormalised (eq. 7 of the paper) unless `Settings.renormalise` is False."""
-        return renormalised(self.plain_objective, self.raw) if self.settings.renormalise else self.plain_objective
+        return renormalise(self.plain_objective, self.raw) if self.settings.renormalise else self.plain_objective
 
 
-def renormalised(objective: Objective, raw: Timeline) -> Objective:
-    """Return E with every term divided by its integral over the raw spline (eq. 7), see `Objective.renormalised`.
+def renormalise(objective: Objective, raw: Timeline) -> Objective:
+    """Return E with every term divided by its integral over the raw spline (eq. 7), see `Objective.renormalise`.
 
     If a penalty provides an initial guess, divisors of terms other than violations are at least their integrals over
     the initial guess. If there is a `Posture` penalty, weights depend on the time between keyframes, see
     `Objective.tension`.
     """
     guide = guide_of(objective)
-    out = objective.renormalised(path_of(raw), None if guide is None else path_of(guide.initial_guess(raw, None)))
+    out = objective.renormalise(path_of(raw), None if guide is None else path_of(guide.initial_guess(raw, None)))
     if not any(isinstance(term.penalty, Posture) and term.weight > 0 for term in objective.terms):
         return out
     return replace(out, key_times=raw.times, at_rest=raw.at_rest)

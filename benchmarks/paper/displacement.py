@@ -16,7 +16,7 @@ from dynsplines.solver.curve.quadrature import gauss_nodes
 from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.refine.euler_lagrange import residual
-from dynsplines.solver.search.descent import optimised
+from dynsplines.solver.search.descent import optimise
 
 NODES = 6  # nodes per span of Gauss's rule
 MOST_EVALUATIONS = 60  # of a segment's search
@@ -53,7 +53,7 @@ def displacement(
     rows = []
     for i, (a, b) in enumerate(zip(timeline.times[:-1], timeline.times[1:], strict=True)):
         local = _segment(path, float(a), float(b), variable)
-        better = optimised(local_objective, local, max_evaluations=MOST_EVALUATIONS, tolerance=tolerance)
+        better = optimise(local_objective, local, max_evaluations=MOST_EVALUATIONS, tolerance=tolerance)
         t, w = gauss_nodes(np.array([a, b]), NODES)
         delta = np.linalg.norm(path.at(t) - path_of(better).at(t), axis=1)
         level = np.interp(t, strength.t[i], strength.size[i])

@@ -22,7 +22,7 @@ from dynsplines.solver.penalty import CovariantAcceleration
 from dynsplines.solver.penalty.block import Block, Dense, every
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.refine.subdivision import CRITERIA, midpoints, split
-from dynsplines.solver.search.descent import optimised
+from dynsplines.solver.search.descent import optimise
 
 
 @dataclass(frozen=True)
@@ -97,7 +97,7 @@ def by_objective(objective: Objective, timeline: Timeline) -> Array:
 
 def by_resolution(objective: Objective, timeline: Timeline) -> Array:
     """Return ∫ |y − y_fine| dt per segment, with y_fine the optimum at twice the resolution (Welch & Witkin 1992)."""
-    fine = optimised(objective, split(timeline, midpoints(timeline)))
+    fine = optimise(objective, split(timeline, midpoints(timeline)))
     t, w = gauss_nodes(np.asarray(timeline.times), 6)
     apart = np.linalg.norm(path_of(timeline).at(t) - path_of(fine).at(t), axis=1)
     return (w * apart).reshape(-1, 6).sum(axis=1)

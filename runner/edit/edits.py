@@ -16,8 +16,8 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.edit import timelines
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.problem import renormalised
-from dynsplines.solver.search.descent import optimised
+from dynsplines.solver.problem import renormalise
+from dynsplines.solver.search.descent import optimise
 
 from ..clip.build import Clip
 from ..clip.contacts import contacts
@@ -88,7 +88,7 @@ def retimed(saved: Saved, speed: float) -> Saved:
     """Return the motion at `speed` times the speed."""
     saved = without_clip(saved)
     with _with_name(saved.name):
-        timeline, raw = timelines.retimed(saved.timeline, speed), timelines.retimed(saved.raw, speed)
+        timeline, raw = timelines.retime(saved.timeline, speed), timelines.retime(saved.raw, speed)
     start = saved.keys[0].time
     keys = tuple(replace(key, time=start + (key.time - start) / speed) for key in saved.keys)
     check_times([key.time for key in keys], saved.name)
@@ -106,7 +106,7 @@ def trimmed(saved: Saved, first: float, last: float) -> Saved:
     """Return the part from `first` to `last` [s]. Its keyframes are complete, with the raw spline through them."""
     check_interval(saved, first, last)
     saved = without_clip(saved)
-    timeline = timelines.trimmed(saved.timeline, first, last)
+    timeline = timelines.trim(saved.timeline, first, last)
     begin, end = float(timeline.times[0]), float(timeline.times[-1])
     within = [key.time for key in saved.keys if begin < key.time < end]
     inside = [time for time in within if not is_too_near(begin, time) and not is_too_near(time, end)]
@@ -129,7 +129,7 @@ def repeated(saved: Saved, count: int) -> Saved:
     if count * period > LONGEST:
         raise UserError(f"{saved.name}: {count} periods of {period:g} s are over {LONGEST:g} s")
     with _with_name(saved.name):
-        timeline, raw = (timelines.repeated(saved.figure, path, count) for path in (saved.timeline, saved.raw))
+        timeline, raw = (timelines.repeat(saved.figure, path, count) for path in (saved.timeline, saved.raw))
     seam = replace(first, fixed=first.fixed | last.fixed, posed=first.known | last.known)
     rounds = [replace(key, time=key.time + period * i) for i in range(count) for key in (seam if i else first, *inside)]
     keys = [*rounds, replace(last, time=first.time + count * period)]
@@ -148,11 +148,11 @@ def joined(before: Saved, after: Saved, transition: float, progress: Progress) -
     ]
     before, after = without_clip(before), without_clip(after)
     figure = before.figure
-    one, two = (timelines.trimmed(part.timeline, *part.timeline.times[[0, -1]].tolist()) for part in (before, after))
+    one, two = (timelines.trim(part.timeline, *part.timeline.times[[0, -1]].tolist()) for part in (before, after))
     two = timelines.signed_like(figure, one, timelines.following(figure, one, two, transition).timeline(figure, two))
     shift = float(one.times[-1]) + transition - float(two.times[0])
     two = Timeline(tuple(replace(frame, time=frame.time + shift) for frame in two.frames), two.end_slope)
-    timeline = timelines.joined(one, _transition(before, one, two, held, progress), two)
+    timeline = timelines.join(one, _transition(before, one, two, held, progress), two)
     times = [*(key.time for key in before.keys), *(key.time + shift for key in after.keys)]
     check_times(times, "join")
     return _with_keys(before, timeline, times)
@@ -184,9 +184,9 @@ def _transition(saved: Saved, one: Timeline, two: Timeline, held: Sequence[Grasp
     begin = timelines.bridge(figure, one, two, variable=count)
     text = written(ClipTable.unchecked(figure="", grasp=grasps, keyframe=keyframe_tables(figure, ends)))
     clip = of_motion(replace(saved, text=text, keys=ends, timeline=one))
-    objective = renormalised(clip.problem.plain_objective, saved.raw)
+    objective = renormalise(clip.problem.plain_objective, saved.raw)
     progress.step("solving the transition", 0.0, force=True)
-    return optimised(objective, begin, max_evaluations=clip.settings.max_evaluations, tolerance=TOLERANCE)
+    return optimise(objective, begin, max_evaluations=clip.settings.max_evaluations, tolerance=TOLERANCE)
 
 
 def check_alike(before: Clip | Saved, after: Clip | Saved) -> None:

@@ -17,7 +17,7 @@ from dynsplines import models
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.edit.thin import Recorded, refined, thin
+from dynsplines.solver.edit.thin import Recorded, refine, thin
 
 from .. import motion, recordings, solving
 from ..clip import text as clip_text
@@ -89,7 +89,7 @@ def thinned(
 
     loosely = replace(recorded, distance=LOOSE * distance, angle=LOOSE * angle)
     if solve:
-        instants, timeline = refined(recorded, thin(loosely, report)[0], solved, report)
+        instants, timeline = refine(recorded, thin(loosely, report)[0], solved, report)
     else:
         instants, timeline = thin(recorded, report)
     keys = tuple(recorded.frames(instants))

@@ -21,7 +21,7 @@ from dynsplines.solver.figure.algebra import rotate_fixed
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Cycle
-from dynsplines.solver.problem import renormalised
+from dynsplines.solver.problem import renormalise
 from dynsplines.solver.refine.subdivision import by_weak_form
 from dynsplines.solver.tolerances import TINY
 
@@ -45,7 +45,7 @@ def report(clip: Clip, motion: Saved) -> dict[str, Any]:
     searched = not motion.is_raw and (motion.evaluations > 0 or motion.timeline.variable_count > 0)
     objective = clip.problem.plain_objective
     if clip.settings.renormalise:
-        objective = renormalised(objective, motion.raw)
+        objective = renormalise(objective, motion.raw)
     for side in (motion.raw, motion.timeline):  # as in the search, pairs of limbs that hardly touch do not count
         objective = objective.watching(path_of(side))
     measurements = Measurement.sides(clip, motion)

@@ -30,7 +30,7 @@ from dynsplines.solver.posing import (
     PointGoal,
     Posed,
     SupportPolygon,
-    dragged,
+    drag_pose,
 )
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import Point
@@ -219,7 +219,7 @@ class Poser:
             limits += tuple(foot.above(floor, CLEAR) for foot in aloft for floor in grip.limits)
         constraints = Constraints(tuple(goals), limits, tuple(level))
         may_restart = free is None and not fixed and not landing
-        return dragged(
+        return drag_pose(
             self.figure, grip.qpos, grip.is_whole_figure if free is None else free, target, constraints, self.bends,
             begin=begin, limb=grip.limb if may_restart else None, range_shares=self._range_shares,
         )  # fmt: skip
@@ -267,7 +267,7 @@ class Poser:
                 free[columns] = np.abs(after - before)[columns].max() < MOVED
             if not goals:
                 return after
-            posed = dragged(
+            posed = drag_pose(
                 figure, after, free, goals[0], Constraints(tuple(goals[1:])), self.bends, begin=after,
                 range_shares=self._range_shares,
             )  # fmt: skip

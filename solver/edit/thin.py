@@ -146,11 +146,11 @@ class Recorded:
 
 def thin(recorded: Recorded, report: Callable[[str], None] = lambda note: None) -> tuple[tuple[int, ...], Timeline]:
     """Return a small set of instants, and the raw spline through them, which stays within the bound at every sample."""
-    selection, _ = refined(recorded, (0, len(recorded.times) - 1), recorded.spline, report)
-    return refined(recorded, _without_redundant(recorded, selection, report), recorded.spline, report)
+    selection, _ = refine(recorded, (0, len(recorded.times) - 1), recorded.spline, report)
+    return refine(recorded, _without_redundant(recorded, selection, report), recorded.spline, report)
 
 
-def refined(
+def refine(
     recorded: Recorded, instants: Sequence[int], inbetween: InBetween, report: Callable[[str], None] = lambda note: None
 ) -> tuple[tuple[int, ...], Timeline]:
     """Return more instants, each where the in-between deviates most, until it is within the bound at all samples;

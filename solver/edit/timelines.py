@@ -27,7 +27,7 @@ LEAST_FRAMES = 4  # minimum number of variable frames, so that value, slope and 
 OF_TRUNK = 0.25  # [1] minimum share of the mass beyond a link of the trunk; it is less for feet with toes
 
 
-def retimed(timeline: Timeline, speed: float) -> Timeline:
+def retime(timeline: Timeline, speed: float) -> Timeline:
     """Return the same path at `speed` times the speed, from the same start: y(t₀ + (t − t₀) · speed)."""
     if not (np.isfinite(speed) and speed > 0):
         raise TimelineError(f"speed must be a number above 0, not {speed:g}")
@@ -46,7 +46,7 @@ def check_interval(span: tuple[float, float], first: float, last: float) -> None
         raise TimelineError(f"from {first:g} to {last:g} s is not inside {span[0]:g} to {span[1]:g} s")
 
 
-def trimmed(timeline: Timeline, first: float, last: float) -> Timeline:
+def trim(timeline: Timeline, first: float, last: float) -> Timeline:
     """Return the part of a timeline from `first` to `last` [s], with free ends; both are keyframes on the curve."""
     times = timeline.times
     check_interval((float(times[0]), float(times[-1])), first, last)
@@ -59,7 +59,7 @@ def trimmed(timeline: Timeline, first: float, last: float) -> Timeline:
     return Timeline((begin, *inside, end), path.at(edges, 1))
 
 
-def repeated(figure: Figure, timeline: Timeline, count: int) -> Timeline:
+def repeat(figure: Figure, timeline: Timeline, count: int) -> Timeline:
     """Return a loop repeated `count` times as one loop, with accumulated travel and one frame at each inner seam."""
     if timeline.ends != "periodic":
         raise TimelineError(f"only a loop, with ends = 'periodic', can be repeated; these are '{timeline.ends}'")
@@ -221,7 +221,7 @@ def signed_like(figure: Figure, before: Timeline, after: Timeline) -> Timeline:
     return after.with_rows(after.rows * signs)
 
 
-def joined(before: Timeline, between: Timeline, after: Timeline) -> Timeline:
+def join(before: Timeline, between: Timeline, after: Timeline) -> Timeline:
     """Return one motion of three in sequence, with free ends. Each begins where the previous one ends."""
     frames = (*before.frames, *between.frames[1:-1], *after.frames)
     return Timeline(frames, np.array([before.end_slope[0], after.end_slope[1]]))

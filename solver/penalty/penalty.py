@@ -30,7 +30,7 @@ class Normalization:
     """Numbers by which the solver scales a soft constraint, so that constraints are comparable.
 
     The solver divides f_j by its integral over the raw spline, the spline through the keyframes. `reference` limits
-    this divisor, see `Objective.renormalised`.
+    this divisor, see `Objective.renormalise`.
 
     Attributes:
         reference: The value of f_j for a violation of 1 cm or 1°, on a figure of an adult's size. For speeds and

@@ -10,11 +10,11 @@ limits              the floor, and the support polygon of the centre of mass
 """
 
 from .drag import Constraints as Constraints
-from .drag import dragged as dragged
+from .drag import drag_pose as drag_pose
 from .goals import BodyGoal as BodyGoal
 from .goals import Goal as Goal
 from .goals import PointGoal as PointGoal
-from .goals import reached as reached
+from .goals import entries_of as entries_of
 from .goals import rest_rotation as rest_rotation
 from .goals import same_heading as same_heading
 from .inverse_kinematics import STARTS as STARTS
@@ -22,7 +22,7 @@ from .inverse_kinematics import find_pose as find_pose
 from .inverse_kinematics import in_winding as in_winding
 from .least_squares import LeastSquares as LeastSquares
 from .least_squares import Residuals as Residuals
-from .least_squares import joined as joined
+from .least_squares import join as join
 from .limits import Balance as Balance
 from .limits import FloorClearance as FloorClearance
 from .limits import SupportPolygon as SupportPolygon

@@ -67,7 +67,7 @@ class Ranges:
             dofs.size,
         )
 
-    def narrowed(self, shares: Mapping[int, float], home: Array) -> Ranges:
+    def narrow(self, shares: Mapping[int, float], home: Array) -> Ranges:
         """Return narrower ranges, which still contain the values at home (nq,).
 
         Args:
@@ -143,7 +143,7 @@ class Bends:
     def bend(self, qpos: Array, least: float) -> Array:
         """Return qpos (nq,) with a flexion of every joint of at least `least` [rad]."""
         out = np.array(qpos)
-        for columns, axis, angle in zip(self.columns, self._child[0], self._bent(qpos)[0][0], strict=True):
+        for columns, axis, angle in zip(self.columns, self._child[0], self._angles(qpos)[0][0], strict=True):
             if angle < least:
                 more = quat.from_rotation_vector((least - angle) * axis)
                 out[columns] = quat.product(quat.normalise(out[columns]), more)
@@ -159,7 +159,7 @@ class Bends:
         """The lateral and long axes of the children in their frames, (2, k, 3)."""
         return np.einsum("nij,bin->bnj", self._rest, self.limits.axes[1][:0:-1])
 
-    def _bent(self, qpos: Array) -> tuple[Array, Array]:
+    def _angles(self, qpos: Array) -> tuple[Array, Array]:
         """Return the angles of the joints (3, k), and their derivatives by their degrees of freedom (3, k, 3)."""
         turn = self._rest @ quat.matrices(qpos[self.columns])
         angles, axes = bend_angles(self.limits.axes[1], np.einsum("nij,bnj->bin", turn, self._child))
@@ -167,7 +167,7 @@ class Bends:
 
     def linearise(self, qpos: Array, nv: int) -> tuple[Part, Part]:
         """Return the weighted sideways and twist angles (2 k,) and the excess over bounds (5 k,), with Jacobians."""
-        angles, slopes = self._bent(qpos)
+        angles, slopes = self._angles(qpos)
         by = np.zeros((*angles.shape, nv))
         by[:, np.arange(len(self.dofs))[:, None], self.dofs] = slopes
         crooked = STRAIGHT * angles[1:].ravel(), STRAIGHT * by[1:].reshape(-1, nv)

@@ -16,7 +16,7 @@ from ..array import Array, Mask
 from ..figure.figure import Figure
 from ..penalty.joints.bend import BendLimits
 from .goals import Goal
-from .least_squares import Part, Residuals, joined
+from .least_squares import Part, Residuals, join
 from .limits import FloorClearance, SupportPolygon
 from .pose_search import Posed, PoseSearch
 
@@ -45,7 +45,7 @@ class Constraints:
     preferred: tuple[tuple[float, Goal], ...] = ()
 
 
-def dragged(
+def drag_pose(
     figure: Figure,
     home: Array,
     free: Mask,
@@ -84,7 +84,7 @@ def dragged(
         return search.result(search.home)
     drag = _Drag(search, constraints)
     begin = np.array(begin, float)
-    best, cost = drag.minimise(search.clipped(begin))
+    best, cost = drag.minimise(search.clip(begin))
     result = search.result(best)
     if result.missed[0] > RESTART_MISS:
         for start in _restarts(search, begin, limb):
@@ -108,7 +108,7 @@ class _Drag:
 
     def __init__(self, search: PoseSearch, constraints: Constraints) -> None:
         self.search, self.constraints = search, constraints
-        self.target_size = search.goals[0].missed(search.model, search.data).size
+        self.target_size = search.goals[0].residual(search.model, search.data).size
 
     def minimise(self, qpos: Array) -> tuple[Array, float]:
         """Return the pose (nq,) after the descents from another, and its cost."""
@@ -135,4 +135,4 @@ class _Drag:
             values, rows = limit.linearise(search.model, search.data)
             parts.append((stiffness * LIMIT_WEIGHT * values, stiffness * LIMIT_WEIGHT * rows[:, search.dofs]))
         constant = TARGET_WEIGHT**2 * max(miss * MAX_MISS - MAX_MISS**2, 0.0)
-        return Residuals(*joined(parts), two_sided, constant)
+        return Residuals(*join(parts), two_sided, constant)

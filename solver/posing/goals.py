@@ -31,7 +31,7 @@ class Goal(Protocol):
         """Return MuJoCo's ids of the bodies whose positions or rotations the goal depends on, the main one first."""
         ...
 
-    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+    def residual(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
         """Return the residual, current minus requested value, (k,) [m or rad]."""
         ...
 
@@ -76,7 +76,7 @@ class PointGoal:
         """Return the current positions of the points in the world, (n, 3) [m]."""
         return data.xpos[self.index] + self.offsets @ data.xmat[self.index].reshape(3, 3).T
 
-    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+    def residual(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
         return (self.places(data) - self._targets(data))[self._is_constrained]
 
     def linearise(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
@@ -129,7 +129,7 @@ class BodyGoal:
     def _body(self, model: mujoco.MjModel) -> int:
         return int(model.body(self.name).id) if self.index is None else self.index
 
-    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+    def residual(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
         here = data.xquat[self._body(model)]
         if self.rotation is not None:
             return quat.rotation_vector(quat.product(here, quat.inverse(self.rotation)))
@@ -141,7 +141,7 @@ class BodyGoal:
         return tilt[:2] * np.arctan2(length, up[2]) / length
 
     def linearise(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
-        missed, rows = self.missed(model, data), np.zeros((3, model.nv))
+        missed, rows = self.residual(model, data), np.zeros((3, model.nv))
         mujoco.mj_jacBody(model, data, None, rows, self._body(model))
         return missed, rows[: missed.size]
 
@@ -160,7 +160,7 @@ def moved_by(figure: Figure, goal: Goal) -> set[int]:
     return {link for body in goal.bodies(figure.model) for link in figure.chain(body)}
 
 
-def reached(figure: Figure, goals: Sequence[Goal]) -> Mask:
+def entries_of(figure: Figure, goals: Sequence[Goal]) -> Mask:
     """Return the mask of the entries of qpos that goals depend on, (nq,): the joints from the root to their bodies."""
     mask = np.zeros(figure.width, bool)
     for link in {link for goal in goals for link in moved_by(figure, goal)}:

@@ -11,7 +11,7 @@ from ..array import Array, Mask
 from ..cache import Cache, cache_key
 from ..figure.figure import Figure, JointKind
 from ..penalty.joints.bend import BendLimits
-from .goals import Goal, moved_by, reached
+from .goals import Goal, entries_of, moved_by
 from .pose_search import Posed, PoseSearch
 
 STARTS = 12  # [1] largest number of starting poses
@@ -41,7 +41,7 @@ def find_pose(
     free, there = np.asarray(free, bool), np.array(qpos, float)
     fixed, missed, tried = np.zeros(figure.width, bool), np.zeros(len(goals)), 0
     for group in _apart(figure, free, goals):
-        pose = _known(figure, there, free, tuple(goals[i] for i in group), bends, starts, tuple(preferred))
+        pose = _find(figure, there, free, tuple(goals[i] for i in group), bends, starts, tuple(preferred))
         there, fixed, tried = np.where(pose.fixed, pose.qpos, there), fixed | pose.fixed, max(tried, pose.starts)
         missed[group] = pose.missed
     return Posed(there, fixed, missed, tried)
@@ -50,7 +50,7 @@ def find_pose(
 _poses = Cache[Posed](MOST_CACHED)
 
 
-def _known(
+def _find(
     figure: Figure,
     home: Array,
     free: Mask,
@@ -61,7 +61,7 @@ def _known(
 ) -> Posed:
     """Return the pose for goals that share free joints, from the cache if possible. Joints that the goals do not depend
     on are set to the rest pose, so that they do not change the cache key. Editing a clip repeats most of its poses."""
-    goal_key = reached(figure, goals)
+    goal_key = entries_of(figure, goals)
     home, free = np.where(goal_key, home, figure.model.qpos0), free & goal_key
     key = cache_key((figure.digest, home, free, goals, bends, starts, preferred))
     return _poses.get(key, lambda: _pose(PoseSearch(figure, home, free, goals, bends, preferred=preferred), starts))

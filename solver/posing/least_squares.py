@@ -24,7 +24,7 @@ Part = tuple[Array, Array]  # residuals (k,) and their Jacobian (k, n)
 SQUARED = 1e4  # [1] largest weight, relative to that of the unknowns, for which normal equations are accurate enough
 
 
-def joined(parts: Sequence[Part]) -> Part:
+def join(parts: Sequence[Part]) -> Part:
     """Return the concatenated residuals and Jacobians of several parts."""
     return np.concatenate([values for values, _ in parts]), np.concatenate([rows for _, rows in parts])
 

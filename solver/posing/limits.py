@@ -74,7 +74,7 @@ class Balance:
     def bodies(self, model: mujoco.MjModel) -> Sequence[int]:
         return [point.index for point in self.points]
 
-    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+    def residual(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
         return self.linearise(model, data)[0]
 
     def linearise(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:

@@ -20,8 +20,8 @@ from ..figure.model import set_qpos
 from ..penalty.joints.bend import BendLimits
 from ..tolerances import NEWTON_STEPS, ROUNDING, SINGLE
 from .bounds import Bends, Ranges
-from .goals import Goal, moved_by, reached
-from .least_squares import LeastSquares, Part, Residuals, joined
+from .goals import Goal, entries_of, moved_by
+from .least_squares import LeastSquares, Part, Residuals, join
 
 # [m, rad] largest residual norm of a goal that counts as met
 MET = SINGLE
@@ -91,7 +91,7 @@ class PoseSearch:
         self.preferred = preferred
         self.data = mujoco.MjData(self.model)
         links = sorted({link for goal in goals for link in moved_by(figure, goal)})
-        self.fixed = reached(figure, goals)
+        self.fixed = entries_of(figure, goals)
         free = free & self.fixed
         self.dofs, self.weights = self._freedoms(links, free)
         self.joints = [
@@ -99,7 +99,7 @@ class PoseSearch:
         ]
         self.ranges = Ranges.of(figure, self.joints, self.dofs)
         if range_shares:
-            self.ranges = self.ranges.narrowed({figure.links[i].qpos: share for i, share in range_shares.items()}, home)
+            self.ranges = self.ranges.narrow({figure.links[i].qpos: share for i, share in range_shares.items()}, home)
         self.bends = None if bends is None else Bends.of(figure, bends, free)
 
     def _freedoms(self, links: list[int], free: Mask) -> tuple[Index, Array]:
@@ -133,11 +133,11 @@ class PoseSearch:
         yield from (self.bend(rest, BENT[0]), self.bend(middle, BENT[1]))[:count]
         turns = self.weights != PER_METRE
         for number in range(count - 2):
-            start = self.moved(self.home if number % 2 else rest, SPREAD * rng.normal(size=self.dofs.size) * turns)
+            start = self.move(self.home if number % 2 else rest, SPREAD * rng.normal(size=self.dofs.size) * turns)
             start[self.ranges.simple] = rng.uniform(*self.ranges.limits.T)
             yield start if self.bends is None else self.bends.bend(start, rng.uniform(BENT[0], BENT[-1]))
 
-    def clipped(self, qpos: Array) -> Array:
+    def clip(self, qpos: Array) -> Array:
         """Return qpos (nq,) with hinges and slides clipped to their ranges."""
         return self.ranges.bend(qpos, -np.inf)
 
@@ -148,7 +148,7 @@ class PoseSearch:
 
     def result(self, qpos: Array) -> Posed:
         self._place(qpos)
-        missed = [np.linalg.norm(goal.missed(self.model, self.data)) for goal in self.goals]
+        missed = [np.linalg.norm(goal.residual(self.model, self.data)) for goal in self.goals]
         return Posed(qpos, self.fixed, np.array(missed, float))
 
     def rough_minimum(self, qpos: Array) -> tuple[Array, float]:
@@ -199,7 +199,7 @@ class PoseSearch:
             if shifts is not None:
                 off, over = off + shifts[0], over + shifts[1]
             parts = [near, (weight * off, weight * by_off), (firm * over, firm * by_over)]
-            return Residuals(*joined(parts), near[0].size + off.size)
+            return Residuals(*join(parts), near[0].size + off.size)
 
         return self.minimise(residuals, qpos, NEWTON_STEPS, settled=settled)
 
@@ -214,12 +214,12 @@ class PoseSearch:
         smallest: float = SMALLEST_STEP,
     ) -> tuple[Array, float]:
         """Return the pose of least cost near a pose (nq,), and its cost; see `LeastSquares`."""
-        return LeastSquares(residuals, self.moved, self.weights, steps, longest, settled, smallest).minimise(qpos)
+        return LeastSquares(residuals, self.move, self.weights, steps, longest, settled, smallest).minimise(qpos)
 
     def _place(self, qpos: Array) -> None:
         set_qpos(self.model, self.data, qpos)
 
-    def moved(self, qpos: Array, step: Array) -> Array:
+    def move(self, qpos: Array, step: Array) -> Array:
         """Return qpos (nq,) moved by a step (n,) of the free degrees of freedom; all other entries are unchanged."""
         velocity, there = np.zeros(self.model.nv), np.array(qpos)
         velocity[self.dofs] = step
@@ -253,4 +253,4 @@ class PoseSearch:
             crooked, beyond = self.bends.linearise(qpos, self.model.nv)
             near.append((crooked[0], crooked[1][:, self.dofs]))
             over.append((beyond[0], beyond[1][:, self.dofs]))
-        return joined(near), joined(off), joined(over)
+        return join(near), join(off), join(over)

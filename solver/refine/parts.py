@@ -53,7 +53,7 @@ def windows(segments: int) -> list[Window]:
     return [Window(max(a - BEHIND, 0), a, end, end) for a, end in zip(edges[:-1], ends, strict=True)]
 
 
-def edited(raw: Timeline, between: Sequence[tuple[float, float]]) -> list[Window]:
+def parts_of_edits(raw: Timeline, between: Sequence[tuple[float, float]]) -> list[Window]:
     """Return the parts that edits in intervals [s] affect.
 
     The list is empty for a loop, and if one of them is nearly the whole clip.

@@ -43,12 +43,12 @@ def warm_start(
         travel: Of a loop, see `Problem`, (3,) [m].
         turn: Of a loop, see `Problem` [rad].
     """
-    old_times, new_times = _matched(before, keys)
+    old_times, new_times = _match(before, keys)
     path = path_of(solved)
     first, last = solved.times[0], solved.times[-1]
 
     def old(times: Array) -> Array:
-        return path.at(np.clip(_stretched(times, new_times, old_times), first, last))
+        return path.at(np.clip(_stretch(times, new_times, old_times), first, last))
 
     times = raw.times
     was = old(times)
@@ -59,9 +59,9 @@ def warm_start(
     start = raw_timeline(figure, warm, raw.ends, raw.end_slope if is_clamped else None, travel, turn)
     start = Timeline(start.frames, raw.end_slope, raw.ends) if is_clamped else start
     signs = _signs(figure, start.states, was)
-    inner = np.sort(_stretched(solved.times[~solved.fixed.any(axis=1)], old_times, new_times))
-    inner = _placed(times, inner)
-    states = _moved(figure, start, signs, was, inner, old(inner))
+    inner = np.sort(_stretch(solved.times[~solved.fixed.any(axis=1)], old_times, new_times))
+    inner = _place(times, inner)
+    states = _move(figure, start, signs, was, inner, old(inner))
     frames = Frame.many(inner, states, np.zeros(states.shape, bool))
     posed = [replace(frame, posed=of.posed) for frame, of in zip(start.frames, raw.frames, strict=True)]
     slopes = np.array(start.end_slope)
@@ -70,7 +70,7 @@ def warm_start(
     return Timeline(tuple(posed), slopes, raw.ends).insert(frames)
 
 
-def _matched(before: Sequence[Frame], keys: Sequence[Frame]) -> tuple[Array, Array]:
+def _match(before: Sequence[Frame], keys: Sequence[Frame]) -> tuple[Array, Array]:
     """Return the earlier and present times (m,) [s] of keyframes in both clips, matched by index or else by time."""
     old, new = np.array([key.time for key in before]), np.array([key.time for key in keys])
     if old.size == new.size:
@@ -82,7 +82,7 @@ def _matched(before: Sequence[Frame], keys: Sequence[Frame]) -> tuple[Array, Arr
     return pairs[:, 0], pairs[:, 1]
 
 
-def _stretched(times: Array, here: Array, there: Array) -> Array:
+def _stretch(times: Array, here: Array, there: Array) -> Array:
     """Return times mapped piecewise linearly from `here` to `there`, shifted beyond the ends."""
     out = np.interp(times, here, there)
     return np.where(
@@ -106,7 +106,7 @@ def _signs(figure: Figure, states: Array, was: Array) -> Array:
     return signs
 
 
-def _placed(times: Array, inner: Array) -> Array:
+def _place(times: Array, inner: Array) -> Array:
     """Return the times of variable frames that are far enough from keyframes, with some added to empty segments."""
     result: list[float] = []
     for a, b in pairwise(times):
@@ -119,7 +119,7 @@ def _placed(times: Array, inner: Array) -> Array:
     return np.array(result)
 
 
-def _moved(figure: Figure, start: Timeline, signs: Array, was: Array, inner: Array, states: Array) -> Array:
+def _move(figure: Figure, start: Timeline, signs: Array, was: Array, inner: Array, states: Array) -> Array:
     """Return the states (V, N) of a path displaced with its keyframes. Where a quaternion turns in another direction
     than before, the states are on the spline through the keyframes."""
     times, moved = start.times, start.states - signs * was

@@ -9,7 +9,7 @@ from .newton import GaussNewton
 from .nlopt_methods import LBFGS, METHODS, algorithm
 
 WIDEST = 300  # largest number of columns of the state; time and memory of Newton steps are at least quadratic in it
-FINE = 1e-7  # [1] default tolerance of `optimised`, relative to E
+FINE = 1e-7  # [1] default tolerance of `optimise`, relative to E
 
 
 def check_method(method: str | Optimiser) -> None:
@@ -43,7 +43,7 @@ def optimiser_of(method: str | Optimiser, width: int, final: float) -> Optimiser
     return GaussNewton(method, final)
 
 
-def minimised(
+def minimise(
     problem: Discretised,
     *,
     optimiser: str | Optimiser = LBFGS,
@@ -61,7 +61,7 @@ def minimised(
     return minimise(problem, max_evaluations=max_evaluations, tolerance=tolerance, improved=improved)
 
 
-def optimised(
+def optimise(
     objective: Objective, timeline: Timeline, *, max_evaluations: int = MOST_EVALUATIONS, tolerance: float = FINE
 ) -> Timeline:
     """Return the timeline with its variable frames at the nearest minimum of E.
@@ -70,7 +70,7 @@ def optimised(
         KeyboardInterrupt: The search was interrupted.
     """
     problem = objective.on(timeline)
-    minimum = minimised(problem, max_evaluations=max_evaluations, tolerance=tolerance)
+    minimum = minimise(problem, max_evaluations=max_evaluations, tolerance=tolerance)
     if minimum.stop is Stop.INTERRUPTED:
         raise KeyboardInterrupt
     return timeline.with_rows(problem.unknowns.rows(minimum.x))

@@ -234,14 +234,14 @@ class Layout:
         if self.is_loop:
             self._tie_seam(matrix, times)
         if timeline.ends == "held":
-            ends = self._sampled(times[[0, -1]])
+            ends = self._sample(times[[0, -1]])
             for first, weights in zip(ends.first, ends.values[:, 2], strict=True):
                 self._hold(matrix, int(first), weights, np.eye(self.width))
         is_tied: Mask = np.take(self.tied, self._held)
         for i in self._held[is_tied]:
             block: Any = unknowns.matrix[i * self.width : (i + 1) * self.width]  # SciPy has no type for a slice
             moves = block[:, np.unique(block.indices)].toarray()
-            at = self._sampled(times[[i]])
+            at = self._sample(times[[i]])
             self._hold(matrix, int(at.first[0]), at.values[0, 0], np.eye(self.width) - moves @ np.linalg.pinv(moves))
         column, offset, values = self._column_springs(self._held[~is_tied])
         index = np.arange(self.width)
@@ -250,14 +250,14 @@ class Layout:
         np.add.at(matrix.reshape(-1), flat.ravel(), values.ravel())
         return matrix
 
-    def _sampled(self, times: Array) -> Sampling:
+    def _sample(self, times: Array) -> Sampling:
         """Return the functions of the basis at times (S,) [s]."""
         return self.basis.sample(Sampling.of(self.problem.spline, times))
 
     def _column_springs(self, frames: Index) -> tuple[Index, Index, Array]:
         """Return the springs on fixed columns of frames (R,), and on unused functions of the basis: columns (S,),
         offsets from the diagonal (S,), and entries (S, N)."""
-        at, unused = self._sampled(self.problem.timeline.times[frames]), self.rank[self.basis.count :]
+        at, unused = self._sample(self.problem.timeline.times[frames]), self.rank[self.basis.count :]
         weights = at.values[:, 0] / np.linalg.norm(at.values[:, 0], axis=1, keepdims=True)
         rank = self.rank[at.first[:, None] + np.arange(LOCAL)]
         offset = rank[:, :, None] - rank[:, None, :]
@@ -270,7 +270,7 @@ class Layout:
         """Tie y, y' and y'' of a step at the end to the same at the start, mapped by the seam. A loop's shift is
         constant, so it does not affect steps."""
         returned, identity = Seam.of(self.problem.objective.figure, self.problem.timeline).matrix(), np.eye(self.width)
-        ends = self._sampled(times[[0, -1]])
+        ends = self._sample(times[[0, -1]])
         first, last = (range(first, first + LOCAL) for first in ends.first.tolist())
         is_zero = int(self.basis.held[-3])  # in the basis, at both ends
         for start, end in zip(*ends.values[:, is_zero:], strict=True):

@@ -42,7 +42,7 @@ def test_the_renormalised_raw_spline_costs_the_sum_of_the_weights(figure, rng):
     penalties = [pair for pair, integral, floor in zip(every, integrals, floors, strict=True) if integral > floor]
     assert len(penalties) >= 3
     objective = objectives.Objective.of(figure, penalties)
-    renormalised = objective.renormalised(raw)
+    renormalised = objective.renormalise(raw)
     np.testing.assert_allclose(renormalised.value(raw), sum(weight for _, weight in penalties), rtol=1e-12)
     np.testing.assert_allclose([t.weight for t in renormalised.terms], [weight for _, weight in penalties])
 
@@ -58,7 +58,7 @@ def test_a_violation_is_divided_by_no_more_than_its_reference_over_the_whole_cli
     for height, share in ((50.0, 1.0), (-50.0, 0.01)):
         floor = Plane("floor", np.array([0.0, 0, height]), np.array([0.0, 0, 1]))
         contact = penalty.Collision((Point("p", 1, np.zeros(3)),), (floor,))
-        (term,) = objectives.Objective.of(figure, [(contact, 3.0)]).renormalised(raw).terms
+        (term,) = objectives.Objective.of(figure, [(contact, 3.0)]).renormalise(raw).terms
         np.testing.assert_allclose(term.factor, 3.0 / (little(figure) * share * length), rtol=1e-12)
 
 
@@ -96,7 +96,7 @@ def test_violent_segments_count_as_four_times_what_most_of_the_time_stays_below_
     objective, path = hinge_path(times, angles)
     whole, typical = violent_parts(times, angles)
     assert (typical < objectives.LEAST_TYPICAL * whole) == (seed is None) and typical < whole
-    (term,) = objective.renormalised(path).terms
+    (term,) = objective.renormalise(path).terms
     expected = whole / max(typical, objectives.LEAST_TYPICAL * whole)
     np.testing.assert_allclose(term.factor * objective.integrals(path)[0] / term.weight, expected, rtol=1e-9)
 
@@ -104,7 +104,7 @@ def test_violent_segments_count_as_four_times_what_most_of_the_time_stays_below_
 @pytest.mark.parametrize(("ends", "kind"), [("free", "gauss"), ("clamped start", "uniform"), ("periodic", "gauss")])
 def test_the_gradient_of_a_whole_clip_with_partial_keyframes_has_taylor_slope_two(figure, rng, ends, kind):
     timeline = clip(figure, rng, ends)
-    objective = objectives.Objective.of(figure, every_penalty(figure), quadrature=Quadrature(kind)).renormalised(
+    objective = objectives.Objective.of(figure, every_penalty(figure), quadrature=Quadrature(kind)).renormalise(
         path_of(timeline)
     )
     objective = replace(objective, key_times=np.array([0.0, 0.3, TIMES[-1]]))
@@ -115,7 +115,7 @@ def test_the_gradient_of_a_whole_clip_with_partial_keyframes_has_taylor_slope_tw
 
 def test_the_parts_add_up_to_the_value_and_the_value_is_that_of_the_path(figure, rng):
     timeline = clip(figure, rng)
-    objective = objectives.Objective.of(figure, every_penalty(figure)).renormalised(path_of(timeline))
+    objective = objectives.Objective.of(figure, every_penalty(figure)).renormalise(path_of(timeline))
     problem = objective.on(timeline)
     found = problem(problem.unknowns.start)
     np.testing.assert_allclose(sum(found.parts.values()), found.value, rtol=1e-14)
@@ -154,9 +154,9 @@ def test_what_costs_more_on_a_path_that_leads_is_divided_by_that_and_violations_
     plain, other, found = (
         o.terms
         for o in (
-            objective.renormalised(raw),
-            objective.renormalised(initial_guess),
-            objective.renormalised(raw, initial_guess),
+            objective.renormalise(raw),
+            objective.renormalise(initial_guess),
+            objective.renormalise(raw, initial_guess),
         )
     )
     below = 0

@@ -29,7 +29,7 @@ SMOOTH = ("covariant", "unit", "root", "torque")
 
 
 def discretised(timeline: Timeline, figure: Figure, penalties: list[kinds.Penalty], variable: int = 1) -> Discretised:
-    objective = Objective.of(figure, [(penalty, 1.0) for penalty in penalties]).renormalised(path_of(timeline))
+    objective = Objective.of(figure, [(penalty, 1.0) for penalty in penalties]).renormalise(path_of(timeline))
     return objective.on(evenly(timeline, variable))
 
 

@@ -105,13 +105,13 @@ class SiteGoal:
     def bodies(self, model: mujoco.MjModel) -> list[int]:
         return [int(model.site_bodyid[model.site(self.name).id])]
 
-    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+    def residual(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
         return (data.site(self.name).xpos - self.position)[self._specified]
 
     def linearise(self, model: mujoco.MjModel, data: mujoco.MjData) -> tuple[Array, Array]:
         rows = np.zeros((3, model.nv))
         mujoco.mj_jacSite(model, data, rows, None, model.site(self.name).id)
-        return self.missed(model, data), rows[self._specified]
+        return self.residual(model, data), rows[self._specified]
 
     @cached_property
     def _specified(self) -> Mask:

@@ -31,7 +31,7 @@ def turning(turns: list[float], variable: int) -> tuple[Objective, Timeline]:
     poses = [quat.from_rotation_vector(np.radians(angle) * axis) for angle in np.cumsum([0, *turns])]
     raw = raw_timeline(figure, [Frame.key(float(i), pose) for i, pose in enumerate(poses)])
     objective = Objective.of(figure, [(CovariantAcceleration(), 1.0), (UnitMagnitude(), 10.0)])
-    return objective.renormalised(path_of(raw)), evenly(raw, variable)
+    return objective.renormalise(path_of(raw)), evenly(raw, variable)
 
 
 TERMS: list[tuple[Penalty, float]] = [
@@ -44,14 +44,14 @@ TERMS: list[tuple[Penalty, float]] = [
 
 def problem_of(rng: np.random.Generator, ends: str = "free", coordinates: str = "world", terms=TERMS) -> Discretised:
     raw = tiny_clip(rng, ends, coordinates, partial=True)
-    objective = Objective.of(figure_of(TINY, coordinates), terms).renormalised(path_of(raw))
+    objective = Objective.of(figure_of(TINY, coordinates), terms).renormalise(path_of(raw))
     return objective.on(evenly(raw, 1))
 
 
 def discretised(figure: Figure, rng: np.random.Generator, ends: str):
     timeline = clip(figure, rng, ends)
     objective = Objective.of(figure, [(CovariantAcceleration(), 1.0), (RootAcceleration(), 1.0)])
-    return objective.renormalised(path_of(timeline)).on(evenly(timeline, 2))
+    return objective.renormalise(path_of(timeline)).on(evenly(timeline, 2))
 
 
 def slider(times: np.ndarray, variable: int):
@@ -59,7 +59,7 @@ def slider(times: np.ndarray, variable: int):
     figure = figure_of('<mujoco><worldbody><body><joint type="slide"/><geom size=".1"/></body></worldbody></mujoco>')
     keys = [Frame.key(t, [np.sin(3 * t)]) for t in times]
     raw = raw_timeline(figure, keys)
-    return Objective.of(figure, [(RootAcceleration(), 1.0)]).renormalised(path_of(raw)).on(evenly(raw, variable))
+    return Objective.of(figure, [(RootAcceleration(), 1.0)]).renormalise(path_of(raw)).on(evenly(raw, variable))
 
 
 class Watched(Discretised):
@@ -172,7 +172,7 @@ def loop(figure: Figure, way: str, *, partial: bool = False) -> Timeline:
 
 def assert_exact_gradient(raw: Timeline, figure: Figure, rng: np.random.Generator) -> None:
     """Of all penalties together on a loop, by Taylor's slope; and that unknowns pull back what they push forward."""
-    objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(raw))
+    objective = Objective.of(figure, every_penalty(figure)).renormalise(path_of(raw))
     problem = objective.on(evenly(raw, 1))
     x = problem.unknowns.start + 0.02 * rng.normal(size=problem.unknowns.size)
     assert taylor_slope(lambda z: problem(z).value, x, problem(x).gradient, rng) > 1.9

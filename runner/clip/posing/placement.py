@@ -23,9 +23,9 @@ from dynsplines.solver.posing import (
     Goal,
     PointGoal,
     Posed,
+    entries_of,
     find_pose,
     in_winding,
-    reached,
     rest_rotation,
     same_heading,
 )
@@ -117,7 +117,7 @@ def with_pose(
             break
     assert best is not None, "there are goals"
     pose = in_winding(figure, best.qpos, path.states[k - 1] if k else home, ~key.fixed)
-    posed_key = Frame.key(key.time, np.where(key.fixed, key.state, pose), key.fixed | reached(figure, goals))
+    posed_key = Frame.key(key.time, np.where(key.fixed, key.state, pose), key.fixed | entries_of(figure, goals))
     return posed_key, best
 
 
@@ -212,7 +212,7 @@ def _kept_headings(figure: Figure, before: Frame, goals: Sequence[Goal]) -> list
     for flat in (goal for goal in goals if isinstance(goal, BodyGoal) and goal.rotation is None):
         (body,) = flat.bodies(model)
         is_set = all(before.fixed[figure.links[link].columns].all() for link in figure.chain(body))
-        missed = [goal.missed(model, data) for goal in goals if isinstance(goal, PointGoal) and goal.index == body]
+        missed = [goal.residual(model, data) for goal in goals if isinstance(goal, PointGoal) and goal.index == body]
         if is_set and missed and np.linalg.norm(np.concatenate(missed)) <= Thresholds.of(figure).tiny:
             kept.append(same_heading(figure, before.state, body))
     return kept
@@ -228,7 +228,7 @@ def _unmet_balance(
     """
     preferred = balance_of(figure, soles, goals) if surfaces else []
     data, most = kinematics(figure.model, pose), Thresholds.of(figure).near_surface
-    if all(np.linalg.norm(goal.missed(figure.model, data)) <= most for _, goal in preferred):
+    if all(np.linalg.norm(goal.residual(figure.model, data)) <= most for _, goal in preferred):
         return []
     feet = {point.link for point in soles}
     others = [point for point in body_points(figure) if point.link not in feet]

@@ -26,9 +26,9 @@ from dynsplines.solver.posing import (
     BodyGoal,
     Goal,
     PointGoal,
+    entries_of,
     find_pose,
     in_winding,
-    reached,
 )
 from dynsplines.solver.surface import Surface, static_surfaces
 from dynsplines.solver.surface.points import Point, sets_places
@@ -161,13 +161,14 @@ class Stander:
         These are only feet that the goals also move; `pose_feet` handles others.
         """
         figure, timeline = self.figure, self.timeline(keys)
-        may_move = reached(figure, goals) & ~keys[k].fixed
+        may_move = entries_of(figure, goals) & ~keys[k].fixed
         busy = {link for goal in goals for link in figure.limb(goal.bodies(figure.model)[0])}
         groups = goals_at(self._schedule(timeline), k) if may_move.any() else []
         return timeline, [
             goal
             for group in groups
-            if figure.body_link[group[0].bodies(figure.model)[0]] not in busy and reached(figure, group)[may_move].any()
+            if figure.body_link[group[0].bodies(figure.model)[0]] not in busy
+            and entries_of(figure, group)[may_move].any()
             for goal in group
         ]
 

@@ -19,7 +19,7 @@ from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
 from dynsplines.solver.curve.recording import Track, between
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.edit.timelines import repeated
+from dynsplines.solver.edit.timelines import repeat
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import TrackingPenalty
@@ -231,7 +231,7 @@ def followed(table: RecordingTable, figure: Figure, motion: Saved | None, where:
     if joints[0] != joints[1] or motion.figure.width != figure.width:
         raise UserError(f"{here}: '{table.file}' is of another figure: {', '.join(joints[1][:6])}, ...")
     try:
-        timeline = motion.timeline if table.repeat is None else repeated(motion.figure, motion.timeline, table.repeat)
+        timeline = motion.timeline if table.repeat is None else repeat(motion.figure, motion.timeline, table.repeat)
     except TimelineError as error:
         raise UserError(f"{here}: repeat: {error}") from None
     time, qpos = _cut(*_taken_down(motion.figure, timeline, motion.fps), table, here)

@@ -27,7 +27,7 @@ from dynsplines.solver.contacts.ground_alignment import LOWEST
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.model import boxes
 from dynsplines.solver.figure.root import Root, roots_of, subtree
-from dynsplines.solver.posing import STARTS, PoseSearch, Residuals, joined
+from dynsplines.solver.posing import STARTS, PoseSearch, Residuals, join
 from dynsplines.solver.tolerances import TINY
 
 from ...errors import GIVE_MAP, UserError, listed
@@ -458,7 +458,7 @@ class RecordedPoses:
     def bodies(self, model: mujoco.MjModel) -> Sequence[int]:
         return [*self.turns, *(body for bodies, _ in self.limbs for body in bodies)]
 
-    def missed(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+    def residual(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
         away = quat.rotation_vector(quat.product(data.xquat[list(self.turns)], self.inverse[self.sample]))
         off = [data.xpos[b[-1]] - data.xpos[b[0]] - about[self.sample] for b, about in self.limbs]
         return np.concatenate([(away / self.spread).ravel(), *(part / PLACE for part in off)])
@@ -472,7 +472,7 @@ class RecordedPoses:
                 mujoco.mj_jacBody(model, data, row, None, body)
         by_end = (moved[:, 0] - moved[:, 1]) / PLACE
         rows = np.concatenate([turned / self.spread[:, :, None], by_end]).reshape(-1, model.nv)
-        return self.missed(model, data), rows
+        return self.residual(model, data), rows
 
 
 def followed(model: mujoco.MjModel, qpos: Array, poses: RecordedPoses, root: slice) -> Array:
@@ -489,7 +489,7 @@ def followed(model: mujoco.MjModel, qpos: Array, poses: RecordedPoses, root: sli
     def residuals(pose: Array) -> Residuals:
         _, (off, by_off), (over, by_over) = search.linearise(pose)
         over, by_over = over[balls:], by_over[balls:]
-        return Residuals(*joined([(off, by_off), (RANGE * over, RANGE * by_over)]), off.size)
+        return Residuals(*join([(off, by_off), (RANGE * over, RANGE * by_over)]), off.size)
 
     def minimise(start: Array) -> tuple[Array, float]:
         return search.minimise(residuals, start, STEPS, longest=LONGEST, smallest=STILL)
@@ -497,10 +497,10 @@ def followed(model: mujoco.MjModel, qpos: Array, poses: RecordedPoses, root: sli
     last = 0.0
     for i, row in enumerate(out if search.dofs.size else ()):
         poses.sample = i
-        starts = [search.clipped(row), *search.starts_around(STARTS)] if i == 0 else [np.where(free, out[i - 1], row)]
+        starts = [search.clip(row), *search.starts_around(STARTS)] if i == 0 else [np.where(free, out[i - 1], row)]
         found = [minimise(np.where(free, start, row)) for start in starts]
         if i and found[0][1] > FAR * max(last, 1.0):
-            found.append(minimise(search.clipped(row)))
+            found.append(minimise(search.clip(row)))
         pose, last = min(found, key=lambda each: each[1])
-        out[i] = search.clipped(pose)
+        out[i] = search.clip(pose)
     return out

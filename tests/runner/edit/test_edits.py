@@ -29,7 +29,7 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.search.descent import optimised
+from dynsplines.solver.search.descent import optimise
 from dynsplines.system.progress import Progress
 
 FOLLOWING = 'figure = "tiny.xml"\nfps = 20\n[recording]\nfile = "own.npz"\n'
@@ -142,7 +142,7 @@ def assert_plain(edited: Saved, folder: Path) -> None:
 
 @pytest.mark.slow
 def test_joined_motions_have_the_samples_of_both(motions, tmp_path, monkeypatch):
-    monkeypatch.setattr(edits, "optimised", lambda *problem, **_: optimised(*problem, max_evaluations=5))
+    monkeypatch.setattr(edits, "optimise", lambda *problem, **_: optimise(*problem, max_evaluations=5))
     saved, times = motions["plain"], np.linspace(0, 0.41, 19)
     both = edits.joined(saved, saved, 0.2, quiet())
     assert_same(saved, at(both, times), at(saved, times))
@@ -344,7 +344,7 @@ def holding(poses: dict[float, tuple[float, float]]) -> Motion:
 
 def test_an_arm_on_a_base_keeps_what_it_holds_when_motions_are_joined(monkeypatch):
     """The ball is in the hand before, in and after the transition, although free objects move with a root."""
-    monkeypatch.setattr(edits, "optimised", lambda *problem, **_: optimised(*problem, max_evaluations=10))
+    monkeypatch.setattr(edits, "optimise", lambda *problem, **_: optimise(*problem, max_evaluations=10))
     both = holding({0: (0, 20), 0.5: (20, 40)}).joined(holding({0: (80, 90), 0.5: (90, 80)}), transition=0.4)
     sampled_ = both.sampled(100)
     seen = [kinematics(both.model, qpos) for qpos in sampled_.qpos]

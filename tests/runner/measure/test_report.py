@@ -22,7 +22,7 @@ from dynsplines.measure.report import report, tables
 from dynsplines.motion import Sampled, samples_at
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.dynamics import velocities
-from dynsplines.solver.search.descent import optimised
+from dynsplines.solver.search.descent import optimise
 from dynsplines.solving import Solved
 
 FOOT = read_data("foot.xml")
@@ -148,7 +148,7 @@ def test_what_is_left_to_gain_is_about_what_four_times_the_frames_gain(solved: S
     motion = solved.motion
     told = report(solved.clip, motion)["left to gain"]
     objective = solved.clip.problem.objective
-    fine = optimised(objective, evenly(motion.timeline, 3), tolerance=1e-6)
+    fine = optimise(objective, evenly(motion.timeline, 3), tolerance=1e-6)
     gained = objective.value(motion.path) - objective.value(path_of(fine))
     assert gained / 3 < told["objective"] < 3 * gained
     assert told["share"] == pytest.approx(told["objective"] / objective.value(motion.path))

@@ -27,7 +27,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.search.descent import optimised
+from dynsplines.solver.search.descent import optimise
 
 FIGURE_OF_A_HOP = figure_of(TINY)
 FIGURE = figure_of(BALL_TREE)
@@ -55,7 +55,7 @@ def assert_close(got: np.ndarray, wanted: np.ndarray) -> None:
 @given(st.integers(0, 1000), st.sampled_from(ENDS), st.floats(0.02, 50))
 def test_a_retimed_motion_is_the_motion_at_other_times(seed, ends, speed):
     timeline = random_timeline(seed, ends)
-    fast = timelines.retimed(timeline, speed)
+    fast = timelines.retime(timeline, speed)
     t = np.linspace(FIRST, LAST, 37)
     at = np.clip(FIRST + (t - FIRST) / speed, *path_of(fast).span)
     for order in range(3):
@@ -64,7 +64,7 @@ def test_a_retimed_motion_is_the_motion_at_other_times(seed, ends, speed):
     np.testing.assert_allclose(np.diff(fast.times) * speed, np.diff(timeline.times), rtol=1e-12)
     np.testing.assert_array_equal(fast.fixed, timeline.fixed)
     assert fast.ends == ends
-    assert_close(timelines.retimed(fast, 1 / speed).rows, timeline.rows)
+    assert_close(timelines.retime(fast, 1 / speed).rows, timeline.rows)
 
 
 @settings(deadline=None, max_examples=40)
@@ -75,7 +75,7 @@ def test_a_trimmed_motion_is_the_same_inside(seed, ends, a, b):
     if last - first < 1e-3:
         last = first + 1e-3 if first < 1 else last
         first = last - 1e-3
-    part = timelines.trimmed(timeline, first, last)
+    part = timelines.trim(timeline, first, last)
     t = np.linspace(*path_of(part).span, 37)
     np.testing.assert_allclose(path_of(part).span, [first, last], rtol=0, atol=2e-9)
     assert_close(path_of(part).at(t), path_of(timeline).at(t))
@@ -94,7 +94,7 @@ def test_a_repeated_loop_continues_period_by_period(rng, way, count):
     timeline = evenly(loop(figure, way), 1)
     unknowns = Unknowns.of(figure, timeline)
     timeline = timeline.with_rows(unknowns.rows(unknowns.start + 0.05 * rng.normal(size=unknowns.size)))
-    many, seam = timelines.repeated(figure, timeline, count), Seam.of(figure, timeline)
+    many, seam = timelines.repeat(figure, timeline, count), Seam.of(figure, timeline)
     t = np.linspace(0, PERIOD, 41)
     for number in range(count):
         at = np.clip(t + PERIOD * number, 0, path_of(many).span[1])
@@ -112,21 +112,21 @@ def test_a_repeated_loop_continues_period_by_period(rng, way, count):
 @pytest.mark.parametrize(
     ("edit", "words"),
     [
-        (lambda: timelines.retimed(random_timeline(0, "free"), 0.0), "speed must be a number above 0"),
-        (lambda: timelines.retimed(random_timeline(0, "free"), np.nan), "speed must be a number above 0"),
-        (lambda: timelines.trimmed(random_timeline(0, "free"), 0.5, 0.5), "ends after it begins"),
+        (lambda: timelines.retime(random_timeline(0, "free"), 0.0), "speed must be a number above 0"),
+        (lambda: timelines.retime(random_timeline(0, "free"), np.nan), "speed must be a number above 0"),
+        (lambda: timelines.trim(random_timeline(0, "free"), 0.5, 0.5), "ends after it begins"),
         (
-            lambda: timelines.trimmed(random_timeline(0, "free"), 0.9, 0.3),
+            lambda: timelines.trim(random_timeline(0, "free"), 0.9, 0.3),
             "ends after it begins, not from 0.9 to 0.3 s",
         ),
-        (lambda: timelines.trimmed(random_timeline(0, "free"), np.nan, 1.0), "ends after it begins"),
-        (lambda: timelines.trimmed(random_timeline(0, "free"), -0.1, 0.5), "not inside 0 to 1.3 s"),
-        (lambda: timelines.trimmed(random_timeline(0, "free"), 0.5, 1.31), "not inside"),
+        (lambda: timelines.trim(random_timeline(0, "free"), np.nan, 1.0), "ends after it begins"),
+        (lambda: timelines.trim(random_timeline(0, "free"), -0.1, 0.5), "not inside 0 to 1.3 s"),
+        (lambda: timelines.trim(random_timeline(0, "free"), 0.5, 1.31), "not inside"),
         (
-            lambda: timelines.repeated(FIGURE, random_timeline(0, "clamped"), 2),
+            lambda: timelines.repeat(FIGURE, random_timeline(0, "clamped"), 2),
             "only a loop, .* can be repeated; these are 'cla",
         ),
-        (lambda: timelines.repeated(FIGURE, random_timeline(0, "periodic"), 0), "at least once, not 0 times"),
+        (lambda: timelines.repeat(FIGURE, random_timeline(0, "periodic"), 0), "at least once, not 0 times"),
     ],
 )
 def test_wrong_speeds_intervals_and_counts_are_refused(edit, words):
@@ -155,10 +155,10 @@ def test_both_motions_keep_their_curves_and_the_whole_is_smooth_to_the_second_de
     figure = figure_of(TINY, coordinates)
     before, after = sides(figure, rng)
     begin = timelines.bridge(figure, before, after, variable=5)
-    objective = Objective.of(figure, TERMS).renormalised(path_of(begin))
-    between = optimised(objective, begin)
+    objective = Objective.of(figure, TERMS).renormalise(path_of(begin))
+    between = optimise(objective, begin)
     assert objective.value(path_of(between)) < 0.9 * objective.value(path_of(begin))
-    whole = path_of(timelines.joined(before, between, after))
+    whole = path_of(timelines.join(before, between, after))
     for part in (before, between, after):
         t = np.linspace(*path_of(part).span, 150)
         for order in range(3):
@@ -173,12 +173,12 @@ def test_the_gradient_and_the_step_under_held_ends_are_exact(rng):
     figure = figure_of(TINY)
     begin = timelines.bridge(figure, *sides(figure, rng), variable=5)
     assert begin.variable_count == 5
-    objective = Objective.of(figure, every_penalty(figure)).renormalised(path_of(begin))
+    objective = Objective.of(figure, every_penalty(figure)).renormalise(path_of(begin))
     problem = objective.on(begin)
     x = problem.unknowns.start + 0.02 * rng.normal(size=problem.unknowns.size)
     assert taylor_slope(lambda z: problem(z).value, x, problem(x).gradient, rng) > 1.9
     smooth = [(RESIDUALS[name][0], 1.0) for name in SMOOTH]
-    assert_dense(Objective.of(figure, smooth).renormalised(path_of(begin)).on(begin), SMOOTH, x, rtol=1e-3)
+    assert_dense(Objective.of(figure, smooth).renormalise(path_of(begin)).on(begin), SMOOTH, x, rtol=1e-3)
 
 
 @pytest.mark.parametrize("coordinates", ["world", "joint"])

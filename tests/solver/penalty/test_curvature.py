@@ -72,5 +72,5 @@ def test_the_weak_form_ranks_the_segment_that_dips_into_the_floor_first():
     heights = [0.5, 0.4, 0.5, 0.12, 0.12, 0.5, 0.4]
     raw = raw_timeline(figure, [Frame.key(float(i), [0, 0, z, 1, 0, 0, 0]) for i, z in enumerate(heights)])
     contact = Collision((Point("ball", 1, np.zeros(3), 0.1),), (FLOOR,))
-    objective = Objective.of(figure, [(RootAcceleration(), 1.0), (contact, 50.0)]).renormalised(path_of(raw))
+    objective = Objective.of(figure, [(RootAcceleration(), 1.0), (contact, 50.0)]).renormalise(path_of(raw))
     assert np.argmax(WeakForm(objective, path_of(raw)).decrements(midpoints(raw))) == 3

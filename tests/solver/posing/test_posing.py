@@ -43,7 +43,7 @@ def differences(model: mujoco.MjModel, qpos: Array, values: Callable[[Array], Ar
 
 
 def assert_rows(goal: posing.Goal, model: mujoco.MjModel, qpos: Array, atol: float = 1e-7) -> None:
-    expected = differences(model, qpos, lambda at: np.array(goal.missed(model, kinematics(model, at))))
+    expected = differences(model, qpos, lambda at: np.array(goal.residual(model, kinematics(model, at))))
     np.testing.assert_allclose(goal.linearise(model, kinematics(model, qpos))[1], expected, atol=atol)
 
 
@@ -58,10 +58,10 @@ def test_points_and_sites_miss_what_mujoco_has_between_them_and_their_place_alon
         data, (point,) = kinematics(model, qpos), site_points(figure, [name])
         expected = (data.site(name).xpos - position)[given]
         for goal in (SiteGoal(name, position), posing.PointGoal.of(figure, point, position)):
-            np.testing.assert_allclose(goal.missed(model, data), expected, atol=1e-12)
+            np.testing.assert_allclose(goal.residual(model, data), expected, atol=1e-12)
             assert_rows(goal, model, qpos)
         plain = posing.PointGoal.of(figure, point)
-        np.testing.assert_allclose(plain.missed(model, data), data.site(name).xpos, atol=1e-12)
+        np.testing.assert_allclose(plain.residual(model, data), data.site(name).xpos, atol=1e-12)
         np.testing.assert_allclose(plain.places(data)[0], data.site(name).xpos, atol=1e-12)
         assert plain.bodies(model) == [figure.links[point.link].body]
 
@@ -74,10 +74,10 @@ def test_a_body_misses_its_rotation_by_scipys_rotation_vector_which_changes_as_i
     x, y, z, w = turn.as_quat()
     goal = posing.BodyGoal(model.body(body).name, np.array([w, x, y, z]))
     here = Rotation.from_matrix(data.xmat[body].reshape(3, 3))
-    np.testing.assert_allclose(goal.missed(model, data), (here * turn.inv()).as_rotvec(), atol=1e-9)
+    np.testing.assert_allclose(goal.residual(model, data), (here * turn.inv()).as_rotvec(), atol=1e-9)
     there = posing.BodyGoal("by number", np.array(data.xquat[body]), body)
     assert there.bodies(model) == goal.bodies(model) == [body]
-    np.testing.assert_allclose(there.missed(model, data), 0, atol=1e-9)
+    np.testing.assert_allclose(there.residual(model, data), 0, atol=1e-9)
     assert_rows(there, model, qpos)
 
 
@@ -88,14 +88,14 @@ def test_a_body_that_leans_misses_upright_by_its_lean_about_the_axis_that_it_lea
     x, y, z, w = (Rotation.from_rotvec(lean) * heading).as_quat()
     qpos[3:7] = w, x, y, z
     goal = posing.BodyGoal("foot")  # turned at rest already
-    np.testing.assert_allclose(goal.missed(model, kinematics(model, qpos)), lean[:2], atol=1e-12)
+    np.testing.assert_allclose(goal.residual(model, kinematics(model, qpos)), lean[:2], atol=1e-12)
     x, y, z, w = heading.as_quat()
     qpos[3:7] = w, x, y, z
-    np.testing.assert_allclose(goal.missed(model, kinematics(model, qpos)), [0, 0], atol=1e-12)
+    np.testing.assert_allclose(goal.residual(model, kinematics(model, qpos)), [0, 0], atol=1e-12)
     for angle in range(9):  # upside down, with rounding of the cosine on either side of -1
         over = np.array(qpos)
         over[3:7] = 0, np.cos(angle), np.sin(angle), 0
-        assert np.linalg.norm(goal.missed(model, kinematics(model, over))) == pytest.approx(np.pi)
+        assert np.linalg.norm(goal.residual(model, kinematics(model, over))) == pytest.approx(np.pi)
     nearly = np.array(qpos)
     mujoco.mj_integratePos(model, nearly, np.eye(model.nv)[3], 1e-5)
     assert_rows(goal, model, nearly, atol=2e-5)
@@ -307,7 +307,7 @@ def test_a_hold_misses_what_mujoco_has_between_its_places_and_changes_as_both_bo
 
     data = seen(figure, qpos)
     mujoco.mj_comPos(figure.model, data)
-    np.testing.assert_allclose(goal.missed(figure.model, data), missed(qpos), atol=1e-12)
+    np.testing.assert_allclose(goal.residual(figure.model, data), missed(qpos), atol=1e-12)
     assert_rows(goal, figure.model, qpos)
     found = posing.find_pose(figure, qpos, everything(figure), [goal])
     assert found.is_met

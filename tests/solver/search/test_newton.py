@@ -8,7 +8,7 @@ from problems import TERMS, Watched, by_nlopt, problem_of
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.objective import Evaluation, Objective
-from dynsplines.solver.search.descent import minimised
+from dynsplines.solver.search.descent import minimise
 from dynsplines.solver.search.minimum import Stop
 from dynsplines.solver.search.newton import FIRST_DAMPING, GaussNewton
 from dynsplines.solver.search.quadratic import Proposal, QuadraticModel
@@ -87,10 +87,10 @@ def test_a_tighter_tolerance_gets_nearer_to_the_minimum(rng):
 
 def test_newtons_steps_alone_are_called_none_and_unknown_names_are_refused(rng):
     problem = problem_of(rng)
-    alone, refined = (minimised(problem, optimiser=name, tolerance=1e-3) for name in ("None", "lbfgs"))
+    alone, refined = (minimise(problem, optimiser=name, tolerance=1e-3) for name in ("None", "lbfgs"))
     assert alone.value >= refined.value
     with pytest.raises(ValueError, match="no optimiser 'gauss'; there are: lbfgs, "):
-        minimised(problem, optimiser="gauss")
+        minimise(problem, optimiser="gauss")
 
 
 @pytest.mark.parametrize("failures", [2, 10_000])

@@ -155,7 +155,7 @@ def test_a_raw_spline_that_is_far_off_unit_length_does_not_make_it_soft():
     turns = [[1.0, 0, 0, 0], [0.1, 1, 0, 0], [1, 0.1, 0, 0]]
     raw = path_of(raw_timeline(figure, [Frame.key(t, q) for t, q in zip((0.0, 0.1, 3.0), turns, strict=True)]))
     firm, soft = (
-        Objective.of(figure, [(penalty.UnitMagnitude(most=m), 2.0)]).renormalised(raw).terms[0] for m in (0.01, 1e9)
+        Objective.of(figure, [(penalty.UnitMagnitude(most=m), 2.0)]).renormalise(raw).terms[0] for m in (0.01, 1e9)
     )
     np.testing.assert_allclose(firm.factor, 2.0 / (0.01 * 3.0), rtol=1e-12)
     assert soft.factor < firm.factor / 2
