@@ -20,7 +20,7 @@ from dynsplines import recordings
 from dynsplines.clip import load as clips
 from dynsplines.clip.contacts import contacts
 from dynsplines.clip.parse import table_of
-from dynsplines.clip.text import tables, written
+from dynsplines.clip.text import tables, text_of
 from dynsplines.errors import UserError
 from dynsplines.motion import samples_at
 from dynsplines.solver import Frame, Solution, inbetween
@@ -144,7 +144,7 @@ def _without_contradictions(clip: clips.Clip, keys: Sequence[Frame]) -> clips.Cl
     if len(valid) == len(table.contact):
         return clip
     content = tables(table)
-    return replace(clip, text=written(content | {"contact": [content["contact"][i] for i in valid]}))
+    return replace(clip, text=text_of(content | {"contact": [content["contact"][i] for i in valid]}))
 
 
 def solved(clip: clips.Clip) -> Solution:

@@ -66,8 +66,8 @@ class Source:
         """The options of soft constraints by kind."""
         speed = None if self.speed is None else float(np.degrees(SLOWER * self.speed))
         return {
-            "collision": Options.unchecked(self=self.avoids_self_collision),
-            "limits": Options.unchecked(speed=speed),
+            "collision": Options.without_checks(self=self.avoids_self_collision),
+            "limits": Options.without_checks(speed=speed),
         }
 
 

@@ -274,7 +274,7 @@ def around(saved: Saved) -> SolveTable:
         return SolveTable()
     seam = Seam.of(saved.figure, saved.timeline)
     turn = {"turn": float(np.degrees(seam.headings[0]))} if seam.headings[0] else {}
-    return SolveTable.unchecked(travel=tuple(seam.travel[roots[:, 0]].tolist()), **turn)
+    return SolveTable.without_checks(travel=tuple(seam.travel[roots[:, 0]].tolist()), **turn)
 
 
 def radians(degrees: float | None) -> float | None:

@@ -75,7 +75,7 @@ def contacts(
     for i, table in enumerate(tables):
         kind, label = ("grasp", f" on '{table.body}'") if isinstance(table, GraspTable) else ("contact", "")
         name = f"{where}: {kind} {i + 1} ('{table.point}'{label})"
-        contact = _unplaced(places, table, name)
+        contact = _without_places(places, table, name)
         _check_times(table, [(f"{kind} {k}", other) for k, other in enumerate(tables[:i], 1)], keys, name)
         specified.append(_with_places(samples, keys, contact, surfaces, f"{name}: keyframe {{}} (t = {{:g}} s)"))
     _check_bodies(
@@ -84,7 +84,7 @@ def contacts(
     return tuple(specified)
 
 
-def _unplaced(places: Places, table: ContactTable | GraspTable, name: str) -> Contact:
+def _without_places(places: Places, table: ContactTable | GraspTable, name: str) -> Contact:
     """Return the contact of a table, without the positions that keyframes specify."""
     point = places.named_point(table.point, name)
     target = None if table.position is None else np.array(table.position, float)
@@ -148,7 +148,7 @@ def _with_places(
                 f"a {kind} may drift by {limits.same_spot:.3g} m"
             )
     if spots and surfaces:
-        spots |= _risen(keys, contact, spots, places, exact, surfaces)
+        spots |= _rise(keys, contact, spots, places, exact, surfaces)
     if target is not None and not spots:
         spots = {contact.first: target}
     if not spots:
@@ -164,7 +164,7 @@ def _at_spots(contact: Contact, spots: Mapping[float, Array]) -> Contact:
     return replace(contact, times=np.array(times), places=np.array([spots[t] for t in times])) if spots else contact
 
 
-def _risen(
+def _rise(
     keys: Timeline,
     contact: Contact,
     spots: Mapping[float, Array],

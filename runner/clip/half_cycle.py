@@ -54,9 +54,9 @@ def _whole(half: ClipTable, figure: Figure, where: str) -> ClipTable:
     if y or (half.solve.travel is None and first.root.position != "free"):
         raise UserError("ends = 'mirrored': give travel = [x, 0, z] in [solve], the displacement of the whole cycle")
     start, seconds, shift = first.time, last.time - first.time, (x / 2, 0.0, z / 2)
-    image = mirrored_tables(half.changed(keyframe=[first, *between], penalty=[]), figure, mirror)
-    images = [_move(row, shift).changed(time=row.time + seconds) for row in image.keyframe]
-    end = _move(_move(first, shift), shift).changed(time=start + 2 * seconds)
+    image = mirrored_tables(half.change(keyframe=[first, *between], penalty=[]), figure, mirror)
+    images = [_move(row, shift).change(time=row.time + seconds) for row in image.keyframe]
+    end = _move(_move(first, shift), shift).change(time=start + 2 * seconds)
     contacts = [
         piece
         for row, other in zip(half.contact, image.contact, strict=True)
@@ -64,8 +64,8 @@ def _whole(half: ClipTable, figure: Figure, where: str) -> ClipTable:
         for piece in _pieces(one, start, start + 2 * seconds, shift)
     ]
     penalties = [_repeat(entry, seconds) for entry in half.penalty]
-    solve = half.solve.changed(ends="periodic")
-    return half.changed(keyframe=[first, *between, *images, end], contact=contacts, penalty=penalties, solve=solve)
+    solve = half.solve.change(ends="periodic")
+    return half.change(keyframe=[first, *between, *images, end], contact=contacts, penalty=penalties, solve=solve)
 
 
 def _move(row: KeyframeTable, by: Shift) -> KeyframeTable:
@@ -75,12 +75,12 @@ def _move(row: KeyframeTable, by: Shift) -> KeyframeTable:
         return tuple(value if isinstance(value, str) else value + step for value, step in zip(place, by, strict=True))
 
     def root(table: RootTable) -> RootTable:
-        return table if table.position == "free" else table.changed(position=along(table.position))
+        return table if table.position == "free" else table.change(position=along(table.position))
 
     def body(table: BodyTable) -> BodyTable:
-        return table if table.position is None else table.changed(position=along(table.position))
+        return table if table.position is None else table.change(position=along(table.position))
 
-    return row.changed(
+    return row.change(
         root=root(row.root),
         roots={name: root(table) for name, table in row.roots.items()},
         sites={name: along(value) for name, value in row.sites.items()},
@@ -91,7 +91,7 @@ def _move(row: KeyframeTable, by: Shift) -> KeyframeTable:
 def _later(row: ContactTable, seconds: float, by: Shift) -> ContactTable:
     """Return a contact at a later time [s], displaced by a vector [m]."""
     place = None if row.position is None else tuple(a + b for a, b in zip(row.position, by, strict=True))
-    return row.changed(start=row.start + seconds, end=row.end + seconds, position=place)
+    return row.change(start=row.start + seconds, end=row.end + seconds, position=place)
 
 
 def _pieces(row: ContactTable, first: float, last: float, half: Shift) -> Iterator[ContactTable]:
@@ -104,7 +104,7 @@ def _pieces(row: ContactTable, first: float, last: float, half: Shift) -> Iterat
     for one in (row, earlier):
         begin, end = max(one.start, first), min(one.end, last)
         if end - begin > ROUNDING:
-            yield one.changed(start=begin, end=end)
+            yield one.change(start=begin, end=end)
 
 
 def _repeat(entry: PenaltyTable, seconds: float) -> PenaltyTable:

@@ -330,7 +330,7 @@ def _no_slip(context: Context, options: Options) -> Penalty | None:
     return Skate(context.points, context.surfaces, reach, context.keys.times, at_keys.swings)
 
 
-def _grounded(context: Context, options: Options) -> Penalty | None:
+def _hover(context: Context, options: Options) -> Penalty | None:
     schedule, limits = context.schedule, Thresholds.of(context.figure)
     if not schedule.is_grounded or not (context.points or context.figure.tables.free_links.size):
         return None
@@ -351,7 +351,7 @@ def _equality(context: Context, options: Options) -> Penalty | None:
 
 def _flight(context: Context, options: Options) -> Penalty | None:
     if options.intervals:
-        _supported(context, "flight")  # raises without a free joint
+        _support_of(context, "flight")  # raises without a free joint
     support = context.support
     if support is None or not support.flights:
         return None
@@ -361,11 +361,11 @@ def _flight(context: Context, options: Options) -> Penalty | None:
 def _support(context: Context, options: Options) -> Penalty | None:
     if context.is_tracking and not context.schedule.footings:
         return None
-    support = _supported(context, "support")
+    support = _support_of(context, "support")
     return replace(support, friction=options.friction or support.friction)
 
 
-def _supported(context: Context, kind: str) -> Support:
+def _support_of(context: Context, kind: str) -> Support:
     if context.support is None:
         raise UserError(f"{context.where}: penalty '{kind}' needs a figure with a free joint; there is none")
     return context.support
@@ -457,7 +457,7 @@ KINDS = {
         )),
         Kind("no_slip", (Part(1.4, "speed of heels and toes near a surface", _no_slip),), ("reach",)),
         Kind("grounded", (
-            Part(0.003, "height of the lowest point of a figure that is on the ground in any keyframe", _grounded),
+            Part(0.003, "height of the lowest point of a figure that is on the ground in any keyframe", _hover),
         ), ("reach",)),
         Kind("posture", (Part(0.7, "velocity of joints and roots", _posture),)),
         Kind("prior", (Part(1.0, "distance from the motion that is predicted for a person", _prior),)),

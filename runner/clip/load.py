@@ -27,7 +27,7 @@ from .parse import Parsed, check_times, keyframe_label, table_of
 from .pose import pose
 from .posing import notes
 from .table import BarTable, BoxTable, ClipTable, SceneTable, SolveTable, SphereTable, StepTable
-from .tracking.recording import TrackedRecording, followed
+from .tracking.recording import TrackedRecording, recording_to_follow
 
 
 def from_parsed(
@@ -60,10 +60,10 @@ def from_parsed(
         scene, figure = scene_and_figure(source, figure_file, spec)
     source = whole_cycle(source, figure)
     table = source.table
-    follows = None if table.recording is None else followed(table.recording, figure, recording, where)
+    follows = None if table.recording is None else recording_to_follow(table.recording, figure, recording, where)
     keys, unreached = pose(source, figure, None if follows is None else follows.pose)
     if unreached and unmet is None:
-        raise UserError(f"{where}: {_unreached(unreached, is_file=where.endswith('.toml'))}")
+        raise UserError(f"{where}: {_unmet_error(unreached, is_file=where.endswith('.toml'))}")
     if unmet is not None:
         unmet += unreached
     if follows is not None:
@@ -120,7 +120,7 @@ def _obstacle(kind: str, name: str, table: BoxTable | SphereTable | BarTable) ->
     return Obstacle(name, kind, size, place, turn, ends, table.color, table.body, table.mass)
 
 
-def _unreached(lines: Sequence[str], *, is_file: bool) -> str:
+def _unmet_error(lines: Sequence[str], *, is_file: bool) -> str:
     """Return the error on keyframes with unreachable positions, the first few, and a command that shows the poses."""
     more = [f"and {len(lines) - 3} keyframes more"] if len(lines) > 3 else []
     shows = ["`dynsplines render CLIP --only keys` shows the nearest poses"] if is_file else []

@@ -131,13 +131,13 @@ def mirrored_tables(clip: ClipTable, figure: Figure, mirror: Mirror) -> ClipTabl
     if clip.recording is not None:
         raise UserError("recording: such a clip cannot be mirrored; mirror the solved motion: -o NAME.npz")
     sides = _Sides.of(figure, mirror)
-    return clip.changed(
+    return clip.change(
         scene=_scene(clip.scene),
         solve=_solve(clip.solve),
         penalty=[_penalty(entry, sides) for entry in clip.penalty],
-        contact=[_mirror_places(row.changed(point=sides.other(row.point)), "position") for row in clip.contact],
+        contact=[_mirror_places(row.change(point=sides.other(row.point)), "position") for row in clip.contact],
         grasp=[
-            _mirror_places(row.changed(point=sides.other(row.point), body=sides.other(row.body)), "position")
+            _mirror_places(row.change(point=sides.other(row.point), body=sides.other(row.body)), "position")
             for row in clip.grasp
         ],
         keyframe=[_keyframe(row, sides) for row in clip.keyframe],
@@ -171,8 +171,8 @@ def _is_symmetric(qpos: Array, mirror: Mirror) -> bool:
 
 
 def _scene(scene: SceneTable) -> SceneTable:
-    step = None if scene.step is None else scene.step.changed(y=0.0 - scene.step.y)
-    return scene.changed(
+    step = None if scene.step is None else scene.step.change(y=0.0 - scene.step.y)
+    return scene.change(
         step=step,
         box=[_obstacle(row, "position") for row in scene.box],
         sphere=[_obstacle(row, "position") for row in scene.sphere],
@@ -183,16 +183,16 @@ def _scene(scene: SceneTable) -> SceneTable:
 
 def _obstacle(row: Obstacle, *places: str) -> Obstacle:
     out = _mirror_places(row, *places)
-    return out if out.rotation is None else out.changed(rotation=_rotation(out.rotation))
+    return out if out.rotation is None else out.change(rotation=_rotation(out.rotation))
 
 
 def _solve(solve: SolveTable) -> SolveTable:
-    return _mirror_places(solve, "travel").changed(turn=None if solve.turn is None else 0.0 - solve.turn)
+    return _mirror_places(solve, "travel").change(turn=None if solve.turn is None else 0.0 - solve.turn)
 
 
 def _mirror_places(row: Placed, *names: str) -> Placed:
     """Return a table with the positions (3,) of some keys mirrored."""
-    return row.changed(**{name: _flip(place, POLAR) for name in names if (place := getattr(row, name)) is not None})
+    return row.change(**{name: _flip(place, POLAR) for name in names if (place := getattr(row, name)) is not None})
 
 
 def _penalty(entry: PenaltyTable, sides: _Sides) -> PenaltyTable:
@@ -215,7 +215,7 @@ def _keyframe(row: KeyframeTable, sides: _Sides) -> KeyframeTable:
     first = next((link.name for link in links[1:] if link.kind is JointKind.FREE), None)
     reflection = WORLD if first is None else sides.mirror.reflection[sides.link(first)]
     root = 0 if sides.figure.root is None else sides.figure.root.body
-    return row.changed(
+    return row.change(
         root=_root(row.root, reflection, sides.rest(root, root)),
         roots=dict(_further_root(name, table, sides) for name, table in row.roots.items()),
         joints=dict(_joint(name, value, sides) for name, value in row.joints.items()),
@@ -233,13 +233,13 @@ def _further_root(name: str, table: RootTable, sides: _Sides) -> tuple[str, Root
 def _root(table: RootTable, reflection: Array, rest: Array) -> RootTable:
     position = table.position if table.position == "free" else _flip(table.position, POLAR)
     rotation_ = table.rotation if table.rotation == "free" else _in_world(table.rotation, reflection, rest)
-    return table.changed(position=position, rotation=rotation_)
+    return table.change(position=position, rotation=rotation_)
 
 
 def _body(name: str, table: BodyTable, sides: _Sides) -> BodyTable:
     reflection, body, other = sides.reflection(name), sides.places.body(name), sides.places.body(sides.other(name))
     at = None if table.at is None else tuple((reflection @ np.array(table.at)).tolist())
-    return _mirror_places(_in_world(table, reflection, sides.rest(body or 0, other or 0)), "position").changed(at=at)
+    return _mirror_places(_in_world(table, reflection, sides.rest(body or 0, other or 0)), "position").change(at=at)
 
 
 def _joint(name: str, value: RotationTable | float | str, sides: _Sides) -> tuple[str, RotationTable | float | str]:
@@ -280,13 +280,13 @@ def _in_parent(table: RotationTable, reflection: Array) -> RotationTable:
 
 def _with_rotation(table: Turned, quaternion: Array) -> Turned:
     names = {*RotationTable.model_fields, *({"flat"} & table.model_fields_set)}
-    return table.without(*names).changed(rotvec=RotationTable.of(quaternion).rotvec)
+    return table.without(*names).change(rotvec=RotationTable.of(quaternion).rotvec)
 
 
 def _rotation(table: Turned) -> Turned:
     """Return a rotation mirrored in its notation, for frames aligned with the world."""
     signs = [AXIAL["xyz".index(letter)] for letter in table.order or "xyz"]
-    return table.changed(
+    return table.change(
         rotvec=None if table.rotvec is None else _flip(table.rotvec, AXIAL),
         quat=None if table.quat is None else _flip(table.quat, TURN),
         euler=None if table.euler is None else list(_flip(table.euler, signs)),

@@ -72,7 +72,7 @@ class Parsed:
         """
         table = table_of(text, where) if text else ClipTable(figure="")
         settings = settings_of(table.solve, [row.time for row in table.keyframe], where)
-        return cls(name, text, where, table, chosen(table.penalty, where), settings, folder)
+        return cls(name, text, where, table, options_of(table.penalty, where), settings, folder)
 
     def with_solve(self, solve: SolveTable, times: Sequence[float]) -> Parsed:
         """Return the clip with another [solve] table, for keyframes at times (K,) [s]."""
@@ -80,7 +80,7 @@ class Parsed:
         return replace(self, table=table, settings=settings_of(solve, times, self.where))
 
 
-def chosen(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
+def options_of(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:
     """Return the options of every listed kind.
 
     Raises:
@@ -138,7 +138,7 @@ def parse(text: str, name: str, where: str, folder: Path | None = None) -> Parse
     source = Parsed.of(text, name, where, folder)
     follows = source.table.recording is not None
     check_times([row.time for row in source.table.keyframe], where, fewest=0 if follows else 2)
-    for line in _misplaced(source.table) if follows else ():
+    for line in _recording_errors(source.table) if follows else ():
         raise UserError(f"{where}: {line}")
     return source
 
@@ -250,7 +250,7 @@ def files_read(
     return files, absolute
 
 
-def _misplaced(table: ClipTable) -> Iterator[str]:
+def _recording_errors(table: ClipTable) -> Iterator[str]:
     """Yield a line for every table or key that only a clip without a recording can have."""
     if table.grasp:
         yield "[[grasp]] is for clips of keyframes; one that follows a recording has none"

@@ -196,12 +196,12 @@ def follow(figure: Figure, qpos: Array, fixed: Mask, is_named: Callable[[str], b
                 qpos[coupling.follower] = coupling.follow(qpos[driver] if driver >= 0 else np.zeros(()))
                 fixed[coupling.follower] = True
         elif driver >= 0 and not is_named(names[driver]) and fixed[coupling.follower]:
-            back = _driven(coupling, float(qpos[coupling.follower]))
+            back = _driver(coupling, float(qpos[coupling.follower]))
             if back is not None:
                 qpos[driver], fixed[driver] = back, True
 
 
-def _driven(coupling: Coupling, follower: float) -> float | None:
+def _driver(coupling: Coupling, follower: float) -> float | None:
     """Return the driver's value for a follower's value; None unless the relation is linear."""
     a = coupling.coefficients
     if a[1] == 0 or np.any(a[2:]):

@@ -31,7 +31,7 @@ from .parse import keyframe_label
 from .pose import follow
 from .posing.places import Places, posable_sites, rest_within_ranges, sole_points
 from .table import KEY, KeyframeTable
-from .text import keyframe_tables, tables, written
+from .text import keyframe_tables, tables, text_of
 
 APART = 0.5  # [s] distance of keyframes if the model's times do not rise
 REPORTED = 5e-4  # [m] displacement above which a raised pose is reported
@@ -95,17 +95,17 @@ def starter(source: str, target: Path, report: Callable[[str], None] = lambda _:
     rows = [_without_followers(figure, row) for row in keyframe_tables(figure, frames)]
     for k in range(len(names)):
         if names[k] and np.array_equal(poses[k], model_poses[k]):
-            rows[k] = KeyframeTable.unchecked(time=rows[k].time, others=KEY + names[k])
+            rows[k] = KeyframeTable.without_checks(time=rows[k].time, others=KEY + names[k])
     if len(rows) == 1:
-        rows.append(KeyframeTable.unchecked(time=float(times[0]) + APART, others="previous"))
+        rows.append(KeyframeTable.without_checks(time=float(times[0]) + APART, others="previous"))
     head = {"figure": source if source in models.figures() else _path(source, target), "fps": 30}
     blocks = [
         _head(source, len(poses) if has_keys else 0, float(max((poses - coupled).flat, key=abs))),
-        written(head).rstrip("\n"),
+        text_of(head).rstrip("\n"),
         *([_comment(notes)] if notes else []),
         _name_lines(figure, poses[0], soles),
         PENALTIES.rstrip("\n"),
-        "\n\n".join(written({"keyframe": [_round(tables(row))]}).strip("\n") for row in rows),
+        "\n\n".join(text_of({"keyframe": [_round(tables(row))]}).strip("\n") for row in rows),
         *([NEXT] if len(poses) == 1 else []),
     ]
     return "\n\n".join(blocks) + "\n"
@@ -154,7 +154,7 @@ def _with_followers(figure: Figure, qpos: Array) -> Array:
 def _without_followers(figure: Figure, row: KeyframeTable) -> KeyframeTable:
     """Return a keyframe without coupled joints, so that they stay consistent when it is edited."""
     names = {coupling.name for coupling in couplings(figure)}
-    return row.changed(joints={name: value for name, value in row.joints.items() if name not in names})
+    return row.change(joints={name: value for name, value in row.joints.items() if name not in names})
 
 
 def _on_floor(figure: Figure, qpos: Array, *, lowers: bool) -> Array:
@@ -262,7 +262,7 @@ def _joint_line(figure: Figure, link: Link) -> str:
 
 
 def _key(name: str) -> str:
-    return written({name: 0}).rsplit(" = ", 1)[0].strip()
+    return text_of({name: 0}).rsplit(" = ", 1)[0].strip()
 
 
 def _list(title: str, names: Iterable[str]) -> list[str]:

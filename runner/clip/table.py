@@ -44,7 +44,7 @@ class Table(BaseModel):
     model_config = ConfigDict(extra="forbid", strict=False)
 
     @classmethod
-    def unchecked(cls, **values: Any) -> Self:
+    def without_checks(cls, **values: Any) -> Self:
         return cls.model_construct(set(values), **values)
 
     @property
@@ -52,7 +52,7 @@ class Table(BaseModel):
         """The values of the keys that are set."""
         return {name: getattr(self, name) for name in type(self).model_fields if name in self.model_fields_set}
 
-    def changed(self, **values: object) -> Self:
+    def change(self, **values: object) -> Self:
         """Return a copy with other values, unchecked. An unset key stays unset unless its value changes."""
         changes = {k: v for k, v in values.items() if k in self.model_fields_set or v != getattr(self, k)}
         return self.model_copy(update=changes)
@@ -283,7 +283,7 @@ class PenaltyTable(Table):
 
     @property
     def options(self) -> Mapping[str, Any]:
-        """The options by name, unchecked; `parse.chosen` checks them."""
+        """The options by name, unchecked; `parse.options_of` checks them."""
         return dict(self.model_extra or {})
 
 

@@ -31,7 +31,7 @@ def tables(table: Table) -> TomlTable:
     return table.model_dump(exclude_unset=True, by_alias=True)
 
 
-def written(clip: ClipTable | Mapping[str, object]) -> str:
+def text_of(clip: ClipTable | Mapping[str, object]) -> str:
     """Return the TOML text of a clip, keyframes last. A table inside a table is on one line."""
     plain = tables(clip) if isinstance(clip, ClipTable) else clip
     head = [(key, value) for key, value in plain.items() if not _is_table(value)]
@@ -105,7 +105,7 @@ def _keyframe(figure: Figure, key: Frame) -> KeyframeTable:
             pairs = zip(key.state[axes].tolist(), key.fixed[axes], strict=True)
             place = {"position": tuple(x if is_fixed else "free" for x, is_fixed in pairs)}
             turn = {"rotation": RotationTable.of(value)} if fixed else {}
-            table = RootTable.unchecked(**(place if key.fixed[axes].any() else {}), **turn)
+            table = RootTable.without_checks(**(place if key.fixed[axes].any() else {}), **turn)
             if link is first:
                 root = table
             elif table.model_fields_set:
@@ -115,7 +115,7 @@ def _keyframe(figure: Figure, key: Frame) -> KeyframeTable:
         elif fixed:
             joints[link.name] = degrees(value) if link.kind is JointKind.HINGE else value
     named = {"root": root if root is not None and root.specified else None, "roots": roots, "joints": joints}
-    return KeyframeTable.unchecked(time=float(key.time), **{name: value for name, value in named.items() if value})
+    return KeyframeTable.without_checks(time=float(key.time), **{name: value for name, value in named.items() if value})
 
 
 def write(saved: Saved, target: Path, *, note: str = "", overwrite: bool) -> list[Path]:
@@ -140,7 +140,7 @@ def write(saved: Saved, target: Path, *, note: str = "", overwrite: bool) -> lis
         keys = keyframe_tables(saved.figure, saved.keys)
         shipped = (name for name in models.figures() if compose(figure_spec(name)).mjcf == saved.mjcf)
         named = {"figure": next(shipped, ""), "fps": saved.fps, "solve": _solve_table(saved), "keyframe": keys}
-        table = ClipTable.unchecked(**named)
+        table = ClipTable.without_checks(**named)
     files: dict[Path, bytes] = {}
     if table.figure not in models.figures() or (saved.text and not _defines_scene(saved)):
         scene = target.with_suffix(".xml")
@@ -148,8 +148,8 @@ def write(saved: Saved, target: Path, *, note: str = "", overwrite: bool) -> lis
             if file.name in saved.scene.assets:
                 raise UserError(f"'{file}' would be both the clip's and a file of its figure; choose another name")
         files = _scene_files(saved.scene, scene, overwrite=overwrite)
-        table = table.without("scene").changed(figure=scene.name)
-    files[target] = ((f"# {note}\n" if note else "") + written(table)).encode()
+        table = table.without("scene").change(figure=scene.name)
+    files[target] = ((f"# {note}\n" if note else "") + text_of(table)).encode()
     for path, data in files.items():
         with Replacement(path) as temporary:
             temporary.write_bytes(data)
@@ -179,4 +179,4 @@ def _defines_scene(saved: Saved) -> bool:
 def _solve_table(saved: Saved) -> SolveTable:
     """Return the [solve] table of a motion's ends and coordinates."""
     ends = {"ends": saved.timeline.ends} if saved.timeline.ends != "held" else {}
-    return SolveTable.unchecked(coordinates=saved.figure.coordinates, **ends, **around(saved).specified)
+    return SolveTable.without_checks(coordinates=saved.figure.coordinates, **ends, **around(saved).specified)

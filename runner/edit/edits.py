@@ -25,7 +25,7 @@ from ..clip.load import of_motion
 from ..clip.mirror import figure_mirror
 from ..clip.parse import LONGEST, SHORTEST, check_times, is_too_near, table_of
 from ..clip.table import ClipTable, GraspTable
-from ..clip.text import keyframe_tables, written
+from ..clip.text import keyframe_tables, text_of
 from ..errors import UserError
 from ..motion import Saved
 from ..system.progress import Progress
@@ -178,11 +178,11 @@ def _transition(saved: Saved, one: Timeline, two: Timeline, held: Sequence[Grasp
     samples = Samples.still(figure, between.states)
     for row in held:
         with suppress(UserError):  # a hand that holds another place
-            contacts(samples, between, [row := row.changed(start=ends[0].time, end=ends[1].time)], "join")
+            contacts(samples, between, [row := row.change(start=ends[0].time, end=ends[1].time)], "join")
             grasps.append(row)
     count = max(LEAST_FRAMES, round((ends[1].time - ends[0].time) / FRAME_SECONDS))
     begin = timelines.bridge(figure, one, two, variable=count)
-    text = written(ClipTable.unchecked(figure="", grasp=grasps, keyframe=keyframe_tables(figure, ends)))
+    text = text_of(ClipTable.without_checks(figure="", grasp=grasps, keyframe=keyframe_tables(figure, ends)))
     clip = of_motion(replace(saved, text=text, keys=ends, timeline=one))
     objective = renormalise(clip.problem.plain_objective, saved.raw)
     progress.step("solving the transition", 0.0, force=True)

@@ -15,7 +15,7 @@ from ..clip.half_cycle import MIRRORED, whole_cycle
 from ..clip.mirror import mirrored_tables
 from ..clip.parse import Parsed, table_of
 from ..clip.table import ClipTable, PenaltyTable
-from ..clip.text import written
+from ..clip.text import text_of
 from ..errors import UserError
 from ..measure.bounds import Violation
 from ..measure.violation import is_recording
@@ -135,8 +135,8 @@ def _write_clip(table: ClipTable, source: str, target: Path) -> Written:
     """Write a clip from another one's tables, with the figure's path relative to it; raises UserError if invalid."""
     if table.figure not in models.figures():
         figure = Path(source).parent / table.figure
-        table = table.changed(figure=Path(os.path.relpath(figure, target.parent)).as_posix())
-    text = written(table)
+        table = table.change(figure=Path(os.path.relpath(figure, target.parent)).as_posix())
+    text = text_of(table)
     recordings.from_text(text, name=target.stem, where=str(target), folder=target.parent)
     with Replacement(target) as temporary:
         temporary.write_text(text, encoding="utf-8")
@@ -152,10 +152,10 @@ def retimed_tables(clip: ClipTable, speed: float) -> ClipTable:
     def later(time: float) -> float:
         return start + (time - start) / speed
 
-    return clip.changed(
-        keyframe=[row.changed(time=later(row.time)) for row in clip.keyframe],
-        contact=[row.changed(start=later(row.start), end=later(row.end)) for row in clip.contact],
-        grasp=[row.changed(start=later(row.start), end=later(row.end)) for row in clip.grasp],
+    return clip.change(
+        keyframe=[row.change(time=later(row.time)) for row in clip.keyframe],
+        contact=[row.change(start=later(row.start), end=later(row.end)) for row in clip.contact],
+        grasp=[row.change(start=later(row.start), end=later(row.end)) for row in clip.grasp],
         penalty=[_pace(row, later, speed) for row in clip.penalty],
     )
 

@@ -17,7 +17,7 @@ from dynsplines.solver.surface.heights import FAR, heights
 from dynsplines.solver.surface.points import arrays_of, body_points, hanging, places_of
 from dynsplines.solver.tolerances import TINY
 
-from ..clip.posing.places import rounded
+from ..clip.posing.places import sphere_at
 from ..motion import samples_at
 from .bounds import BOUNDS, Bound, Violation, row_of
 from .measurement import Measurement, feet_of
@@ -90,12 +90,12 @@ def _sliding(motion: Measurement, samples: Samples) -> Iterator[Violation]:
     context, figure = motion.clip.context, motion.clip.figure
     if not context.points:
         return
-    limits, points = Thresholds.of(figure), tuple(rounded(figure, point) for point in context.points)
+    limits, points = Thresholds.of(figure), tuple(sphere_at(figure, point) for point in context.points)
     links, positions, _ = arrays_of(points)
     speeds = np.linalg.norm(_velocities(samples, links, positions)[:2], axis=0)
     centres, radii = places_of(points, samples)
     height, _ = heights(context.surfaces, centres, radii)
-    stances = [(rounded(figure, target.contact.point), target.contact) for target in motion.contact_targets]
+    stances = [(sphere_at(figure, target.contact.point), target.contact) for target in motion.contact_targets]
     rests = np.array(
         [
             within(tuple((one.first, one.last) for at, one in stances if at.coincides(point)), samples.t)

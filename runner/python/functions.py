@@ -19,7 +19,7 @@ from dynsplines.solver.figure.figure import Figure, FigureError
 from .. import motion as files
 from .. import recordings, solving
 from ..clip.build import Clip, CustomPenalties, with_custom_penalties
-from ..clip.text import TomlTable, keyframe_tables, tables, written
+from ..clip.text import TomlTable, keyframe_tables, tables, text_of
 from ..errors import UserError, words_of
 from ..scene import file_access
 from ..scene.compose import is_text, spec_of
@@ -147,7 +147,7 @@ def build(
         raw |= {key: _plain(value) for key, value in more.items() if value}
         raw |= {"keyframe": [_table(key, posed) for key in keyframes]}
         return with_custom_penalties(
-            recordings.from_text(written(raw), name=name, where=name, spec=spec), custom_penalties
+            recordings.from_text(text_of(raw), name=name, where=name, spec=spec), custom_penalties
         )
 
 

@@ -195,7 +195,7 @@ class Document:
 
     def save_pose(self, name: str, entries: TomlTable, *, overwrite: bool) -> None:
         """Save entries of a keyframe as a pose. Raises UserError, also if there is a pose of this name."""
-        from ..clip.text import written  # imported here, because it needs MuJoCo
+        from ..clip.text import text_of  # imported here, because it needs MuJoCo
 
         file = inside(self.poses, f"{name}.toml")
         if file.exists() and not overwrite:
@@ -205,7 +205,7 @@ class Document:
         except OSError as error:
             raise UserError(f"the folder '{self.poses.name}' cannot be made: {error.strerror}") from None
         with Replacement(file) as temporary:
-            temporary.write_text(written(entries), encoding="utf-8")
+            temporary.write_text(text_of(entries), encoding="utf-8")
 
     def write_unsaved(self) -> None:
         """Write unsaved work to a file next to the clip; remove the file if there is none.

@@ -36,7 +36,7 @@ from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import Point
 
 from ..clip.kinds import posing_limits
-from ..clip.parse import chosen
+from ..clip.parse import options_of
 from ..clip.pose import key_of
 from ..clip.posing.places import Places, sole_points
 from ..clip.table import KeyframeTable, PenaltyTable
@@ -93,7 +93,7 @@ class Poser:
 
     def __init__(self, figure: Figure, penalties: Sequence[PenaltyTable], full_keyframes: Array) -> None:
         self.figure = figure
-        self.bends: BendLimits | None = posing_limits(figure, chosen(penalties, "clip"))[0]
+        self.bends: BendLimits | None = posing_limits(figure, options_of(penalties, "clip"))[0]
         self.soles: tuple[Point, ...] = sole_points(figure, np.reshape(full_keyframes, (-1, figure.width)))
         self.footing = Footing(figure, self.soles, static_surfaces(figure.model))
         self.data = mujoco.MjData(figure.model)

@@ -13,7 +13,7 @@ from dynsplines.solver.figure.model import kinematics
 
 from ..clip.build import Clip
 from ..clip.kinds import KINDS
-from ..clip.parse import chosen, table_of
+from ..clip.parse import options_of, table_of
 from ..clip.posing.places import posable_sites
 from ..clip.table import ClipTable
 from ..clip.text import tables
@@ -142,7 +142,7 @@ def outline(text: str, where: str) -> dict[str, Any]:
 def weights(table: ClipTable, where: str) -> dict[str, float]:
     """Return the weights in the clip's text by term; for a clip with a recording, the factors."""
     listed: dict[str, float] = {}
-    for name, options in chosen(table.penalty, where).items():
+    for name, options in options_of(table.penalty, where).items():
         kind, weight = KINDS[name], options.weight
         weights = {} if weight is None else kind.weights(options) if table.recording is None else kind.factors(options)
         for part in kind.parts:

@@ -12,7 +12,7 @@ from fuzz.mangle import Rng, mangled_text
 from texts import read_data
 
 from dynsplines.clip.kinds import KINDS as PENALTIES
-from dynsplines.clip.text import written
+from dynsplines.clip.text import text_of
 from dynsplines.solver.search.nlopt_methods import METHODS
 
 MODEL = read_data("rich.xml")
@@ -80,7 +80,7 @@ class _Drawn:
         }
         if self.draw.random() < self.oddly:
             found["keyframe"] = self.draw.choice([[], found["keyframe"][:1], found["keyframe"][::-1]])
-        return written({name: value for name, value in found.items() if value not in ([], {})})
+        return text_of({name: value for name, value in found.items() if value not in ([], {})})
 
     def _odd(self, usual: Callable[[], object]) -> object:
         return self.draw.choice(ODD) if self.draw.random() < self.oddly else usual()

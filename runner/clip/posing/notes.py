@@ -161,7 +161,7 @@ def _ambiguities(figure: Figure, rows: Sequence[KeyframeTable]) -> list[str]:
 def _lost_turns(figure: Figure, rows: Sequence[KeyframeTable], keys: Timeline) -> list[str]:
     """Return a note on every rotation of a keyframe that the raw timeline does not reach by the turn specified."""
     names = list(dict.fromkeys(name for row in rows for name in _rotations(figure, row)))
-    return [line for name in names for line in _lost(figure, name, rows, keys)]
+    return [line for name in names for line in _notes(figure, name, rows, keys)]
 
 
 def _rotations(figure: Figure, row: KeyframeTable) -> dict[str, tuple[int | None, RotationTable]]:
@@ -195,7 +195,7 @@ def _notation(table: RotationTable) -> tuple[str, Array] | None:
     return None
 
 
-def _lost(figure: Figure, name: str, rows: Sequence[KeyframeTable], keys: Timeline) -> Iterator[str]:
+def _notes(figure: Figure, name: str, rows: Sequence[KeyframeTable], keys: Timeline) -> Iterator[str]:
     """Yield notes on omitted turns of one rotation, between the keyframes that specify it."""
     last: tuple[int, str | None, Array] | None = None  # no notation at rest, which matches all
     for k, row in enumerate(rows):
@@ -226,11 +226,11 @@ def _line(
     if link is not None and _is_made(figure, link, pair, size, keys):
         return None
     count = int(np.ceil(size / STEP - 1e-9))
-    between = ", ".join(_spoken(first + step * i / count) for i in range(1, count))
+    between = ", ".join(_text(first + step * i / count) for i in range(1, count))
     rest = float(np.abs((size + 180) % 360 - 180))
     comes = "nothing turns" if rest < SAME else f"it takes the shorter way, {rest:g} degrees"
     return (
-        f"keyframe {{}} (t = {{:g}} s): {name}: {{}} {_spoken(last)} is {size:g} degrees from keyframe {pair[0] + 1}, "
+        f"keyframe {{}} (t = {{:g}} s): {name}: {{}} {_text(last)} is {size:g} degrees from keyframe {pair[0] + 1}, "
         f"but {comes}; to turn {size:g} degrees, add keyframes in between, such as {between}"
     )
 
@@ -247,7 +247,7 @@ def _is_made(figure: Figure, link: int, pair: tuple[int, int], size: float, keys
     return abs(turned - size) < SAME
 
 
-def _spoken(angles: Array) -> str:
+def _text(angles: Array) -> str:
     """Return angles [degrees] in the notation of clips."""
     listed = ", ".join(f"{angle:g}" for angle in np.round(angles, 3))
     return listed if angles.size == 1 else f"[{listed}]"

@@ -213,7 +213,7 @@ def _grow(figure: Figure, point: Point) -> Point:
     return point
 
 
-def rounded(figure: Figure, point: Point) -> Point:
+def sphere_at(figure: Figure, point: Point) -> Point:
     """Return a site on the surface of a sphere or capsule of its link as that sphere, on which the foot rolls."""
     if point.radius:
         return point

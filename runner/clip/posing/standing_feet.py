@@ -47,7 +47,7 @@ OWN_TURN = 1e-3  # weight of a foot's orientation relative to its points, two of
 TURNS = 4  # iterations, each from the previous orientation, which remove this bias
 
 
-def fitted(own: Array, seen: Array, turn: Array) -> Array:
+def fit_rotation(own: Array, seen: Array, turn: Array) -> Array:
     """Return the rotation (4,) that takes vectors `own` (n, 3) nearest to `seen` (n, 3) (W. Kabsch 1976).
 
     Of several, it is the nearest to a rotation `turn` (4,).
@@ -95,7 +95,7 @@ def _foot(schedule: ContactSchedule, k: int, members: Sequence[int], spots: Arra
     centre, spot, body = positions.mean(axis=0), spots.mean(axis=0), figure.links[first.link].body
     goals: list[Goal] = [PointGoal.of(figure, replace(first, position=centre), spot)]
     if len(points) > 1:
-        turn = fitted(positions - centre, spots - spot, schedule.resting_points.orientation(members[0], k))
+        turn = fit_rotation(positions - centre, spots - spot, schedule.resting_points.orientation(members[0], k))
         goals.append(BodyGoal(first.name, quat.product(turn, figure.body_turn[body]), body))
     return goals
 

@@ -21,7 +21,7 @@ from ...errors import UserError
 from ...scene.framing import spread
 from ..context import Context, knees_and_elbows
 from ..kinds import KINDS, Options
-from ..posing.places import Places, rounded, sole_points
+from ..posing.places import Places, sole_points, sphere_at
 from ..table import ContactTable, StanceTable
 
 STANCES = TypeAdapter(list[StanceTable])
@@ -38,7 +38,7 @@ def tracking_context(figure: Figure, times: Array, states: Array, where: str) ->
     """
     frames = Frame.many(times, states, np.zeros(states.shape, bool))
     samples = Timeline(tuple(frames[i] for i in spread(len(frames))), np.zeros((2, figure.width)))
-    soles = tuple(rounded(figure, point) for point in sole_points(figure, figure.to_qpos(samples.states)))
+    soles = tuple(sphere_at(figure, point) for point in sole_points(figure, figure.to_qpos(samples.states)))
     schedule = ContactSchedule(
         figure,
         samples,
@@ -70,7 +70,7 @@ def stances_of(rests: Sequence[Contact]) -> list[dict[str, object]]:
     rows = list[StanceTable]()
     for rest in rests:
         on = None if rest.surface is None else (*rest.surface.point.tolist(), *rest.surface.normal.tolist())
-        rows.append(StanceTable.unchecked(point=rest.point.name, start=rest.first, end=rest.last, on=on))
+        rows.append(StanceTable.without_checks(point=rest.point.name, start=rest.first, end=rest.last, on=on))
     return [row.model_dump(by_alias=True, exclude_none=True) for row in rows]
 
 

@@ -93,7 +93,7 @@ class TrackedRecording:
 
     def problem(self, context: Context, options: Mapping[str, Options], edits: Sequence[Frame]) -> Problem:
         """Return the problem of following the recording through keyframes."""
-        near = TrackingPenalty(self._warped(edits), tuple((edit.time, self.width) for edit in edits))
+        near = TrackingPenalty(self._warp_to(edits), tuple((edit.time, self.width) for edit in edits))
         unweighted = tracking_problem(near, context, options, self._times(near, edits), edits)
         weights = [(p, self.table.weight * w if p is near else w) for p, w in unweighted.penalties]
         keys = [self._fixed_outside_blends(frame, edits) for frame in unweighted.keys]
@@ -109,7 +109,7 @@ class TrackedRecording:
             end_slope=self.recorded.path.at(np.array([first, last]), 1),
         )
 
-    def _warped(self, edits: Sequence[Frame]) -> Track:
+    def _warp_to(self, edits: Sequence[Frame]) -> Track:
         """Return the recording warped to the poses of keyframes (A. Witkin and Z. Popović 1995). The warp is per joint,
         and moves the root with the whole figure. It fades out before and after the keyframes."""
         recorded = self.recorded
@@ -216,7 +216,7 @@ def _distances(times: Array, others: Array) -> Array:
     return np.minimum(times - padded[after], padded[after + 1] - times)
 
 
-def followed(table: RecordingTable, figure: Figure, motion: Saved | None, where: str) -> TrackedRecording:
+def recording_to_follow(table: RecordingTable, figure: Figure, motion: Saved | None, where: str) -> TrackedRecording:
     """Return the recording that a clip follows, on the time axis of the clip.
 
     Raises:

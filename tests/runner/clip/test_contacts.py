@@ -12,7 +12,7 @@ from dynsplines import Keyframe, Motion, recordings, solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
-from dynsplines.clip.text import written
+from dynsplines.clip.text import text_of
 from dynsplines.errors import UserError
 from dynsplines.measure.report import report
 from dynsplines.measure.violation import violations
@@ -380,7 +380,7 @@ def test_a_mirrored_clip_holds_with_the_other_hand_and_both_may_hold_one_thing()
     both = lift(hands=("left",)) + HOLD.format(hand="right", start=0.6, end=1.0)
     clip = recordings.from_text(both, name="both")
     mirrored = mirrored_tables(table_of(both, "both"), clip.figure, Mirror.of(clip.figure))
-    other = recordings.from_text(written(mirrored), name="other")
+    other = recordings.from_text(text_of(mirrored), name="other")
     one, two = ([(name_of(made, each), each.last) for each in made.context.schedule.grasps] for made in (clip, other))
     assert one == [("left_hand on crate", 1.5), ("right_hand on crate", 1.0)]
     assert two == [("right_hand on crate", 1.5), ("left_hand on crate", 1.0)]

@@ -10,7 +10,7 @@ from rekeyed import with_keys
 
 from dynsplines import inbetween, recordings
 from dynsplines.clip.build import Clip
-from dynsplines.clip.posing.places import rounded, sole_points
+from dynsplines.clip.posing.places import sole_points, sphere_at
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
@@ -152,7 +152,7 @@ def test_a_mark_on_what_is_round_is_as_round_as_that(foot, centre, radius):
     marks = sole_points(figure, figure.model.qpos0[None])
     assert {mark.radius for mark in marks} == {0.0}
     for mark in marks:
-        found = rounded(figure, mark)
+        found = sphere_at(figure, mark)
         np.testing.assert_allclose((*found.position, found.radius), (*centre, radius), atol=1e-9)
         assert (found.name, found.link) == (mark.name, mark.link)
 

@@ -13,7 +13,7 @@ from dynsplines import recordings
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import figure_mirror, mirrored_tables
 from dynsplines.clip.parse import parse, table_of
-from dynsplines.clip.text import written
+from dynsplines.clip.text import text_of
 from dynsplines.errors import UserError
 from dynsplines.solver.curve.mirror import Mirror
 
@@ -33,7 +33,7 @@ def test_rotations_of_turned_frames_are_those_of_the_mirrored_motion():
     mirror = figure_mirror(clip.figure, table_of(CLIP, "one"), "one")
     names = [link.name for link in clip.figure.links]
     assert names[mirror.partner[names.index("swing_1")]] == "swing_2"
-    text = written(mirrored_tables(table_of(CLIP, "one"), clip.figure, mirror))
+    text = text_of(mirrored_tables(table_of(CLIP, "one"), clip.figure, mirror))
     image = recordings.from_text(text, name="two", spec=spec.copy())
     model = clip.figure.model
     pairs = [model.body(name).id for name in ("pelvis", "waist", "hip_1", "foot_1", "hip_2", "foot_2")]
@@ -109,7 +109,7 @@ def test_a_heading_alone_is_that_of_the_mirrored_motion():
     one = recordings.from_text(text, name="one", spec=spec.copy())
     mirror = Mirror.of(one.figure)
     table = mirrored_tables(table_of(text, "one"), one.figure, mirror)
-    two = recordings.from_text(written(table), name="two", spec=spec.copy())
+    two = recordings.from_text(text_of(table), name="two", spec=spec.copy())
     model = one.figure.model
     for before, after in zip(one.keys, two.keys, strict=True):
         image = kinematics(model, mirror.configurations(before.state)).xmat

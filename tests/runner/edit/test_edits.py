@@ -20,7 +20,7 @@ from dynsplines import Keyframe, Motion, build, inbetween, models, motion, recor
 from dynsplines.clip import text as clip_text
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
-from dynsplines.clip.text import tables, written
+from dynsplines.clip.text import tables, text_of
 from dynsplines.edit import edits
 from dynsplines.edit import files as edit_files
 from dynsplines.errors import UserError
@@ -226,7 +226,7 @@ def test_a_clip_written_again_is_equal():
     for name in models.clips():
         text = models.clip_text(name)
         table = tables(table_of(text, name))
-        assert tables(table_of(written(table), name)) == table
+        assert tables(table_of(text_of(table), name)) == table
 
 
 def test_odd_names_and_texts_survive_being_written():
@@ -235,7 +235,7 @@ def test_odd_names_and_texts_survive_being_written():
         "scene": {"odd key": [1, 2.5, True, {"a b": "free"}]},
     }
     table["keyframe"] = [{"time": 1e-9, "joints": {"left knee": {"quat": [1.0, 0.0, -0.0, 1e300]}, "b": "free"}}]
-    assert tomllib.loads(written(table)) == table
+    assert tomllib.loads(text_of(table)) == table
 
 
 ROUND = read_data("sides.toml")
