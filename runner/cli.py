@@ -390,8 +390,8 @@ def export(
 ) -> None:
     """Write a motion in the format of another program.
     A clip is solved first."""
-    groups = quantities.named(columns)
-    form = formats.chosen(to, output, groups)
+    groups = quantities.groups_of(columns)
+    form = formats.choose(to, output, groups)
     target = output or formats.target_of(formats.stem(Path(source)), form)
     outputs.check_target(target, overwrite=overwrite)
     with terminal.Progress() as progress:

@@ -86,7 +86,7 @@ def run(
     target = target or _target(source)
     form = formats.by_ending(target)
     if form is not None or target.suffix != ".npz":
-        form = formats.chosen(None, target)
+        form = formats.choose(None, target)
     check_target(target)
     if target.exists() and source.file.exists() and target.samefile(source.file):
         raise UserError(f"'{target}' is what is read; give another -o")
@@ -172,7 +172,7 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> Impo
             raise UserError(f"'{source.file}' is a motion: a bone map is for recordings of skeletons; leave out --map")
         return _of_motion(motion.load(source.file))
     chosen = MapTable() if source.map is None else file_of(source.map, MapTable)
-    with maps.using(chosen) as applied, gaps.allowed():
+    with maps.using(chosen) as applied, gaps.allow():
         recording = read_recording(
             source.file, source.kind, figure=source.figure, fps=source.fps, scale=source.scale, progress=progress,
             obstacles=obstacles(around.scene),

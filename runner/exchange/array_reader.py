@@ -14,7 +14,7 @@ from dynsplines.solver.array import Array
 from ..errors import UserError
 from ..motion import FARTHEST, read_entries
 from ..system import size_limit
-from .gaps import bridged
+from .gaps import bridge
 
 NUMBER = 8  # [bytes] of a number in double precision
 SAMPLES = "samples"  # name of the first axis of arrays with one row per sample
@@ -58,7 +58,7 @@ class ArrayReader:
             self.check_samples(name, array.shape)
         self.sizes |= {size: n for size, n in zip(shape, array.shape, strict=True) if isinstance(size, str)}
         array = array.astype(float)
-        if not np.all(np.isfinite(array)) and (mended := bridged(array)) is not None:
+        if not np.all(np.isfinite(array)) and (mended := bridge(array)) is not None:
             array = mended
         if not np.all(np.abs(array) <= FARTHEST):
             what = "is too large" if np.all(np.isfinite(array)) else "is not a finite number"

@@ -108,7 +108,7 @@ def writer(name: str) -> Format:
     return available[name]
 
 
-def chosen(name: str | None, target: Path | None, columns: Sequence[str] = ()) -> Format:
+def choose(name: str | None, target: Path | None, columns: Sequence[str] = ()) -> Format:
     """Return the format for export by its name or a file's extension.
 
     Raises UserError for an unknown format, a name that contradicts the extension, and columns for another format than
@@ -171,7 +171,7 @@ def export(
 
     Raises UserError for an unknown format, the extension of another one, and a motion that the format cannot represent.
     """
-    form = chosen(kind, target, columns)
+    form = choose(kind, target, columns)
     target = target or target_of(saved.name, form)
     check_target(target, overwrite=overwrite)
     sampled = Sampled.of(saved, None if fps is None else positive(fps, "fps ="))

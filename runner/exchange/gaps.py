@@ -29,7 +29,7 @@ _missing: ContextVar[list[Mask] | None] = ContextVar("missing", default=None)
 
 
 @contextmanager
-def allowed() -> Iterator[None]:
+def allow() -> Iterator[None]:
     """Tolerate gaps in files within this block."""
     before = _missing.set([])
     try:
@@ -43,7 +43,7 @@ def are_allowed() -> bool:
     return _missing.get() is not None
 
 
-def bridged(array: Array) -> Array | None:
+def bridge(array: Array) -> Array | None:
     """Return an array with each sample (first axis) that is not finite replaced by the one before, and note these
     samples.
 
@@ -56,17 +56,17 @@ def bridged(array: Array) -> Array | None:
     if bad.all() or any(each.size != bad.size for each in missing):
         return None
     missing.append(bad)
-    return held(array, ~bad)
+    return hold(array, ~bad)
 
 
-def held(array: Array, is_good: Mask) -> Array:
+def hold(array: Array, is_good: Mask) -> Array:
     """Return an array with each of the other rows replaced by the last good one before, else by the first good one."""
     good = np.flatnonzero(is_good)
     return array[good[np.maximum(np.searchsorted(good, np.arange(len(array)), side="right") - 1, 0)]]
 
 
 def without_missing(recording: Recording, where: object) -> Recording:
-    """Return a recording without the samples noted by `bridged`."""
+    """Return a recording without the samples noted by `bridge`."""
     missing = _missing.get()
     if not missing:
         return recording

@@ -25,7 +25,7 @@ KINDS = {
 }
 
 
-def drawn(model: mujoco.MjModel, reach: float) -> dict[str, Any]:
+def visible_parts(model: mujoco.MjModel, reach: float) -> dict[str, Any]:
     """Return the visible parts of a model, with the meshes and textures that they refer to by index.
 
     reach [m]: distance from the model's middle to which infinite planes are drawn
@@ -41,7 +41,7 @@ def drawn(model: mujoco.MjModel, reach: float) -> dict[str, Any]:
     }
 
 
-def packed(array: ArrayLike, kind: str = "<f4") -> str:
+def pack(array: ArrayLike, kind: str = "<f4") -> str:
     """Return numbers in base64."""
     return base64.b64encode(np.ascontiguousarray(array, kind).tobytes()).decode()
 
@@ -72,4 +72,4 @@ def _piece(
 
 def _mesh(model: mujoco.MjModel, piece: MeshPiece) -> dict[str, str]:
     mesh = triangles(model, piece)
-    return {"points": packed(mesh.points), "normals": packed(mesh.normals), "faces": packed(mesh.faces, "<u4")}
+    return {"points": pack(mesh.points), "normals": pack(mesh.normals), "faces": pack(mesh.faces, "<u4")}

@@ -82,7 +82,7 @@ GROUPS: dict[str, Callable[[Forces], Columns]] = {
 }
 
 
-def named(text: str) -> tuple[str, ...]:
+def groups_of(text: str) -> tuple[str, ...]:
     """Return the groups in a comma-separated list, or "all" alone; raises UserError with the list of groups."""
     words = tuple(word.strip() for word in text.split(",") if word.strip())
     for word in words:

@@ -117,8 +117,8 @@ def drives(sampled: Sampled, forces: Forces) -> list[Drive]:
         dofs = slice(dof, dof + kind.freedom)
         inertia = float(model.dof_M0[dofs].max())
         offset = GIVE if kind is JointKind.SLIDE else 1.0
-        kp = _rounded(max(inertia * (2 * np.pi * FREQUENCY) ** 2, least[joint], largest[dofs].max() / offset))
-        kv = _rounded(kp / (np.pi * FREQUENCY))  # critical damping
+        kp = _round(max(inertia * (2 * np.pi * FREQUENCY) ** 2, least[joint], largest[dofs].max() / offset))
+        kv = _round(kp / (np.pi * FREQUENCY))  # critical damping
         for axis in range(3) if kind is JointKind.BALL else (None,):
             name = joints[joint] if axis is None else f"{joints[joint]}_{'xyz'[axis]}"
             out.append(Drive(unique([name], [drive.name for drive in out])[0], joint, axis, kp, kv))
@@ -133,7 +133,7 @@ def joint_names(model: mujoco.MjModel) -> list[str]:
     return out
 
 
-def _rounded(gain: float) -> float:
+def _round(gain: float) -> float:
     """Round to three digits, for legibility."""
     return float(f"{gain:.3g}")
 

@@ -385,8 +385,8 @@ class Motion:
         from ..exchange import formats, quantities
 
         target = Path(path)
-        groups = quantities.named(columns if isinstance(columns, str) else ",".join(columns))
-        return formats.export(self.saved, formats.chosen(to, target).name, target, fps=fps, columns=groups)
+        groups = quantities.groups_of(columns if isinstance(columns, str) else ",".join(columns))
+        return formats.export(self.saved, formats.choose(to, target).name, target, fps=fps, columns=groups)
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
         """Save the motion (.npz, for `load_motion`), or its clip (.toml).

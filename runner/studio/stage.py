@@ -17,7 +17,7 @@ from ..clip.parse import options_of, table_of
 from ..clip.posing.places import posable_sites
 from ..clip.table import ClipTable
 from ..clip.text import tables
-from ..exchange.model_json import drawn
+from ..exchange.model_json import visible_parts
 from ..exchange.skeleton import hierarchy
 from ..scene.triangles import is_still, pieces
 
@@ -39,7 +39,7 @@ def stage(clip: Clip) -> bytes:
         "sites": _sites(figure),
         "soles": [_sole(figure, point) for point in clip.context.points],
         "limbs": limbs(figure),
-        **drawn(model, FLOOR),
+        **visible_parts(model, FLOOR),
     }
     return json.dumps(description, separators=(",", ":")).encode()
 

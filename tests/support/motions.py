@@ -206,7 +206,7 @@ def exported_scene(saved: Saved, folder: Path) -> tuple[mujoco.MjModel, list[str
     """The scene of a motion, as folder/out.simulate.xml has it, and the notes of its export."""
     notes: list[str] = []
     path = folder / "out.simulate.xml"
-    formats.export(saved, formats.chosen(None, path).name, path, report=notes.append)
+    formats.export(saved, formats.choose(None, path).name, path, report=notes.append)
     return mujoco.MjModel.from_xml_path(str(path)), notes
 
 

@@ -33,7 +33,7 @@ from ...errors import GIVE_RATE, UserError
 from ..array_reader import SAMPLES, ArrayReader, names_in, read_npz
 from ..recording import Recording
 from ..skeleton import hierarchy
-from ..skeleton.bvh_file import placed
+from ..skeleton.bvh_file import to_world
 from ..skeleton.captured_skeleton import CapturedSkeleton
 from . import bvh
 
@@ -87,7 +87,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         raise UserError(f"{path}: it has no samples")
     local = _rotations(arrays)
     _check_unit(position, rate, path)
-    out = bvh.of_captured(captured(position, local), rate, path, model, _on_shape(arrays))
+    out = bvh.of_captured(mean_shape(position, local), rate, path, model, _on_shape(arrays))
     return replace(out, assumed_layout="z up")
 
 
@@ -122,10 +122,10 @@ def _on_shape(reader: ArrayReader) -> tuple[str, ...]:
     return ("bones are those of SMPL's mean shape: the file's 'betas' are not used",) if has_shape else ()
 
 
-def captured(position: Array, local: Array) -> CapturedSkeleton:
+def mean_shape(position: Array, local: Array) -> CapturedSkeleton:
     """Return the mean shape in motion: positions (T, 3) [m] of the pelvis, in a z-up world, and rotations (T, 22, 4)
     relative to the parent."""
-    ours, (away, turn) = quat.inverse(hierarchy.Y_UP), placed(PARENT, np.tile(OFFSET, (len(local), 1, 1)), local)
+    ours, (away, turn) = quat.inverse(hierarchy.Y_UP), to_world(PARENT, np.tile(OFFSET, (len(local), 1, 1)), local)
     place = position[:, None] + away
     ends = {joint: quat.rotate(ours, end) for joint, end in ENDS.items()}
     rotation = quat.align_signs(quat.product(turn, hierarchy.Y_UP))

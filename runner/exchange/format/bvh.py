@@ -23,7 +23,7 @@ from ...scene.assets import Scene
 from ..array_reader import times
 from ..recording import Recording
 from ..skeleton import bvh_file, captured_figure, hierarchy, maps, retarget
-from ..skeleton.bvh_file import Joint, Skeleton, written
+from ..skeleton.bvh_file import Joint, Skeleton, text_of
 from ..skeleton.captured_skeleton import CapturedSkeleton
 
 CENTIMETRES = 100.0  # per metre
@@ -32,7 +32,7 @@ PLACES = ("Xposition", "Yposition", "Zposition")
 
 def write(sampled: Sampled, path: Path) -> None:
     """Write the skeleton and its motion as .bvh."""
-    path.write_text(written(skeleton(sampled)), encoding="utf-8", newline="\n")
+    path.write_text(text_of(skeleton(sampled)), encoding="utf-8", newline="\n")
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None, *, scale: float | None = None) -> Recording:

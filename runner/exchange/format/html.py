@@ -20,7 +20,7 @@ from dynsplines.solver.tolerances import SINGLE
 
 from ...motion import Bodies, Sampled
 from ...scene.triangles import is_still, pieces
-from ..model_json import drawn, packed
+from ..model_json import pack, visible_parts
 from ..skeleton import hierarchy
 
 
@@ -64,11 +64,11 @@ def content(sampled: Sampled) -> dict[str, Any]:
         "bodies": hierarchy.names(model),
         "after": _track(sampled.bodies),
         "before": _track(before) if changed else None,
-        **drawn(model, 30.0 + 2 * float(np.abs(places).max())),
+        **visible_parts(model, 30.0 + 2 * float(np.abs(places).max())),
         "extent": extent,
         "size": float(np.linalg.norm(np.ptp(places, axis=1), axis=-1).max()) if len(moving) > 1 else 1.0,
     }
 
 
 def _track(bodies: Bodies) -> dict[str, str]:
-    return {"position": packed(bodies.position), "rotation": packed(hierarchy.xyzw(bodies.rotation))}
+    return {"position": pack(bodies.position), "rotation": pack(hierarchy.xyzw(bodies.rotation))}

@@ -31,7 +31,7 @@ def write(sampled: Sampled, path: Path) -> list[str]:
     simulation = Simulation.of(sampled)
     write_keys(simulation.root, sampled, path, simulation.control)
     notes = [f"{simulation.model.nu} position actuators; `ctrl` of the keys is what to aim them at", *simulation.notes]
-    return [*notes, note(tracked(simulation, sampled), simulation.model)] if len(sampled.time) > 1 else notes
+    return [*notes, note(simulate(simulation, sampled), simulation.model)] if len(sampled.time) > 1 else notes
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ class Tracking:
         return step, int(self.share[step].argmax())
 
 
-def tracked(simulation: Simulation, sampled: Sampled) -> Tracking:
+def simulate(simulation: Simulation, sampled: Sampled) -> Tracking:
     """Simulate a scene from its first key."""
     model, (first, end) = simulation.model, sampled.time[[0, -1]].tolist()
     aims, poses = (make_interp_spline(sampled.time, rows, k=1) for rows in (simulation.control, sampled.qpos))
@@ -100,9 +100,9 @@ def tracked(simulation: Simulation, sampled: Sampled) -> Tracking:
 def note(tracking: Tracking, model: mujoco.MjModel) -> str:
     """Return a note on how far the scene, `model`, follows its motion."""
     is_length, lasts = tracking.is_length, tracking.time[-1] - tracking.time[0]
-    size = f"{_rounded(tracking.deviation[:, ~is_length].max(initial=0))} rad"
+    size = f"{_round(tracking.deviation[:, ~is_length].max(initial=0))} rad"
     if is_length.any():
-        size += f", {_rounded(100 * tracking.deviation[:, is_length].max())} cm"
+        size += f", {_round(100 * tracking.deviation[:, is_length].max())} cm"
     if tracking.is_within:
         return f"mj_step of the scene stays within {size} of the motion for {lasts:.2g} s"
     at, dof = tracking.leaves
@@ -116,5 +116,5 @@ def note(tracking: Tracking, model: mujoco.MjModel) -> str:
     return f"mj_step of the scene leaves the motion: '{name}' by {off} after {when:.2f} s, {then}"
 
 
-def _rounded(value: float) -> str:
+def _round(value: float) -> str:
     return f"{value:.2g}" if value >= 1e-4 else f"{value:.0e}"

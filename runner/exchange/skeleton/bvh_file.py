@@ -76,10 +76,10 @@ class Skeleton:
     @cached_property
     def world(self) -> tuple[Array, Array]:
         """Positions (T, J, 3) and rotations (T, J, 4) in the file's world."""
-        return placed(self.parents, *self.local)
+        return to_world(self.parents, *self.local)
 
 
-def placed(parents: Sequence[int], position: Array, rotation: Array) -> tuple[Array, Array]:
+def to_world(parents: Sequence[int], position: Array, rotation: Array) -> tuple[Array, Array]:
     """Transform positions and rotations from the parents' axes (T, J, ...) to the world's."""
     position, rotation = position.copy(), rotation.copy()
     for i, parent in enumerate(parents):
@@ -136,11 +136,11 @@ class _Lines:
 
     def brace(self, which: str, after: str) -> None:
         if (line := self.next(f"'{which}' of {after}")) != which:
-            raise self.wrong(f"'{shown(line)}' where '{which}' of {after} should be")
+            raise self.wrong(f"'{beginning(line)}' where '{which}' of {after} should be")
 
     def numbers(self, words: list[str], count: int, what: str) -> Array:
         if len(words) != count or not all(map(_is_number, words)):
-            raise self.wrong(f"{what} takes {count} number{'s' * (count != 1)}, not '{shown(' '.join(words))}'")
+            raise self.wrong(f"{what} takes {count} number{'s' * (count != 1)}, not '{beginning(' '.join(words))}'")
         return np.array([float(word) for word in words])
 
 
@@ -151,7 +151,7 @@ def _is_number(word: str) -> bool:
         return False
 
 
-def shown(text: str) -> str:
+def beginning(text: str) -> str:
     """Return the beginning of a text."""
     return text if len(text) <= 40 else text[:40] + "..."
 
@@ -211,7 +211,7 @@ def _hierarchy(lines: _Lines) -> list[Joint]:
                 what = f"the joint '{joints[inside[-1]].name}' is not closed" if joints else "there is no ROOT"
                 raise lines.wrong(f"MOTION, but {what}")
             case _:
-                raise lines.wrong(f"'{shown(' '.join(words))}' where JOINT, End Site, '}}' or MOTION should be")
+                raise lines.wrong(f"'{beginning(' '.join(words))}' where JOINT, End Site, '}}' or MOTION should be")
 
 
 def _joint(lines: _Lines, name: str, parent: int) -> Joint:
@@ -220,11 +220,11 @@ def _joint(lines: _Lines, name: str, parent: int) -> Joint:
     offset = _offset(lines, lines.next(f"OFFSET of '{name}'"), f"'{name}'")
     words = lines.next(f"CHANNELS of '{name}'").split()
     if words[0].upper() != "CHANNELS":
-        raise lines.wrong(f"'{shown(' '.join(words))}' where CHANNELS of '{name}' should be")
+        raise lines.wrong(f"'{beginning(' '.join(words))}' where CHANNELS of '{name}' should be")
     known = {kind.lower(): kind for kind in KINDS}
     channels = tuple(known.get(word.lower(), "") for word in words[2:])
     if "" in channels:
-        raise lines.wrong(f"no channel '{shown(words[2 + channels.index('')])}'. Channels: {', '.join(KINDS)}")
+        raise lines.wrong(f"no channel '{beginning(words[2 + channels.index('')])}'. Channels: {', '.join(KINDS)}")
     if len(words) < 2 or words[1] != str(len(channels)):
         raise lines.wrong(f"CHANNELS {' '.join(words[1:2])} of '{name}' is followed by {len(channels)}")
     moved = [channel for channel in channels if channel.endswith("position")]
@@ -236,7 +236,7 @@ def _joint(lines: _Lines, name: str, parent: int) -> Joint:
 def _offset(lines: _Lines, line: str, what: str) -> Array:
     words = line.split()
     if words[0].upper() != "OFFSET":
-        raise lines.wrong(f"'{shown(line)}' where OFFSET of {what} should be")
+        raise lines.wrong(f"'{beginning(line)}' where OFFSET of {what} should be")
     return lines.numbers(words[1:], 3, f"OFFSET of {what}")
 
 
@@ -244,11 +244,11 @@ def _heading(lines: _Lines) -> tuple[int, float]:
     """Return the number of frames, and the rate [1/s]."""
     words = lines.next("Frames").replace(":", " ").split()
     if words[0].lower() != "frames" or len(words) != 2 or not words[1].isdigit():
-        raise lines.wrong(f"'{shown(' '.join(words))}' where 'Frames: N' should be")
+        raise lines.wrong(f"'{beginning(' '.join(words))}' where 'Frames: N' should be")
     count = int(words[1])
     words = lines.next("Frame Time").replace(":", " ").split()
     if [word.lower() for word in words[:2]] != ["frame", "time"]:
-        raise lines.wrong(f"'{shown(' '.join(words))}' where 'Frame Time: S' should be")
+        raise lines.wrong(f"'{beginning(' '.join(words))}' where 'Frame Time: S' should be")
     frame_time = float(lines.numbers(words[2:], 1, "Frame Time")[0])
     if frame_time <= 0:
         raise lines.wrong("Frame Time must be more than nought")
@@ -267,7 +267,7 @@ def _values(lines: _Lines, count: int, width: int) -> Array:
         row = [value for word in words if (value := _number(word)) is not None]
         if len(row) < len(words):
             word = next(word for word in words if _number(word) is None)
-            raise lines.wrong(f"'{shown(word)}' is no number")
+            raise lines.wrong(f"'{beginning(word)}' is no number")
         if len(row) != width:
             raise lines.wrong(f"{len(row)} numbers for the {width} channels of the joints")
         rows.append(row)
@@ -297,7 +297,7 @@ def _finite(lines: _Lines, joints: Sequence[Joint], values: Array) -> Array:
     if not gaps.are_allowed():
         lines.number = [number for number, _ in lines.rest()][int(bad.any(axis=1).argmax())]
         raise lines.wrong("a number that is not finite")
-    mended = gaps.bridged(values)
+    mended = gaps.bridge(values)
     if mended is None:
         of_column = [joint.name for joint in joints for _ in joint.channels]
         lacking = dict.fromkeys(name for name, column in zip(of_column, bad.T, strict=True) if column.any())
@@ -305,7 +305,7 @@ def _finite(lines: _Lines, joints: Sequence[Joint], values: Array) -> Array:
     return mended
 
 
-def written(skeleton: Skeleton) -> str:
+def text_of(skeleton: Skeleton) -> str:
     """Return the file's text: offsets and values with six decimals, the frame time to the last digit."""
     lines = ["HIERARCHY"]
     children: dict[int, list[int]] = {}

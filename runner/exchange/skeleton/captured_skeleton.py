@@ -21,7 +21,7 @@ from dynsplines.solver.tolerances import SINGLE, TINY
 from ...errors import GIVE_UNIT, listed
 from ...scene.roles import apply_bone_map, first_hinge, lineage, mapped_roles, roles, unique
 from . import bvh_file, hierarchy
-from .bvh_file import Skeleton, placed
+from .bvh_file import Skeleton, to_world
 
 REACH = 1.25  # [m] typical distance from an adult's hips along the bones to the fingertips or toes
 UNITS = {"metres": 1.0, "centimetres": 0.01, "millimetres": 0.001}
@@ -81,14 +81,14 @@ class CapturedSkeleton:
         place = place.copy()
         place[:, 1:] = offset[1:]
         offset = np.concatenate([np.zeros((1, 3)), offset[1:]])
-        position, rotation = placed(skeleton.parents, place, turn)
+        position, rotation = to_world(skeleton.parents, place, turn)
         here = cls(
             unique(skeleton.names), skeleton.parents, unit * offset, {i: unit * end for i, end in ends.items()},
             unit * position, rotation, notes, bone_map,
         )  # fmt: skip
         return _placed_upright(here)
 
-    def turned(self, world: Array, rest: Array) -> CapturedSkeleton:
+    def turn(self, world: Array, rest: Array) -> CapturedSkeleton:
         """Return the skeleton with the world rotated (4,), and the zero pose by another rotation (4,)."""
         back = quat.inverse(rest)
         return replace(
@@ -187,9 +187,9 @@ def _placed_upright(captured: CapturedSkeleton) -> CapturedSkeleton:
     """Return a skeleton in the file's axes converted to z up, both in the world and in the zero pose."""
     up, note = vertical(captured.position, captured.roles)
     world = TO_Z[up]
-    captured = captured.turned(world, world)
+    captured = captured.turn(world, world)
     rest, _ = standing_turn(captured.at_zero, captured.roles)
-    stood = captured.turned(NONE, rest)
+    stood = captured.turn(NONE, rest)
     if stood.stands and not captured.stands:
         captured = stood
     return replace(captured, notes=captured.notes + note)

@@ -69,7 +69,7 @@ class _Standing:
         place, turn = quat.rotate(stand, rest.position[0]), quat.product(stand, rest.rotation[0])
         return cls(model, place, turn, bodies, notes)
 
-    def straightened(self, role: str) -> Array:
+    def straighten(self, role: str) -> Array:
         """Return the rotation (4,) of a forearm or shin into the line of the upper arm or thigh."""
         above = f"{role.partition('_')[0]}_{HANGS_ON.get(role.partition('_')[2], '')}"
         if above not in self.roles:
@@ -160,7 +160,7 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
         raise UserError(f"{where}: its legs have no length, so its size is unknown")
     scale = _leg({role: _line_of(standing, role, standing.bracketed) for role in shared}) / leg
     qpos, columns = _at_root(standing, root, turns)
-    qpos = followed(model, qpos, RecordedPoses(turns, list(_limbs(captured, standing, turns, scale))), columns)
+    qpos = follow(model, qpos, RecordedPoses(turns, list(_limbs(captured, standing, turns, scale))), columns)
     qpos = _place(captured, standing, root, qpos, scale)
     qpos, lift = _on_ground(standing, root, qpos)
     notes = [*standing.notes, f"scaled by {scale:.3f}, the ratio of the legs"]
@@ -216,10 +216,10 @@ def _bracket(pose: Pose, side: str) -> Array:
 
 def _ahead(pose: Pose, role: str) -> Array:
     """Return the offset (3,) [m] of the thigh from the hip's first hinge, in the sagittal plane."""
-    return _across(pose.at_zero[pose.roles[role]] - pose.at_zero[pose.start_of(role)], _left(pose))
+    return _across(pose.at_zero[pose.roles[role]] - pose.at_zero[pose.start_of(role)], _to_left(pose))
 
 
-def _left(pose: Pose) -> Array:
+def _to_left(pose: Pose) -> Array:
     return pose.at_zero[pose.roles["left_thigh"]] - pose.at_zero[pose.roles["right_thigh"]]
 
 
@@ -284,14 +284,14 @@ def _heading(left: Array) -> Array:
 
 def _upright(captured: CapturedSkeleton, standing: _Standing, shared: list[str]) -> dict[str, Array]:
     """Return A by role, from an upright zero pose."""
-    facing = quat.product(_heading(_left(captured)), quat.conjugate(_heading(_left(standing))))
+    facing = quat.product(_heading(_to_left(captured)), quat.conjugate(_heading(_to_left(standing))))
     out = {}
     for role in shared:
         part = role.partition("_")[2]
         out[role] = facing
         if part not in NEXT:
             continue
-        straight = quat.product(facing, standing.straightened(role))
+        straight = quat.product(facing, standing.straighten(role))
         mine, theirs = standing.bone(role), _bone(captured, role)
         if part == "thigh":
             mine, theirs = mine + _ahead(standing, role), theirs + _ahead(captured, role)
@@ -475,7 +475,7 @@ class RecordedPoses:
         return self.residual(model, data), rows
 
 
-def followed(model: mujoco.MjModel, qpos: Array, poses: RecordedPoses, root: slice) -> Array:
+def follow(model: mujoco.MjModel, qpos: Array, poses: RecordedPoses, root: slice) -> Array:
     """Return qpos (T, nq) that follow the targets, with hinges and slides in their ranges; root: the columns that stay.
 
     Ball joints are those of people, who exceed their ranges a little.

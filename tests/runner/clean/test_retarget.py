@@ -260,7 +260,7 @@ def test_a_map_of_limbs_is_enough(walk, tmp_path):
     bone_map = foreign(walk, tmp_path / "a.bvh", on_reference=True)
     model = figure_spec("human").compile()
     expected, _ = retarget.onto(CapturedSkeleton.of(read(walk)), model, "walk.bvh")
-    with maps.using(MapTable(recording=bone_map)), gaps.allowed():
+    with maps.using(MapTable(recording=bone_map)), gaps.allow():
         found = formats.recording(tmp_path / "a.bvh", model=model)
     assert np.ptp(expected[:, 0]) > 0.3
     np.testing.assert_allclose(found.qpos, expected, atol=1e-5)

@@ -61,9 +61,9 @@ def test_the_longest_ending_selects_the_format_and_is_dropped_and_one_that_fits_
     stems = {"in/a.b.mjlab.csv": "a.b", "A.KEYS.XML": "A", "a.b.csv": "a.b", ".csv": ".csv", "a.b.pkl": "a.b", "a": "a"}
     assert {name: formats.stem(Path(name)) for name in stems} == stems
     kinds = {"a.bvh": "bvh", "a.MJLAB.csv": "mjlab-csv", "a.csv": "csv", "t.glb": "gltf", "t.keys.xml": "mjcf"}
-    assert {name: formats.chosen(None, Path(name)).name for name in kinds} == kinds
+    assert {name: formats.choose(None, Path(name)).name for name in kinds} == kinds
     for name, kind in (("a.npz", "mjlab"), ("a.xml", "mjcf"), ("A.BVH", "bvh")):
-        assert formats.chosen(kind, Path(name)).name == kind
+        assert formats.choose(kind, Path(name)).name == kind
 
 
 @pytest.mark.parametrize(("words", "told"), read_cases("export_names.toml"))

@@ -122,7 +122,7 @@ def test_a_figure_without_a_root_has_torques_but_no_wrench(tmp_path):
         quantities.table(Sampled.of(saved), ("wrench",))
     with pytest.raises(UserError, match="no stance is known"):
         quantities.table(Sampled.of(saved), ("ground",))
-    every, notes = quantities.table(Sampled.of(saved), quantities.named("all"))
+    every, notes = quantities.table(Sampled.of(saved), quantities.groups_of("all"))
     assert list(every) == list(columns)
     assert [note.partition(":")[0] for note in notes[:2]] == ["no columns `wrench`", "no columns `ground`"]
 
@@ -157,10 +157,10 @@ def test_forces_of_limits_are_in_newtons_for_slides_and_named_by_number_for_join
 
 
 def test_groups_are_named_with_commas():
-    assert quantities.named(" torques, ground,torques") == ("torques", "ground")
-    assert quantities.named("torques,all") == (quantities.ALL,) and quantities.named("") == ()
+    assert quantities.groups_of(" torques, ground,torques") == ("torques", "ground")
+    assert quantities.groups_of("torques,all") == (quantities.ALL,) and quantities.groups_of("") == ()
     with pytest.raises(UserError, match="no column group 'forces'"):
-        quantities.named("velocities,forces")
+        quantities.groups_of("velocities,forces")
 
 
 LINKAGE = read_data("linkage.xml")

@@ -55,7 +55,7 @@ def test_import_refuses_them(folder: Path, ending: str) -> None:
 @pytest.mark.parametrize("ending", FILES)
 def test_they_are_left_out_with_a_note_and_the_others_are_as_they_were(folder: Path, ending: str) -> None:
     whole, text = read_recording(folder / f"whole.{ending}", figure="human"), io.StringIO()
-    with gaps.allowed():
+    with gaps.allow():
         progress = Progress(Console(file=text, width=200))
         torn = read_recording(folder / f"torn.{ending}", figure="human", progress=progress)
     assert "note: 3 samples lack some or all numbers, first at 0.400 s: left out as a whole" in text.getvalue()
@@ -69,7 +69,7 @@ def test_a_file_of_nothing_else_is_refused_all_the_same(folder: Path, tmp_path: 
         arrays = dict(file)
     arrays["qpos"][:, 7] = np.nan
     np.savez(tmp_path / "none.qpos.npz", **arrays)
-    with gaps.allowed(), pytest.raises(UserError, match="'qpos': an entry is not a finite number"):
+    with gaps.allow(), pytest.raises(UserError, match="'qpos': an entry is not a finite number"):
         read_recording(tmp_path / "none.qpos.npz")
 
 

@@ -13,7 +13,7 @@ from motions import exported_scene as exported
 from texts import read_data
 
 from dynsplines import inbetween, load, recordings, solving
-from dynsplines.exchange.format.simulate import note, tracked
+from dynsplines.exchange.format.simulate import note, simulate
 from dynsplines.exchange.simulation import Simulation
 from dynsplines.motion import Sampled
 
@@ -33,7 +33,7 @@ def simulated(tmp_path, text, qpos, step=0.5):
     (tmp_path / "model.xml").write_text(text)
     take = Sampled.of(motions.through(str(tmp_path / "model.xml"), step * np.arange(len(qpos)), np.array(qpos, float)))
     simulation = Simulation.of(take)
-    tracking = tracked(simulation, take)
+    tracking = simulate(simulation, take)
     return simulation, tracking, note(tracking, simulation.model)
 
 

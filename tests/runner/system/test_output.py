@@ -29,7 +29,7 @@ def filmed(_: Saved, target: Path) -> None:
 
 
 def exported(saved: Saved, target: Path) -> None:
-    formats.export(saved, formats.chosen(None, target).name, target)
+    formats.export(saved, formats.choose(None, target).name, target)
 
 
 WRITERS: dict[str, Write] = {".npz": motion.save, ".gif": filmed, ".mp4": filmed, ".csv": exported}
