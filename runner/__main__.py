@@ -23,7 +23,7 @@ def main(command: Callable[[], None] = _dynsplines) -> None:
     try:
         command()
     except KeyboardInterrupt:
-        _stopped()
+        _exit_by_signal()
     except SystemExit:
         signals.ignore()
         raise
@@ -33,10 +33,10 @@ def main(command: Callable[[], None] = _dynsplines) -> None:
     except Exception:
         if not signals.was_received():
             raise
-        _stopped()  # an interrupted import may raise any exception
+        _exit_by_signal()  # an interrupted import may raise any exception
 
 
-def _stopped() -> None:
+def _exit_by_signal() -> None:
     signals.ignore()
     print("dynsplines: stopped", file=sys.stderr)
     sys.exit(signals.code(signals.STOPPED))

@@ -145,7 +145,7 @@ def solve(
             raise UserError(f"{source}: a motion is solved already; report, plot and render take it")
         first, last = inputs.span(clip, repeat)
         motion.sample_count(last - first, clip.fps)
-        saved, violations = inputs.solved(clip, progress, repeat)
+        saved, violations = inputs.solution_of(clip, progress, repeat)
         motion.save(saved, target)
         _conclude(progress, target, violations, target)
     if as_json:
@@ -191,7 +191,7 @@ def render(
         look.check(clip.figure.model, *inputs.span(clip, repeat), flags="--")
         progress.report(renderer.line)
         is_solved = only not in ("keys", "before")
-        saved, violations = inputs.solved(clip, progress, repeat, solve=is_solved)
+        saved, violations = inputs.solution_of(clip, progress, repeat, solve=is_solved)
         show.draw(saved, look, renderer, target, workers, progress)
         _conclude(progress, target, violations, source)
     _judge(violations, strict)
@@ -346,7 +346,7 @@ def report(
     from rich.console import Console
 
     with terminal.Progress() as progress:
-        measured = inputs.measured(inputs.load(source), progress).report
+        measured = inputs.with_report(inputs.load(source), progress).report
     if as_json:
         print(json.dumps(measured, indent=2))
     else:
@@ -397,7 +397,7 @@ def export(
     with terminal.Progress() as progress:
         clip = inputs.load(source)
         inputs.span(clip, repeat)
-        saved, violations = inputs.solved(clip, progress, repeat)
+        saved, violations = inputs.solution_of(clip, progress, repeat)
         formats.export(saved, form.name, target, fps=fps, columns=groups, overwrite=overwrite, report=progress.report)
         _conclude(progress, target, violations, source)
 

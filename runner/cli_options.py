@@ -108,7 +108,7 @@ def _has_kernel() -> bool:
 
 def _prepare(context: typer.Context, allow: bool) -> bool:
     """Apply --allow-outside until the command ends, and import MuJoCo without graphics unless the command draws."""
-    context.with_resource(file_access.allowed(allow))
+    context.with_resource(file_access.allow(allow))
     if context.command.name != "render":
         graphics.do_without()
     return allow

@@ -26,10 +26,10 @@ class UserError(Exception):
     """
 
     def __init__(self, text: object = "") -> None:
-        super().__init__(shortened(str(text)))
+        super().__init__(shorten(str(text)))
 
 
-def shortened(text: str) -> str:
+def shorten(text: str) -> str:
     """Return a text with very long words shortened."""
     if len(text) <= LONGEST_WORD:
         return text
@@ -56,7 +56,7 @@ def words_of(error: Exception) -> str:
     return " ".join(str(error).split())
 
 
-def located(error: BaseException) -> str:
+def locate(error: BaseException) -> str:
     """Return an internal error with its type, and the line of the program that raised it."""
     import traceback  # imported here because internal errors are rare
 
@@ -67,7 +67,7 @@ def located(error: BaseException) -> str:
 
 def one_line(text: object) -> str:
     """Return a text with unprintable characters escaped, so that a message is one line for any file content."""
-    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in shortened(str(text)))
+    return "".join(c if c.isprintable() else c.encode("unicode_escape").decode() for c in shorten(str(text)))
 
 
 def unknown(kind: str, name: str, choices: Iterable[str]) -> str:
@@ -79,7 +79,7 @@ def unknown(kind: str, name: str, choices: Iterable[str]) -> str:
     return f"no {kind} '{name}'{guess} {several}: {', '.join(names) or 'none'}"
 
 
-def listed(names: Iterable[str], most: int = 3) -> str:
+def list_names(names: Iterable[str], most: int = 3) -> str:
     """Return the first names of a list: "a, b and 3 more"."""
     first = list(names)
     more = f" and {len(first) - most} more" if len(first) > most else ""

@@ -41,7 +41,7 @@ def span(source: Clip | Saved, repeat: int | None = None) -> tuple[float, float]
     return first, first + repeat * (last - first)
 
 
-def solved(
+def solution_of(
     source: Clip | Saved, progress: Progress, repeat: int | None = None, *, solve: bool = True
 ) -> tuple[Saved, Sequence[Violation]]:
     """Return the motion of a source, repeated `repeat` times, and the violations of one period.
@@ -60,19 +60,19 @@ def solved(
         result = solving.solve(source, progress)
         out, violations = result.motion, result.violations
     else:
-        out = solving.unsolved(source).motion
+        out = solving.raw_spline(source).motion
     if repeat is not None:
         from .edit import edits  # imported here because few commands repeat
 
         reason = f"one period was solved and is played {repeat} times"
-        out = replace(edits.repeated(out, repeat), search=out.search | {"stopped because": reason})
+        out = replace(edits.repeat(out, repeat), search=out.search | {"stopped because": reason})
     return out, violations
 
 
-def measured(source: Clip | Saved, progress: Progress) -> Saved:
+def with_report(source: Clip | Saved, progress: Progress) -> Saved:
     """Return the motion of a source with its report, measured unless stored in its file."""
     from . import solving  # imported here, as above
 
     if not isinstance(source, Saved):
         return solving.solve(source, progress, measure=True).motion
-    return source if source.report else solving.Solved.of(source).measured(progress, "not searched: imported")
+    return source if source.report else solving.Solved.of(source).measure(progress, "not searched: imported")

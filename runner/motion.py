@@ -342,7 +342,7 @@ def load(source: Path) -> Saved:
     if not 1 <= int(version) <= FORMAT_VERSION:
         raise UserError(f"{source}: format {int(version)} is not this program's {FORMAT_VERSION}; is it newer?")
     try:
-        saved = _restored(data)
+        saved = _restore(data)
         _check(saved, data)
         # free entries of keyframes are as before the search, because the places of grasps depend on them
         before = saved.figure.to_qpos(path_of(saved.raw).at(data["key_time"]))
@@ -378,14 +378,14 @@ def read_entries(source: Path) -> dict[str, np.ndarray | bytes | None]:
         try:
             size_limit.check_archive(stream, source)
             with np.load(stream, allow_pickle=False) as archive:
-                return {name: _unpickled(archive, name) for name in archive.files}
+                return {name: _read_entry(archive, name) for name in archive.files}
         except UserError:
             raise
         except Exception as error:  # a damaged zip may raise any exception
             raise UserError(f"{source}: not a readable .npz file: {words_of(error)}") from None
 
 
-def _unpickled(archive: Any, name: str) -> Any:
+def _read_entry(archive: Any, name: str) -> Any:
     try:
         return archive[name]
     except ValueError as error:
@@ -434,8 +434,8 @@ def _check_arrays(data: Arrays, shapes: Mapping[str, tuple[int, ...]]) -> None:
             raise ValueError(f"'{name}' holds an entry that is too large")
 
 
-def _restored(data: Arrays) -> Saved:
-    scene = Scene.received(str(data["mjcf"]), assets_in(data))
+def _restore(data: Arrays) -> Saved:
+    scene = Scene.receive(str(data["mjcf"]), assets_in(data))
     figure = Figure(scene.model(), str(data["coordinates"]))
     ends = str(data["ends"])
     timelines = []

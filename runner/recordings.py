@@ -39,7 +39,7 @@ def load(
             for a clip that follows itself.
     """
     file = read(source)
-    recording = recorded(file, figure_file)
+    recording = recording_of(file, figure_file)
     return clips.from_parsed(file, figure_file=figure_file, fps=fps, unmet=unmet, recording=recording)
 
 
@@ -60,10 +60,10 @@ def from_text(
         fps: See `clip.load.from_parsed`; also `spec` and `like`.
     """
     source = parse(text, name, where or f"{name}.toml", folder)
-    return clips.from_parsed(source, fps=fps, spec=spec, like=like, recording=recorded(source))
+    return clips.from_parsed(source, fps=fps, spec=spec, like=like, recording=recording_of(source))
 
 
-def recorded(source: Parsed, figure_file: str | None = None, following: tuple[str, ...] = ()) -> Saved | None:
+def recording_of(source: Parsed, figure_file: str | None = None, following: tuple[str, ...] = ()) -> Saved | None:
     """Return the motion that a clip follows; None if it follows none.
 
     Args:
@@ -101,13 +101,13 @@ def _solve(source: str, identity: str, where: str, following: tuple[str, ...]) -
     if identity in following:
         raise UserError(f"{where}: '{source}' follows itself")
     try:
-        return _shipped(source) if source in models.clips() else _solution(source, (*following, identity))
+        return _shipped_motion(source) if source in models.clips() else _solution(source, (*following, identity))
     except UserError as error:
         raise UserError(f"{where}: {error}") from None
 
 
 @lru_cache(maxsize=4)
-def _shipped(name: str) -> Saved:
+def _shipped_motion(name: str) -> Saved:
     return _solution(name, (name,))
 
 
@@ -115,5 +115,5 @@ def _solution(source: str, following: tuple[str, ...]) -> Saved:
     from . import solving  # imported here because most clips follow no other clip
 
     file = read(source)
-    clip = clips.from_parsed(file, recording=recorded(file, following=following))
+    clip = clips.from_parsed(file, recording=recording_of(file, following=following))
     return solving.solve(clip, silent()).motion

@@ -24,7 +24,7 @@ from .system.progress import Progress
 
 
 @contextmanager
-def _unhurried() -> Iterator[None]:
+def _without_interrupts() -> Iterator[None]:
     """Ignore Ctrl-C in this block, so that the solution is not lost."""
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -52,7 +52,7 @@ class Solved:
     def violations(self) -> tuple[Violation, ...]:
         return violations(self.clip, self.motion.timeline, self.motion.raw, self.motion.stop)
 
-    def measured(self, progress: Progress, reason: str = "not searched") -> Saved:
+    def measure(self, progress: Progress, reason: str = "not searched") -> Saved:
         """Return the motion with its report. Ctrl-C during it has no effect.
 
         Args:
@@ -62,7 +62,7 @@ class Solved:
 
         if is_recording(self.motion) and not self.motion.is_raw:
             reason = "cleaned recording"
-        with _unhurried():
+        with _without_interrupts():
             progress.step("measuring", 0.0, force=True)
             data = report(self.clip, self.motion)
             progress.step("measuring", 1.0, force=True)
@@ -86,7 +86,7 @@ def solve(clip: Clip, progress: Progress, *, measure: bool = False) -> Solved:
     begin = time.perf_counter()
     solution = inbetween(clip.problem, improved=improved)
     seconds = time.perf_counter() - begin
-    with _unhurried():
+    with _without_interrupts():
         if solution.trace:
             first, last = solution.trace[0][2], solution.trace[-1][2]
             note = f"evaluation {solution.evaluations}, objective {first:.4g} -> {last:.4g}"
@@ -94,7 +94,7 @@ def solve(clip: Clip, progress: Progress, *, measure: bool = False) -> Solved:
         if solution.stop is Stop.INTERRUPTED:
             progress.report("stopped; the best path so far is kept")
         solved = Solved(clip, motion_of(clip, solution, seconds))
-        return replace(solved, motion=solved.measured(progress)) if measure else solved
+        return replace(solved, motion=solved.measure(progress)) if measure else solved
 
 
 def motion_of(clip: Clip, solution: Solution, seconds: float | None = None) -> Saved:
@@ -103,7 +103,7 @@ def motion_of(clip: Clip, solution: Solution, seconds: float | None = None) -> S
     Args:
         seconds: The duration of the search [s], if known.
     """
-    raw = unsolved(clip).motion
+    raw = raw_spline(clip).motion
     if solution.timeline is solution.raw and solution.stop is Stop.CONVERGED:
         return raw
     search: dict[str, Any] = {"evaluations": solution.evaluations}
@@ -118,13 +118,13 @@ def motion_of(clip: Clip, solution: Solution, seconds: float | None = None) -> S
     return replace(raw, timeline=solution.timeline, raw=solution.raw, trace=trace, search=search)
 
 
-def unsolved(clip: Clip) -> Solved:
+def raw_spline(clip: Clip) -> Solved:
     """Return the raw spline of a clip, to inspect keyframes."""
     raw = clip.problem.raw
     motion = Saved(clip.name, clip.text, clip.scene, clip.figure, clip.fps, clip.keys, raw, raw, [], {})
     return Solved(clip, motion)
 
 
-def saved(source: Clip | Saved, progress: Progress) -> Saved:
+def saved_motion(source: Clip | Saved, progress: Progress) -> Saved:
     """Return a saved motion unchanged, or that of a clip without a report."""
     return source if isinstance(source, Saved) else solve(source, progress).motion

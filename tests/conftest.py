@@ -72,7 +72,7 @@ def solved(tmp_path_factory: pytest.TempPathFactory) -> Solved:
 @pytest.fixture(scope="session")
 def saved(solved: Solved) -> Saved:
     """What goes into a motion file of it, report and all."""
-    return solved.measured(quiet())
+    return solved.measure(quiet())
 
 
 @pytest.fixture(scope="session")

@@ -38,7 +38,7 @@ atexit.unregister(close_clusters)  # after Ctrl-C it would print errors of worke
 
 
 @contextmanager
-def connected(options: BatchOptions, progress: Progress) -> Iterator[Client]:
+def connect(options: BatchOptions, progress: Progress) -> Iterator[Client]:
     """Yield a client of the workers. Raises UserError if there are none."""
     address = options.cluster
     with (

@@ -28,7 +28,7 @@ ENDED = "each worker that tried to solve it ended: a crash, or too little memory
 
 
 def run(
-    words: list[str], folder: Path, options: BatchOptions, progress: Progress, *, solve_task: SolveTask = solving.solved
+    words: list[str], folder: Path, options: BatchOptions, progress: Progress, *, solve_task: SolveTask = solving.solve
 ) -> Tally:
     """Solve every clip that the words name into a folder, or resume a batch there.
 
@@ -47,7 +47,7 @@ def run(
     batch = Batch(Manifest.of(folder), options, progress, solve_task)
     batch.plan(clips)
     if batch.waiting:
-        with cluster.connected(options, progress) as client:
+        with cluster.connect(options, progress) as client:
             batch.solve(client)
     entries = batch.manifest.entries
     return Tally(tuple(entries[str(source.name)] for source in clips), batch.ended["done"])

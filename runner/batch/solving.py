@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from distributed import get_worker
 
-from ..errors import UserError, located, one_line
+from ..errors import UserError, locate, one_line
 from ..picture.graphics import do_without
 from ..system import mujoco_warnings
 from .task import NPZ, Outcome, Task, program
@@ -60,7 +60,7 @@ def outcome_of(solve_task: SolveTask, task: Any, seconds: float) -> Outcome:
         except UserError as error:
             outcome = Outcome(one_line(error))
         except Exception as error:
-            outcome = Outcome(located(error))
+            outcome = Outcome(locate(error))
     return replace(outcome, seconds=round(time.monotonic() - begin, 3))
 
 
@@ -72,7 +72,7 @@ def _watch(thread: int, ended: threading.Event, seconds: float) -> None:
             os._exit(1)
 
 
-def solved(task: Task, folder: Path) -> Outcome:
+def solve(task: Task, folder: Path) -> Outcome:
     """Return the files of the motion, and its violations, with MuJoCo's warnings among the notes.
 
     `folder` is an empty one for the clip's files. Raises UserError for an invalid clip.
@@ -86,7 +86,7 @@ def solved(task: Task, folder: Path) -> Outcome:
     from ..scene import file_access
 
     warned: list[str] = []
-    with mujoco_warnings.reported_to(warned.append), file_access.allowed(task.allow_outside):
+    with mujoco_warnings.reported_to(warned.append), file_access.allow(task.allow_outside):
         cleaning = task.options.cleaning
         outcome = _solve(task, folder) if cleaning is None else _clean(task, cleaning, folder)
     return replace(outcome, notes=(*outcome.notes, *warned))
@@ -101,7 +101,7 @@ def _solve(task: Task, folder: Path) -> Outcome:
     where = str(folder / source) if Path(source).suffix else source
     problem = recordings.load(where, figure_file=figure and str(folder / figure), fps=task.options.fps)
     result = solving.solve(problem, silent(), measure=task.options.report)
-    return replace(_written(result.motion, task, folder, task.options.fps), violations=tuple(plain(result.violations)))
+    return replace(_write(result.motion, task, folder, task.options.fps), violations=tuple(plain(result.violations)))
 
 
 def _clean(task: Task, cleaning: Source, folder: Path) -> Outcome:
@@ -116,10 +116,10 @@ def _clean(task: Task, cleaning: Source, folder: Path) -> Outcome:
     source = replace(cleaning, figure=figure, fps=options.fps, **files)
     saved = command.clean_recording(source, options.max_displacement, silent())[1]
     violations = violation.plain(violation.by_name(Solved.of(saved).violations))
-    return replace(_written(saved, task, folder, None), violations=tuple(violations))
+    return replace(_write(saved, task, folder, None), violations=tuple(violations))
 
 
-def _written(saved: Saved, task: Task, folder: Path, fps: float | None) -> Outcome:
+def _write(saved: Saved, task: Task, folder: Path, fps: float | None) -> Outcome:
     """Write a motion in the requested format, and read back all files."""
     from .. import motion
     from ..exchange import formats

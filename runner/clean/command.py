@@ -19,7 +19,7 @@ from ..clip.load import figure_of, obstacles
 from ..clip.parse import file_of
 from ..clip.table import MapTable, SceneTable, SurroundingsTable
 from ..clip.tracking.problem import rests_of, tracking_context
-from ..errors import UserError, listed
+from ..errors import UserError, list_names
 from ..exchange import formats, gaps
 from ..exchange.motion_import import ImportedMotion, read_recording
 from ..exchange.skeleton import maps
@@ -217,7 +217,7 @@ def _notes(result: Cleaned, max_displacement: float | None) -> Iterator[str]:
     for name in dict.fromkeys(names):
         spans = [f"{rest.first:.2f}-{rest.last:.2f}" for rest in result.rests if rest.point.name == name]
         if spans:
-            yield f"{name} stands {listed(spans, 6)} s"
+            yield f"{name} stands {list_names(spans, 6)} s"
     longest = {rest.point.name: rest for rest in sorted(result.raised, key=lambda rest: rest.last - rest.first)}
     for name, rest in longest.items():
         yield (

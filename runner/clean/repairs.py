@@ -14,7 +14,7 @@ from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.curve.recording import UNLIKE, groups, places
 from dynsplines.solver.figure.figure import Figure
 
-from ..errors import UserError, listed
+from ..errors import UserError, list_names
 from ..exchange import gaps
 
 FEWEST = 5  # least number of samples of a motion
@@ -88,7 +88,9 @@ def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Mask
     bad = np.flatnonzero(~known.all(axis=1))
     if bad.size:
         joints = [_name(figure, columns) for columns in groups(figure) if not known[:, columns].all()]
-        notes.append(f"{bad.size} samples of {listed(joints)} hold no numbers, first at {time[bad[0]]:.3f} s: bridged")
+        notes.append(
+            f"{bad.size} samples of {list_names(joints)} hold no numbers, first at {time[bad[0]]:.3f} s: bridged"
+        )
     np.copyto(qpos, np.asarray(figure.model.qpos0), where=~known)
     return known
 
@@ -134,6 +136,6 @@ def _jumps(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[st
     if has_jump.any():
         whose = sorted({_name(figure, columns) for columns in groups(figure) if out[:, columns].any()})
         notes.append(
-            f"{listed(whose)}: {int(has_jump.sum())} samples jump, first at {time[has_jump][0]:.3f} s: bridged"
+            f"{list_names(whose)}: {int(has_jump.sum())} samples jump, first at {time[has_jump][0]:.3f} s: bridged"
         )
     return out

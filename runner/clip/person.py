@@ -10,8 +10,8 @@ from dynsplines.solver.penalty import Person
 from dynsplines.solver.penalty.motion.people import PARTS
 from dynsplines.solver.surface.points import Point, bottoms_of
 
-from ..errors import listed
-from ..scene.compose import compiled, figure_spec
+from ..errors import list_names
+from ..scene.compose import compile_model, figure_spec
 from ..scene.roles import roles
 
 
@@ -29,7 +29,7 @@ def person_of(figure: Figure, soles: Sequence[Point] = ()) -> Person:
     parts = {part: int(figure.body_link[1 + body]) for part, body in roles(names, parents).items()}
     missing = [part.replace("_", " ") for part in PARTS if part not in parts]
     if missing:
-        raise ValueError(f"no body has a name of these parts: {listed(missing)}")
+        raise ValueError(f"no body has a name of these parts: {list_names(missing)}")
     rest = Samples.still(figure, figure.to_state(figure.model.qpos0)[None])
     return Person.of(figure, parts, float(bottoms_of(tuple(soles), rest).min()) if soles else None)
 
@@ -37,7 +37,7 @@ def person_of(figure: Figure, soles: Sequence[Point] = ()) -> Person:
 def note_on(figure: str) -> str:
     """Return a note on the soft constraint `prior` in clips of a figure, by name or file; empty if it is on."""
     try:
-        person = person_of(Figure(compiled(figure_spec(figure), figure)))
+        person = person_of(Figure(compile_model(figure_spec(figure), figure)))
     except ValueError as error:
         return f"; not for '{figure}': {error}"
     return "; on if listed, as the figure has hinges" if person.is_robot else ""

@@ -23,7 +23,7 @@ from dynsplines.solver.surface.points import Point, body_points, bottoms_of, han
 from dynsplines.solver.surface.touch import counts_all, grounds
 
 from ..errors import UserError, words_of
-from ..scene.compose import compiled, compose, figure_spec
+from ..scene.compose import compile_model, compose, figure_spec
 from ..scene.configuration import first_wrong
 from ..scene.model_notes import fixed_base, vertical_notes
 from ..system.mujoco_warnings import quietly
@@ -117,7 +117,7 @@ def _model_keys(spec: mujoco.MjSpec, where: str) -> tuple[Array, Array, list[str
     If the times do not rise, they are half a second apart.
     """
     configurations = [np.array(key.qpos) for key in spec.keys]
-    model = compiled(spec, where)
+    model = compile_model(spec, where)
     count = len(configurations)  # <size nkey> may exceed it
     times, poses = np.array(model.key_time)[:count], np.array(model.key_qpos).reshape(model.nkey, model.nq)[:count]
     for i, values in enumerate(configurations):

@@ -77,14 +77,14 @@ def _complete(figure: Figure, timeline: Timeline, times: Sequence[float] | Array
     return tuple(Frame.key(time, row) for time, row in zip(times, qpos, strict=True))
 
 
-def mirrored(saved: Saved) -> Saved:
+def mirror(saved: Saved) -> Saved:
     """Return the motion mirrored in the x-z plane, in the same scene."""
     mirror, saved = mirror_of(saved), without_clip(saved)
     keys = tuple(mirror.key(key) for key in saved.keys)
     return replace(saved, keys=keys, timeline=mirror.timeline(saved.timeline), raw=mirror.timeline(saved.raw))
 
 
-def retimed(saved: Saved, speed: float) -> Saved:
+def retime(saved: Saved, speed: float) -> Saved:
     """Return the motion at `speed` times the speed."""
     saved = without_clip(saved)
     with _with_name(saved.name):
@@ -102,7 +102,7 @@ def check_interval(source: Clip | Saved, first: float, last: float) -> None:
     check_times([first, last], source.name)
 
 
-def trimmed(saved: Saved, first: float, last: float) -> Saved:
+def trim(saved: Saved, first: float, last: float) -> Saved:
     """Return the part from `first` to `last` [s]. Its keyframes are complete, with the raw spline through them."""
     check_interval(saved, first, last)
     saved = without_clip(saved)
@@ -119,7 +119,7 @@ def _with_keys(saved: Saved, timeline: Timeline, times: Sequence[float]) -> Save
     return replace(saved, keys=keys, timeline=timeline, raw=raw_timeline(saved.figure, list(keys)))
 
 
-def repeated(saved: Saved, count: int) -> Saved:
+def repeat(saved: Saved, count: int) -> Saved:
     """Return a loop repeated several times. At the seams, the entries are fixed that either end fixes."""
     if count == 1:
         return saved
@@ -138,7 +138,7 @@ def repeated(saved: Saved, count: int) -> Saved:
     return replace(saved, keys=keys, timeline=timeline, raw=raw)
 
 
-def joined(before: Saved, after: Saved, transition: float, progress: Progress) -> Saved:
+def join(before: Saved, after: Saved, transition: float, progress: Progress) -> Saved:
     """Return two motions in sequence, with a transition [s] that is solved as an in-between. What a hand holds at the
     end of the first and at the start of the second, according to their clips, it also holds in the transition."""
     check_transition(transition)

@@ -34,7 +34,7 @@ def mirror(source: str, target: Path | None, *, overwrite: bool, progress: Progr
     Args:
         append: Whether to keep the keyframes of half a gait cycle, and to append their mirror image.
     """
-    target, (one,) = _prepared([source], target, "mirrored", overwrite, writes_clips=True)
+    target, (one,) = _prepare([source], target, "mirrored", overwrite, writes_clips=True)
     if append:
         table = table_of(one.text, source) if target.suffix == ".toml" else None
         if table is None or table.solve.ends != MIRRORED:
@@ -44,12 +44,12 @@ def mirror(source: str, target: Path | None, *, overwrite: bool, progress: Progr
     symmetry = edits.mirror_of(one)
     if target.suffix == ".toml":
         return _write_clip(mirrored_tables(table_of(one.text, source), one.figure, symmetry), source, target)
-    saved = solving.saved(one, progress)
+    saved = solving.saved_motion(one, progress)
     if saved.text:
         scene = table_of(saved.text, saved.name).scene
         if mirrored_tables(ClipTable(figure="", scene=scene), saved.figure, symmetry).scene != scene:
             progress.report("note: step and obstacles are not mirrored; to mirror them, mirror the clip: -o NAME.toml")
-    return _write_motion(edits.mirrored(saved), "mirrored", target, [one])
+    return _write_motion(edits.mirror(saved), "mirrored", target, [one])
 
 
 def retime(
@@ -67,11 +67,11 @@ def retime(
     for name, value in (("speed", speed), ("duration", duration)):
         if value is not None and not 1e-6 <= value <= 1e6:
             raise UserError(f"--{name} {value:g}: give a number above 0")
-    target, (one,) = _prepared([source], target, "retimed", overwrite, writes_clips=True)
+    target, (one,) = _prepare([source], target, "retimed", overwrite, writes_clips=True)
     rate = speed if speed is not None else (one.keys[-1].time - one.keys[0].time) / (duration or 1.0)
     if target.suffix == ".toml":
         return _write_clip(retimed_tables(table_of(one.text, source), rate), source, target)
-    return _write_motion(edits.retimed(solving.saved(one, progress), rate), "retimed", target, [one])
+    return _write_motion(edits.retime(solving.saved_motion(one, progress), rate), "retimed", target, [one])
 
 
 def trim(
@@ -80,10 +80,10 @@ def trim(
     """Cut a motion to the interval from `first` to `last` [s]; None: the motion's start or end."""
     if first is None and last is None:
         raise UserError("give --from, --to, or both, in seconds")
-    target, (one,) = _prepared([source], target, "trimmed", overwrite)
+    target, (one,) = _prepare([source], target, "trimmed", overwrite)
     interval = one.keys[0].time if first is None else first, one.keys[-1].time if last is None else last
     edits.check_interval(one, *interval)
-    return _write_motion(edits.trimmed(solving.saved(one, progress), *interval), "trimmed", target, [one])
+    return _write_motion(edits.trim(solving.saved_motion(one, progress), *interval), "trimmed", target, [one])
 
 
 def join(
@@ -91,15 +91,15 @@ def join(
 ) -> Written:
     """Append a motion to another one, with a transition [s]."""
     edits.check_transition(transition)
-    target, inputs = _prepared([first, second], target, "joined", overwrite)
+    target, inputs = _prepare([first, second], target, "joined", overwrite)
     edits.check_alike(*inputs)
-    before, after = (solving.saved(each, progress) for each in inputs)
+    before, after = (solving.saved_motion(each, progress) for each in inputs)
     if before.scene != after.scene:
         progress.report(f"note: the scene is that of '{before.name}'")
-    return _write_motion(edits.joined(before, after, transition, progress), "joined", target, inputs)
+    return _write_motion(edits.join(before, after, transition, progress), "joined", target, inputs)
 
 
-def _prepared(
+def _prepare(
     sources: Sequence[str], target: Path | None, word: str, overwrite: bool, *, writes_clips: bool = False
 ) -> tuple[Path, list[Clip | Saved]]:
     """Return the output, by default the first input's name with a word, and the loaded inputs.

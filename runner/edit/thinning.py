@@ -71,7 +71,7 @@ class MotionDifference:
         )
 
 
-def thinned(
+def thin_motion(
     saved: Saved, distance: float, angle: float, *, solve: bool = False, progress: Progress | None = None
 ) -> Saved:
     """Return a motion with few keyframes that stays within `distance` [m] and `angle` [rad] of the original.
@@ -159,11 +159,11 @@ def run(
     if not is_imported and motion.is_motion(source) and not is_foreign(Path(source)):
         saved = motion.load(Path(source))
     elif not is_imported and (source in models.clips() or Path(source).suffix.lower() == ".toml"):
-        saved = solving.saved(recordings.load(source), progress)
+        saved = solving.saved_motion(recordings.load(source), progress)
     else:
         saved = import_recording(Path(source), kind, figure=figure, fps=fps, progress=progress)
     recorded = recorded_of(without_clip(saved), *bound)
-    compact = replace(thinned(saved, *bound, solve=solve, progress=progress), name=target.stem)
+    compact = replace(thin_motion(saved, *bound, solve=solve, progress=progress), name=target.stem)
     head = f"{len(compact.keys)} keyframes of {recorded.times.size}"
     lines, written = [f"{head}; {MotionDifference.of(recorded, compact.timeline)}"], [target]
     if target.suffix == ".npz":

@@ -16,7 +16,7 @@ from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.root import root_of
 
 from ..errors import UserError
-from ..scene.configuration import posed
+from ..scene.configuration import kinematics_of
 from ..scene.framing import spread
 from .array_reader import ArrayReader
 from .recording import Recording
@@ -128,7 +128,7 @@ def disagreement(model: mujoco.MjModel, qpos: Array, bodies: BodyPoses) -> tuple
     compared with its nearest recorded body instead.
     """
     rows = spread(len(qpos))
-    poses = ((data.xpos.copy(), data.xquat.copy()) for data in posed(model, qpos[rows]))
+    poses = ((data.xpos.copy(), data.xquat.copy()) for data in kinematics_of(model, qpos[rows]))
     position, rotation = (np.array(part) for part in zip(*poses, strict=True))
     root = root_of(model)
     if bodies.is_local and root is not None:

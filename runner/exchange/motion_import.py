@@ -13,11 +13,11 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 
 from ..clip import load as clips
-from ..errors import listed
+from ..errors import list_names
 from ..motion import Saved
 from ..scene.assets import Scene, taken_along
-from ..scene.compose import Obstacle, compiled, compose, figure_spec
-from ..solving import unsolved
+from ..scene.compose import Obstacle, compile_model, compose, figure_spec
+from ..solving import raw_spline
 from ..system.progress import Progress
 from ..system.quantity import positive
 from . import gaps
@@ -66,11 +66,11 @@ def read_recording(
     spec = None if figure is None else figure_spec(figure)
     if spec is not None:
         spec.assets = dict(taken_along(spec))  # under the names that compose assigns, so that MuJoCo finds the meshes
-    model = None if spec is None else compiled(spec, figure)
+    model = None if spec is None else compile_model(spec, figure)
     record = gaps.without_missing(recording(source, kind, model=model, fps=fps, scale=scale), source)
     if record.scene is not None:
         spec = record.scene.spec()
-        model = compiled(spec, source)
+        model = compile_model(spec, source)
     assert spec is not None and model is not None, "a reader returns a figure or requires one"
     qpos, notes = _unwrap(model, record.time, record.qpos)
     for note in (*record.notes, *notes):
@@ -100,7 +100,7 @@ def import_recording(
     if pose := gaps.initial_pose(clip.figure.model, record.time, record.qpos):
         start = np.ceil(1000 * record.time[pose] - 1e-6) / 1000
         progress.report(f"note: {gaps.POSE} {record.time[pose]:.3f} s: `dynsplines trim --from {start:g}` removes it")
-    return unsolved(clip).motion
+    return raw_spline(clip).motion
 
 
 def _unwrap(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, tuple[str, ...]]:
@@ -118,5 +118,5 @@ def _unwrap(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, tup
     if not is_other.any():
         return qpos, ()
     names = [model.joint(j).name or f"joint{j}" for j in hinges[is_other[:, columns].any(axis=0)].tolist()]
-    whose, first = listed(f"'{name}'" for name in names), time[is_other.any(axis=1).argmax()]
+    whose, first = list_names(f"'{name}'" for name in names), time[is_other.any(axis=1).argmax()]
     return out, (f"{whose}: angles wrap at a whole turn, first at {first:.3f} s: unwrapped",)

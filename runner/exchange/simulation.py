@@ -35,7 +35,7 @@ from dynsplines.solver.figure.root import sliding_joints
 from dynsplines.solver.surface.touch import is_scenery, movers, overlapping_pairs, solids
 
 from ..clip import load as clip
-from ..errors import listed
+from ..errors import list_names
 from ..measure.forces import Forces
 from ..motion import Sampled
 from ..scene.framing import size_of, spread
@@ -308,7 +308,7 @@ def _exclude_overlaps(spec: mujoco.MjSpec, model: mujoco.MjModel, qpos: Array) -
         _exclude(spec, *pair)
     if not pairs:
         return []
-    names = listed(f"{model.body(a).name}-{model.body(b).name}" for a, b in pairs)
+    names = list_names(f"{model.body(a).name}-{model.body(b).name}" for a, b in pairs)
     return [f"bodies that the model has in each other do not collide in the scene to simulate: {names}"]
 
 

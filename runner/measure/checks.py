@@ -58,7 +58,7 @@ class Hits:
         return cls(row, at, amounts[row, at])
 
     @classmethod
-    def joined(cls, parts: Sequence[Hits]) -> Hits:
+    def join(cls, parts: Sequence[Hits]) -> Hits:
         if not parts:
             return cls(np.zeros(0, np.intp), np.zeros(0, np.intp), np.zeros(0))
         return cls(*(np.concatenate([getattr(part, name) for part in parts]) for name in ("row", "at", "amount")))
@@ -186,7 +186,7 @@ def speeds(figure: Figure, limit: Speed) -> Check:
     return Check.each(rows, lambda samples: Hits.of(np.degrees(limit.excess(samples))))
 
 
-def coupled(fixed: Fixed) -> Check | None:
+def coupling_errors(fixed: Fixed) -> Check | None:
     """Return the check of joints that equality constraints couple to others."""
     joints = couplings(fixed.figure)
     if not joints:
@@ -277,7 +277,7 @@ class ContactTarget:
     rolling: Rolling | None = None
 
 
-def displaced(targets: Sequence[ContactTarget], fixed: Fixed) -> Check:
+def displacements(targets: Sequence[ContactTarget], fixed: Fixed) -> Check:
     """Return the check of points of one kind that leave their places."""
     attachment, points = Attachment(tuple(target.contact for target in targets)), [t.contact.point for t in targets]
 
@@ -361,11 +361,11 @@ def penetrations(parts: Sequence[Collision], soles: frozenset[str], feet: Index,
                     if row.size:
                         hits_of_bunches.append(Hits(first + bunch.which[row], at[sample], deep[row, sample]))
                 first += len(part.points)
-        return Hits.joined(hits_of_bunches)
+        return Hits.join(hits_of_bunches)
 
     def row(index: int) -> Row:
         point, surface = pairs[index]
-        return row_of("penetration", point.name, f"{point.name} is {{}} in {_quoted(surface)}", other=surface)
+        return row_of("penetration", point.name, f"{point.name} is {{}} in {_quote(surface)}", other=surface)
 
     def is_fixed(row: Index, key: Index) -> Mask:
         return fixed.places[links[row], key]
@@ -395,7 +395,7 @@ def self_overlaps(carried: Sequence[int], fixed: Fixed) -> Check:
         one, two = (figure.body_name(i) for i in links)
         if is_solid[links]:
             one, two = (two, one) if is_carried[links[0]] else (one, two)
-            return row_of("penetration", one, f"{one} is {{}} in {_quoted(two)}", other=two)
+            return row_of("penetration", one, f"{one} is {{}} in {_quote(two)}", other=two)
         deeper = "deeper " if at_rest[links] else ""
         return row_of("self", one, f"{one} and {two} are {{}} {deeper}in each other", other=two)
 
@@ -405,7 +405,7 @@ def self_overlaps(carried: Sequence[int], fixed: Fixed) -> Check:
     return Check(hits, row, bounds, groups, is_fixed, is_once_per_group=True)
 
 
-def _quoted(name: str) -> str:
+def _quote(name: str) -> str:
     """Return the name of a surface in a sentence."""
     return f"the {name}" if name.isalpha() and name.islower() else f"'{name}'"
 

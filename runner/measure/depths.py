@@ -28,7 +28,7 @@ from dynsplines.solver.surface.points import Point
 from dynsplines.solver.surface.touch import counts_all, movers
 from dynsplines.solver.tolerances import TINY
 
-from ..scene.configuration import posed
+from ..scene.configuration import kinematics_of
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,7 +95,7 @@ def overlaps(figure: Figure, model: mujoco.MjModel, qpos: Array) -> tuple[Index,
     """Return overlaps of geoms at qpos (k, nq): rows (m,) of qpos, links of the geoms (m,) each, the smaller index
     first, and depths (m,) [m]."""
     parts = []
-    for sample, data in enumerate(posed(model, qpos)):
+    for sample, data in enumerate(kinematics_of(model, qpos)):
         mujoco.mj_collision(model, data)
         if data.ncon:
             parts.append((np.full(data.ncon, sample), data.contact.geom.T.copy(), -data.contact.dist))

@@ -75,7 +75,7 @@ class Measurement:
             for check, hits in zip(every, parts, strict=True):
                 part = check.hits(samples)
                 hits.append(replace(part, at=first + part.at))
-        amounts = tuple((check, Hits.joined(hits)) for check, hits in zip(every, parts, strict=True))
+        amounts = tuple((check, Hits.join(hits)) for check, hits in zip(every, parts, strict=True))
         return cls(clip, timeline, time, key_at, amounts, stays)
 
     def largest(self) -> dict[str, tuple[Row, float, float]]:
@@ -144,7 +144,7 @@ def _checks(
     for kind in ("contact", "stance"):
         targets = [target for target in contact_targets if target.kind == kind]
         if targets:
-            yield checks.displaced(targets, fixed)
+            yield checks.displacements(targets, fixed)
     if context.schedule.grasps:
         path = path_of(timeline)
         starts = [
@@ -169,7 +169,7 @@ def _checks(
         text = "{joint.name} swings {} away from its values in the keyframes at {joint.first:g} and {joint.last:g} s"
         yield checks.ranges(context.holds, ("overshoot", "overshoot travel"), text)
     optional = (
-        checks.coupled(fixed),
+        checks.coupling_errors(fixed),
         checks.loop_gaps(fixed),
         checks.lengths(figure),
         checks.whips(figure, raw_peak),
@@ -245,12 +245,12 @@ def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[ContactTarget]:
             rolling = Rolling.of(rest, middle.links.Q[:, rest.point.link, k])
             yield ContactTarget("contact", _target(rest, spots[:, k]), group, rolling)
     shortest = Thresholds.of(figure).far_apart if is_imported(clip, timeline) else 0.0
-    free = [stance for stance in inferred(clip, timeline) if stance.last - stance.first > shortest]
+    free = [stance for stance in keyframe_stances(clip, timeline) if stance.last - stance.first > shortest]
     for stance, group in zip(free, _groups(free, feet).tolist(), strict=True):
         yield ContactTarget("stance", stance, group)
 
 
-def inferred(clip: Clip, timeline: Timeline) -> tuple[Contact, ...]:
+def keyframe_stances(clip: Clip, timeline: Timeline) -> tuple[Contact, ...]:
     """Return stances of soles inferred from keyframes, with unspecified entries from the motion."""
     states = path_of(timeline).at(np.array([key.time for key in clip.keys]))
     frames = [replace(key, state=state) for key, state in zip(clip.keys, states, strict=True)]

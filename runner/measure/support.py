@@ -32,7 +32,7 @@ SLOW = 0.05  # [m/s] horizontal speed of the centre of mass of an adult below wh
 DIRECTIONS = 64  # number of horizontal directions in which the support of the feet is compared with the centre of mass
 
 
-def unsupported(motion: Measurement) -> Iterator[Violation]:
+def missing_support(motion: Measurement) -> Iterator[Violation]:
     """Yield forces and moments of trees on a free root that contacts cannot supply, and trees out of balance.
 
     The accelerations of a recording as imported are noise, so that it yields none.
@@ -82,7 +82,7 @@ def _of_tree(
     explained |= ~touches.any(axis=0) & ~within(motion.clip.context.schedule.specified_flights or (), t)  # see `float`
     for kind, amount in amounts.items():
         amount = np.where(explained, 0.0, amount)
-        mean = _averaged(amount, t, window)
+        mean = _average(amount, t, window)
         worst, bound = int(mean.argmax()), BOUNDS[kind].most
         if mean[worst] > bound:
             seconds = (t[1] - t[0]) * np.count_nonzero(amount > bound)
@@ -117,7 +117,7 @@ def _beside(centre: Array, places: Array, touches: Mask) -> Array:
     return np.where(touches.any(axis=0), np.maximum(-reach.min(axis=0), 0.0), 0.0)
 
 
-def _averaged(amount: Array, t: Array, window: float) -> Array:
+def _average(amount: Array, t: Array, window: float) -> Array:
     """Return the mean (S,) of an amount (S,) at equally spaced times (S,) over a window [s] around each; zero nearer
     to an end than half of it."""
     count = max(1, round(window / float(t[1] - t[0])))

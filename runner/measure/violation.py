@@ -24,7 +24,7 @@ from .bounds import BOUNDS, Row, Violation, row_of
 from .checks import SAME_DEPTH, Check, Hits
 from .ground import floating_and_sliding
 from .measurement import Measurement
-from .support import unsupported
+from .support import missing_support
 
 MAX_LINES = 10  # most violations that are printed
 
@@ -45,7 +45,7 @@ def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Vio
     on_ground = list(floating_and_sliding(motion))
     aloft = {violation.name for violation in on_ground if violation.kind in ("aloft", "float")}
     violations += on_ground
-    violations += [violation for violation in unsupported(motion) if violation.name not in aloft]
+    violations += [violation for violation in missing_support(motion) if violation.name not in aloft]
     if stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS):
         row = row_of("search", stop.name.lower(), f"the search ended early: {stop.value}")
         violations.append(row.violation(row.bound))
@@ -132,7 +132,7 @@ def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Violation]
     for i in hits.largest(np.where(caused, group * keys.size + key, -1)).tolist():
         caps.setdefault(int(group[i]), np.zeros(motion.key_at.size))[key[i]] = hits.amount[i]
     for i in hits.largest(np.where(caused, group if check.is_once_per_group else group * keys.size + key, -1)).tolist():
-        row, time = _named(check, hits, group, i), float(motion.time[hits.at[i]])
+        row, time = _name(check, hits, group, i), float(motion.time[hits.at[i]])
         violation = check.row(row).violation(float(hits.amount[i]), time, int(motion.numbers[key[i]]))
         others = np.count_nonzero(caps[int(group[i])]) - 1 if check.is_once_per_group else 0
         also = f", and in {others} other keyframe{'s' if others > 1 else ''}" if others else ""
@@ -144,11 +144,11 @@ def _worst(check: Check, hits: Hits, motion: Measurement) -> Iterator[Violation]
         tolerated[of_group] = np.maximum(cap[:-1], cap[1:])[before[of_group]]
     bound = np.where(tolerated > 0, check.bounds[hits.row], 0.0)
     for i in hits.largest(np.where(hits.amount > tolerated + bound, group, -1)).tolist():
-        row = _named(check, hits, group, i)
+        row = _name(check, hits, group, i)
         yield check.row(row).violation(float(hits.amount[i]), float(motion.time[hits.at[i]]))
 
 
-def _named(check: Check, hits: Hits, group: Index, worst: int) -> int:
+def _name(check: Check, hits: Hits, group: Index, worst: int) -> int:
     """Return the row that is named for the worst hit of a group: one in `check.named` if it is about as large."""
     if check.named is not None:
         beside = (hits.at == hits.at[worst]) & (group == group[worst]) & check.named[hits.row]

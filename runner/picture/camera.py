@@ -71,7 +71,7 @@ def plan(
         cameras: Names of the model's cameras.
     """
     paths = _paths(root_path)
-    return _views(paths, smoothed(paths.mean(axis=0)[:, :2], fps), aspect, view, fovy, height, cameras)
+    return _views(paths, smooth(paths.mean(axis=0)[:, :2], fps), aspect, view, fovy, height, cameras)
 
 
 def still(
@@ -101,7 +101,7 @@ def _views(
     return tuple(View((x, y, z), distance, azimuth, elevation) for x, y, z in lookat.tolist())
 
 
-def smoothed(path: Array, fps: float) -> Array:
+def smooth(path: Array, fps: float) -> Array:
     """Return a path (T, d) filtered by a Gaussian whose standard deviation is half of SMOOTHING_SECONDS.
 
     The path is continued at both ends by point reflection, so that uniform motion and both end points are unchanged.

@@ -137,7 +137,7 @@ def build(
         >>> inbetween(clip).at([0.0, 0.5]).round(3).tolist()  # radians
         [[-0.698], [0.698]]
     """
-    with file_access.allowed(allow_outside):
+    with file_access.allow(allow_outside):
         spec, called = spec_of(figure)
         posed = _figure(spec, called) if any(key.qpos is not None for key in keyframes) else None
         raw: TomlTable = {"figure": called, "fps": float(fps)}
@@ -192,7 +192,7 @@ def load(
     fps = None if fps is None else positive(fps, "fps =")
     if files.is_motion(source) and "\n" not in source:
         raise UserError(f"'{source}' is a motion, solved already; load_motion opens it")
-    with file_access.allowed(allow_outside):
+    with file_access.allow(allow_outside):
         if is_text(source):
             raise UserError("MJCF text is a figure, not a clip; build makes a clip of it and keyframes")
         if "\n" in source:
@@ -289,7 +289,7 @@ def import_motion(
     if figure is not None and not isinstance(figure, str | os.PathLike):
         raise UserError(f"figure is a name or a path to MJCF, not of type {type(figure).__name__}")
     figure = None if figure is None else str(os.fspath(figure))
-    with file_access.allowed(allow_outside):
+    with file_access.allow(allow_outside):
         return Motion(import_recording(Path(source), format, figure=figure, fps=fps, scale=scale))
 
 

@@ -247,7 +247,7 @@ class Motion:
     @cached_property
     @as_python_warnings()
     def _report(self) -> Report:
-        return Report(self.saved.report or self._result.measured(silent()).report)
+        return Report(self.saved.report or self._result.measure(silent()).report)
 
     @property
     def _saved_with_report(self) -> Saved:
@@ -449,7 +449,7 @@ class Motion:
             >>> print(f"{motion.at(0.5)[1]:.1f} m, {motion.mirrored().at(0.5)[1]:.1f} m")
             0.2 m, -0.2 m
         """
-        return Motion(edits.mirrored(self.saved))
+        return Motion(edits.mirror(self.saved))
 
     def retimed(self, speed: float | None = None, *, duration: float | None = None) -> Motion:
         """Return the motion at another speed.
@@ -474,7 +474,7 @@ class Motion:
         if duration is not None and not 0 < duration < np.inf:
             raise UserError(f"duration = {duration:g}: give seconds, above 0")
         rate = speed if speed is not None else self.duration / (duration or self.duration)
-        return Motion(edits.retimed(self.saved, rate))
+        return Motion(edits.retime(self.saved, rate))
 
     def trimmed(self, first: float | None = None, last: float | None = None) -> Motion:
         """Return a part of the motion, unchanged within the interval.
@@ -495,7 +495,7 @@ class Motion:
             <Motion tumble: 1.50 s, 4 keyframes, 8 variable frames, 6 DOF>
         """
         begin, end = self.start if first is None else first, self.end if last is None else last
-        return Motion(edits.trimmed(self.saved, begin, end))
+        return Motion(edits.trim(self.saved, begin, end))
 
     @as_python_warnings()
     def repeated(self, count: int) -> Motion:
@@ -510,7 +510,7 @@ class Motion:
         Raises:
             UserError: For a motion that is not a loop.
         """
-        return Motion(edits.repeated(self.saved, count))
+        return Motion(edits.repeat(self.saved, count))
 
     @as_python_warnings()
     def joined(self, other: Motion, transition: float = 0.4) -> Motion:
@@ -534,7 +534,7 @@ class Motion:
             >>> motion.joined(motion.trimmed(0.5, 2.0), transition=0.5).duration
             5.0
         """
-        return Motion(edits.joined(self.saved, other.saved, transition, silent()))
+        return Motion(edits.join(self.saved, other.saved, transition, silent()))
 
     @as_python_warnings()
     def cleaned(self, max_displacement: str | float | None = None) -> Motion:
@@ -587,7 +587,7 @@ class Motion:
             (91, 8)
         """
         bound = thinning.bound_of(max_error, max_angle, ("max_error =", "max_angle ="))
-        return Motion(thinning.thinned(self.saved, *bound, solve=solve, progress=silent()))
+        return Motion(thinning.thin_motion(self.saved, *bound, solve=solve, progress=silent()))
 
     @as_python_warnings()
     def _repr_html_(self) -> str:

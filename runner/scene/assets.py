@@ -41,7 +41,7 @@ class Scene:
                 raise ValueError(f"its file '{name}' is not a plain file name")
 
     @classmethod
-    def received(cls, mjcf: str, assets: Assets) -> Scene:
+    def receive(cls, mjcf: str, assets: Assets) -> Scene:
         """Return a scene from an untrusted file. Raises ValueError if it refers to any other files."""
         scene = cls(mjcf, assets)
         if file_access.is_allowed():

@@ -215,7 +215,7 @@ def compose(
     spec.compiler.discardvisual = False
     for key in list(spec.keys):
         remove(spec, key)
-    bare = _compiled(spec, assets) if bare is None else bare
+    bare = _compile_spec(spec, assets) if bare is None else bare
     has_floor = bool(grounds(bare))
     is_staged = has_floor and any(material.name == PREFIX + "step" for material in spec.materials)  # by an earlier call
     parts = _stage(spec, bare, has_floor=has_floor)
@@ -228,7 +228,7 @@ def compose(
         _add_bodies(spec, obstacles)
         for obstacle in obstacles:
             obstacle.add_to(spec, PREFIX + "step")
-        model = _compiled(spec, assets)
+        model = _compile_spec(spec, assets)
         return Scene(_with_keys(portable_text(spec), poses, bare, model), assets)
     except ValueError as error:
         raise UserError(f"MuJoCo cannot compile the model with its stage: {words_of(error)}") from None
@@ -310,7 +310,7 @@ def _depths(model: mujoco.MjModel) -> list[int]:
     return depth
 
 
-def compiled(model: mujoco.MjSpec | Scene, where: object) -> mujoco.MjModel:
+def compile_model(model: mujoco.MjSpec | Scene, where: object) -> mujoco.MjModel:
     """Return a compiled model; raises UserError that begins with `where` if MuJoCo cannot compile it."""
     with quietly():
         return _compile(model, where)
@@ -323,7 +323,7 @@ def _compile(model: mujoco.MjSpec | Scene, where: object) -> mujoco.MjModel:
         raise UserError(f"{where}: MuJoCo cannot compile it: {words_of(error)}") from None
 
 
-def _compiled(spec: mujoco.MjSpec, assets: Assets) -> mujoco.MjModel:
+def _compile_spec(spec: mujoco.MjSpec, assets: Assets) -> mujoco.MjModel:
     spec.assets = dict(assets)
     try:
         return _compile(spec, "the model")

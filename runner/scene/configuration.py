@@ -15,7 +15,7 @@ from dynsplines.solver.tolerances import SINGLE
 from ..system.quantity import LARGEST
 
 
-def posed(model: mujoco.MjModel, qpos: Array) -> Iterator[mujoco.MjData]:
+def kinematics_of(model: mujoco.MjModel, qpos: Array) -> Iterator[mujoco.MjData]:
     """Yield the kinematics of configurations (T, nq), one after another in the same MjData: copy what is needed."""
     data = mujoco.MjData(model)
     for row in qpos:

@@ -29,7 +29,7 @@ _allowed: ContextVar[bool] = ContextVar("allowed", default=False)
 
 
 @contextmanager
-def allowed(yes: bool = True) -> Iterator[None]:
+def allow(yes: bool = True) -> Iterator[None]:
     """Allow models to refer to files anywhere, within this block; yes=False restores the default."""
     before = _allowed.set(yes or _allowed.get())
     try:

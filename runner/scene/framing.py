@@ -10,7 +10,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.model import boxes, kinematics
 from dynsplines.solver.surface.touch import moves
 
-from .configuration import posed
+from .configuration import kinematics_of
 
 MOST_POSES = 60  # number of poses that represent a motion
 STANDING = 2.05  # [m] height of a person with a hand raised over the head
@@ -89,5 +89,5 @@ def spread(count: int, most: int = MOST_POSES) -> Index:
 def _boxes(figure: Figure, qpos: Array) -> tuple[Array, Array]:
     """Return the figure's boxes in these poses: lowest and highest corners, (n, 3) each."""
     poses = qpos[spread(len(qpos))]
-    low, high = zip(*(box(figure.model, data) for data in posed(figure.model, poses)), strict=True)
+    low, high = zip(*(box(figure.model, data) for data in kinematics_of(figure.model, poses)), strict=True)
     return np.array(low), np.array(high)

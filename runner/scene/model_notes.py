@@ -15,7 +15,7 @@ from dynsplines.solver.figure.figure import WEIGHTLESS, JointKind
 from dynsplines.solver.figure.model import boxes, geom_name, kinematics
 from dynsplines.solver.surface.touch import TOUCHING, collides, grounds, is_scenery, solids
 
-from ..errors import listed
+from ..errors import list_names
 from .compose import PREFIX
 from .file_access import elements
 
@@ -72,7 +72,7 @@ def _below_added_floor(model: mujoco.MjModel) -> Iterator[str]:
     below = [geom_name(model, geom) for geom, top in zip(others, tops, strict=True) if top < floor - TOUCHING]
     if below:
         yield (
-            f"the model has no level plane, so a floor was added at z = {floor:g} m, above {listed(below)}; for "
+            f"the model has no level plane, so a floor was added at z = {floor:g} m, above {list_names(below)}; for "
             'another height, add it to the model: <geom type="plane" size="0 0 1" pos="0 0 HEIGHT"/>'
         )
 

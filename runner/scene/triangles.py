@@ -242,10 +242,10 @@ def _cylinder(radius: float, half: float) -> Triangles:
     height = half * np.array([-1.0, -1, -1, 1, 1, 1])
     normal = np.array([[0.0, -1], [0, -1], [1, 0], [1, 0], [0, 1], [0, 1]])
     parts = [_lathe(profile[i : i + 2], height[i : i + 2], normal[i : i + 2], slices(radius)) for i in (0, 2, 4)]
-    return joined(parts)
+    return join(parts)
 
 
-def joined(parts: list[Triangles]) -> Triangles:
+def join(parts: list[Triangles]) -> Triangles:
     """Return several meshes as one; meshes with and without textures must not be mixed."""
     starts = np.cumsum([0, *(len(part.points) for part in parts[:-1])])
     texture = [part.texture for part in parts if part.texture is not None]

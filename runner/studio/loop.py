@@ -30,8 +30,8 @@ from .. import recordings
 from ..clip.build import Clip
 from ..clip.half_cycle import MIRRORED
 from ..clip.parse import table_of
-from ..errors import UserError, located, one_line
-from ..scene.file_access import allowed
+from ..errors import UserError, locate, one_line
+from ..scene.file_access import allow
 from . import paths
 from .curves import curves, overshoots
 from .solver import Message, release_memory
@@ -53,7 +53,7 @@ def serve(line: Line, outside: bool) -> None:
     threading.Thread(target=_read, args=(line, inbox, loop), daemon=True).start()
     threading.Thread(target=_write, args=(line, outbox), daemon=True).start()
     outbox.put({"is": "kinds", "kinds": kinds()})
-    with allowed(outside), one_thread():
+    with allow(outside), one_thread():
         while (message := inbox.get()) is not None:
             loop.do(message)
     os._exit(0)
@@ -121,7 +121,7 @@ class SolverLoop:
             self._report("refused", id=number, words=one_line(error))
             return False
         except Exception as error:  # an internal error, which the page shows before it continues
-            self._report("refused", id=number, words=f"internal error: {located(error)}")
+            self._report("refused", id=number, words=f"internal error: {locate(error)}")
             return False
         return True
 

@@ -21,7 +21,7 @@ from starlette.responses import PlainTextResponse, Response
 from starlette.routing import Route, WebSocketRoute
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from ..errors import UserError, located, one_line
+from ..errors import UserError, locate, one_line
 from .actions import Actions
 from .files import Files
 from .session import Session
@@ -178,7 +178,7 @@ class _Desk:
             words = f"invalid request from the page: {type(error).__name__}: {one_line(error)}"
             answer |= {"ok": False, "words": words}
         except Exception as error:  # the page waits for an answer
-            answer |= {"ok": False, "words": f"internal error: {located(error)}"}
+            answer |= {"ok": False, "words": f"internal error: {locate(error)}"}
         put(json.dumps(answer))
 
     async def _done(self, do: str, arguments: Message) -> Any:

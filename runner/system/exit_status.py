@@ -10,7 +10,7 @@ from typing import NoReturn, cast
 
 import typer
 
-from ..errors import UserError, located, one_line
+from ..errors import UserError, locate, one_line
 from . import signals
 
 INTERNAL = 4  # exit code of an internal error
@@ -71,7 +71,7 @@ def _ending(error: BaseException) -> tuple[int, str]:
         return 2, "not enough memory for this, or to load what it needs"
     if isinstance(error, RuntimeError) and "can't start new thread" in str(error):
         return 2, "the system allows no more threads, or no more memory"
-    return INTERNAL, f"internal error: {located(error)}; please report it, with {HOW}"
+    return INTERNAL, f"internal error: {locate(error)}; please report it, with {HOW}"
 
 
 def _usage(error: typer.BadParameter) -> str:

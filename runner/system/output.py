@@ -98,12 +98,12 @@ class Replacement:
         """Replace the target after the data is on the disk; then synchronise the folder."""
         try:
             self.temporary.chmod(self._mode)
-            _synchronised(self.temporary)
+            _synchronise(self.temporary)
             self.temporary.replace(self._real)
         except OSError as error:
             raise UserError(f"cannot write '{self.target}': {error.strerror}") from None
         with suppress(OSError):  # some disks, and Windows, do not support this
-            _synchronised(self._real.parent)
+            _synchronise(self._real.parent)
 
 
 def real_target(target: Path) -> Path:
@@ -167,7 +167,7 @@ def _older(target: Path) -> os.stat_result | None:
         raise UserError(f"cannot write '{target}': {error.strerror}") from None
 
 
-def _synchronised(path: Path) -> None:
+def _synchronise(path: Path) -> None:
     """Wait until a file, or a folder's list of names, is on the disk."""
     handle = os.open(path, (os.O_RDWR if os.name == "nt" else os.O_RDONLY) | getattr(os, "O_CLOEXEC", 0))
     try:

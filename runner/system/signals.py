@@ -24,14 +24,14 @@ def install_handlers() -> None:
     global _received
     _received = None
     _terminals[:] = filter(os.isatty, TERMINALS)
-    for number in _handled():
+    for number in _signals():
         if signal.getsignal(number) is not signal.SIG_IGN:
             signal.signal(number, _stop)
 
 
 def ignore() -> None:
     """Ignore signals: the command is about to end."""
-    for number in _handled():
+    for number in _signals():
         signal.signal(number, signal.SIG_IGN)
 
 
@@ -45,7 +45,7 @@ def code(otherwise: int) -> int:
     return otherwise if _received in (None, signal.SIGINT) else FIRST + int(_received)
 
 
-def _handled() -> list[signal.Signals]:
+def _signals() -> list[signal.Signals]:
     return [getattr(signal, name) for name in HANDLED if hasattr(signal, name)]
 
 

@@ -55,13 +55,13 @@ def check_archive(stream: IO[bytes], where: Path) -> None:
         check(where, sum(member.file_size for member in members), "what it holds")
         for member in members:
             with archive.open(member) as content:
-                claimed = _claimed(content)
+                claimed = _size_in_header(content)
             if claimed > member.file_size:
                 raise UserError(f"{where}: '{member.filename}' does not have the size in its header; it is damaged")
     stream.seek(0)
 
 
-def _claimed(content: IO[bytes]) -> int:
+def _size_in_header(content: IO[bytes]) -> int:
     """Return the bytes that an array's header requests; 0 for other content, which its reader reports."""
     import numpy as np  # imported here because other limits do not need it
 

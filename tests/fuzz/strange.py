@@ -72,10 +72,12 @@ FIGURES = (
 def _saved(figure: str) -> Saved:
     """A motion of a few frames, good to be written in any format."""
     if figure == "tiny":
-        return solving.unsolved(recordings.from_text(problems.CLIP, name="tiny", spec=grammar.spec())).measured(quiet())
+        return solving.raw_spline(recordings.from_text(problems.CLIP, name="tiny", spec=grammar.spec())).measure(
+            quiet()
+        )
     saved = motions.motion_of("human") if figure == "human" else motions.through(figure, *_robot_keys())
     clip = clips.of_motion(saved)
-    return solving.unsolved(with_keys(clip, list(clip.keys)[:3])).motion
+    return solving.raw_spline(with_keys(clip, list(clip.keys)[:3])).motion
 
 
 def _robot_keys() -> tuple[Any, Any]:

@@ -66,11 +66,11 @@ def test_an_interrupted_solve_keeps_the_best_path(problem):
     assert len(solved.motion.trace) == 4
     assert "the best path so far is kept" in progress.out.getvalue()
     assert value(solved) == pytest.approx(solved.motion.trace[-1][2], rel=1e-9)
-    assert value(solved) < value(solving.unsolved(solved.clip))
+    assert value(solved) < value(solving.raw_spline(solved.clip))
 
 
 def test_unsolved_is_the_raw_spline_through_the_keyframes(problem):
-    solved = solving.unsolved(problem)
+    solved = solving.raw_spline(problem)
     assert solved.motion.timeline is solved.motion.raw
     assert solved.motion.report == solved.motion.search == {}
     assert solved.motion.timeline.times.tolist() == [0, 0.2, 0.41]

@@ -197,7 +197,7 @@ def test_models_and_batches_read_nothing_outside_a_models_folder_unless_they_may
     assert str(path.parent) in str(caught.value)
     with pytest.raises(UserError, match=r"secret.*outside its folder"):
         inputs.task_of(InputSource(clip, PurePosixPath("it")), {})
-    with file_access.allowed():
+    with file_access.allow():
         packed = inputs.task_of(InputSource(clip, PurePosixPath("it")), {}).files
     assert any("secret" in name or "link" in name for name in packed)
     if way not in ("odd", "submodel"):  # which are no models that MuJoCo reads
@@ -243,10 +243,10 @@ def test_every_command_that_reads_models_has_the_option():
 @POSIX
 def test_a_batch_that_may_read_outside_solves_elsewhere_too(tmp_path: Path):
     path = outsiders(tmp_path / "here")["up"]
-    with file_access.allowed():
+    with file_access.allow():
         files = inputs.task_of(InputSource(clip_of(path), PurePosixPath("it")), {})
     (tmp_path / "there").mkdir()
-    done = batch_solving.solved(replace(files, output="it.npz", allow_outside=True), tmp_path / "there")
+    done = batch_solving.solve(replace(files, output="it.npz", allow_outside=True), tmp_path / "there")
     (tmp_path / "it.npz").write_bytes(done.files["it.npz"])
     assert motion.load(tmp_path / "it.npz").scene.assets == {"secret.stl": stl(0.3)}
 

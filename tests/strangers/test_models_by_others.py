@@ -28,7 +28,7 @@ EVALUATIONS, FRAMES = 4, 4
 @pytest.fixture(autouse=True)
 def from_everywhere() -> Iterator[None]:
     """Many of these have their meshes in a folder beside the model's."""
-    with file_access.allowed():
+    with file_access.allow():
         yield
 
 
@@ -54,7 +54,7 @@ def test_a_model_by_others_becomes_a_clip_that_is_solved_and_drawn_without_an_ed
     found = solving.solve(problem.with_problem(settings=settings), quiet())
     assert found.motion.trace[-1][2] <= found.motion.trace[0][2]
     small = problem.figure.width <= SMALL
-    saved = found.measured(quiet()) if small else found.motion
+    saved = found.measure(quiet()) if small else found.motion
     error = saved.report["after"]["keyframe error"] if small else keyframe_error(problem, found.motion.timeline)
     assert error <= 1e-12
     motion.save(saved, tmp_path / "its.npz")

@@ -53,7 +53,7 @@ def motion_of(figure: str, *, seed: int = 3, spread: float = 0.9, start: float =
 def through(figure: str, time: np.ndarray, qpos: np.ndarray) -> Saved:
     """The spline through keyframes."""
     found = clip.from_qpos("wild", compose(figure_spec(figure)), time, qpos, FPS, "wild")
-    return solving.unsolved(found).motion
+    return solving.raw_spline(found).motion
 
 
 def samples(saved: Saved, fps: float | None = None) -> Sampled:
@@ -122,13 +122,13 @@ def moved(fps: float = 24.0, text: str = PUPPET, name: str = "puppet", count: in
     assert np.all(np.ptp(qpos, axis=0) > 0.01)
     spec = mujoco.MjSpec.from_string(text)
     found = clip.from_qpos(name, compose(spec), np.arange(count) / 12.0, qpos, fps, name)
-    return solving.unsolved(found).motion
+    return solving.raw_spline(found).motion
 
 
 def uncleaned(recording: ImportedMotion) -> Saved:
     """A recording as it is."""
     parts = recording.name, recording.scene, recording.time, recording.qpos, recording.fps, recording.name
-    return solving.unsolved(clip.from_qpos(*parts)).motion
+    return solving.raw_spline(clip.from_qpos(*parts)).motion
 
 
 # A motion as a bad recording has it: it slides, sinks and hovers, shakes, and misses samples.

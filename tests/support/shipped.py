@@ -71,7 +71,7 @@ def solved(name: str) -> Solved:
 @cache
 def unsolved(name: str) -> Saved:
     """The raw motion of a shipped clip, without a report."""
-    return solving.unsolved(loaded(name)).motion
+    return solving.raw_spline(loaded(name)).motion
 
 
 def follow() -> None:
@@ -81,7 +81,7 @@ def follow() -> None:
     def shared(name: str) -> Saved:
         return solved(name).motion
 
-    recordings._shipped = shared
+    recordings._shipped_motion = shared
 
 
 def _cached(problem: Clip, progress: Progress, solve: Callable[[Clip, Progress], Solved]) -> Solved:
@@ -93,7 +93,7 @@ def _cached(problem: Clip, progress: Progress, solve: Callable[[Clip, Progress],
             file.write_bytes(pickle.dumps((timeline, motion.trace, motion.search)))
             return solved
         timeline, trace, search = pickle.loads(file.read_bytes())
-    raw = solving.unsolved(problem).motion
+    raw = solving.raw_spline(problem).motion
     motion = replace(raw, timeline=timeline or raw.timeline, trace=trace, search=search)
     return Solved(problem, motion)
 

@@ -19,7 +19,7 @@ import numpy as np
 from ...errors import EXPORT_SKELETON, GIVE_FIGURE, GIVE_RATE, UserError
 from ...motion import Sampled, asset_arrays, assets_in, write_arrays
 from ...scene.assets import Scene
-from ...scene.compose import compiled
+from ...scene.compose import compile_model
 from ...scene.configuration import unlike_joints
 from .. import layouts
 from ..array_reader import names_in, read_npz, times
@@ -56,10 +56,10 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
         raise UserError(f"{path}: it has no 'mjcf', the figure; {GIVE_FIGURE}")
     try:
         assets = assets_in(arrays.entries)
-        scene = Scene.received(str(arrays.of("mjcf")), assets) if model is None else None
+        scene = Scene.receive(str(arrays.of("mjcf")), assets) if model is None else None
     except (ValueError, KeyError) as error:
         raise UserError(f"{path}: the files of its figure: {error}") from None
-    figure = compiled(scene, path) if scene is not None else needs_figure(model, path)
+    figure = compile_model(scene, path) if scene is not None else needs_figure(model, path)
     if "joint_names" in arrays and (differ := unlike_joints(figure, arrays.texts("joint_names"))):
         raise UserError(f"{path}: {differ}; {EXPORT_SKELETON}")
     qpos = arrays.numbers("qpos", "samples", figure.nq)

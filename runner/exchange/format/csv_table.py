@@ -21,7 +21,7 @@ import numpy as np
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 
-from ...errors import GIVE_FIGURE, GIVE_RATE, UserError, listed
+from ...errors import GIVE_FIGURE, GIVE_RATE, UserError, list_names
 from ...motion import Sampled
 from .. import quantities
 from ..array_reader import times
@@ -84,7 +84,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     named = _by_name(headings, numbers, {"time", *names}, path)
     missing = [name for name in names if name not in named]
     if missing:
-        lacking = listed((f"'{name}'" for name in missing), 1)
+        lacking = list_names((f"'{name}'" for name in missing), 1)
         raise UserError(
             f"{path}: no column {lacking}; the figure's columns: {', '.join(names)}; the file's: {', '.join(headings)}"
         )

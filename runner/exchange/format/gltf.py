@@ -25,7 +25,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.tolerances import SINGLE
 
 from ...motion import Sampled
-from ...scene.triangles import MeshPiece, Triangles, joined, linear, pieces, png, triangles
+from ...scene.triangles import MeshPiece, Triangles, join, linear, pieces, png, triangles
 from ..skeleton import hierarchy
 
 FLOAT, UNSIGNED_INT = 5126, 5125  # component types
@@ -121,7 +121,7 @@ def _meshes(document: _Document, model: mujoco.MjModel, names: list[str], reach:
             if look not in materials:
                 materials[look] = _material(document, model, piece)
             alike.setdefault(materials[look], []).append(_place(piece, triangles(model, piece, reach)))
-        primitives = [_primitive(document, joined(parts), look) for look, parts in alike.items()]
+        primitives = [_primitive(document, join(parts), look) for look, parts in alike.items()]
         meshes[body] = document.add("meshes", name=names[body], primitives=primitives)
     return meshes
 

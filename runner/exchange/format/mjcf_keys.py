@@ -20,7 +20,7 @@ from dynsplines.solver.array import Array
 from ...errors import UserError
 from ...motion import Sampled
 from ...scene.assets import Scene, taken_along
-from ...scene.compose import compiled, figure_spec
+from ...scene.compose import compile_model, figure_spec
 from ...scene.mujoco_versions import portable_text, remove
 from ..array_reader import ArrayReader
 from ..recording import Recording
@@ -59,7 +59,7 @@ def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recordi
     """Read the model's keys on its figure, or on the figure `model` if its qpos has the same length."""
     spec = figure_spec(str(path))
     written = [np.array(key.qpos) for key in spec.keys]
-    figure = compiled(spec, path)
+    figure = compile_model(spec, path)
     if figure.nkey < 2:
         raise UserError(f"{path}: the model has {figure.nkey or 'no'} <key> elements; a motion needs two or more")
     qpos = np.array(figure.key_qpos)

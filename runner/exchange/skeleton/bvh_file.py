@@ -19,7 +19,7 @@ from scipy.spatial.transform import Rotation
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 
-from ...errors import UserError, listed
+from ...errors import UserError, list_names
 from .. import gaps
 
 AXES = "XYZ"
@@ -301,7 +301,7 @@ def _finite(lines: _Lines, joints: Sequence[Joint], values: Array) -> Array:
     if mended is None:
         of_column = [joint.name for joint in joints for _ in joint.channels]
         lacking = dict.fromkeys(name for name, column in zip(of_column, bad.T, strict=True) if column.any())
-        raise lines.wrong(f"no sample has all numbers; write zeros for joints without numbers: {listed(lacking)}")
+        raise lines.wrong(f"no sample has all numbers; write zeros for joints without numbers: {list_names(lacking)}")
     return mended
 
 

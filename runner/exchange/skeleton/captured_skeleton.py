@@ -18,7 +18,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.tolerances import SINGLE, TINY
 
-from ...errors import GIVE_UNIT, listed
+from ...errors import GIVE_UNIT, list_names
 from ...scene.roles import apply_bone_map, first_hinge, lineage, mapped_roles, roles, unique
 from . import bvh_file, hierarchy
 from .bvh_file import Skeleton, to_world
@@ -76,7 +76,7 @@ class CapturedSkeleton:
         drift = np.abs(place[:, 1:] - offset[1:]).max(axis=(0, 2), initial=0.0)
         stretched = [skeleton.names[1 + i] for i in np.flatnonzero(unit * drift > DRIFT * REACH)]
         if stretched:
-            names = listed(stretched, hierarchy.LISTED)
+            names = list_names(stretched, hierarchy.LISTED)
             notes += (f"bones keep their lengths; what moves in its parent is left out: {names}",)
         place = place.copy()
         place[:, 1:] = offset[1:]
@@ -221,7 +221,7 @@ def _from_body_root(skeleton: Skeleton, bone_map: Mapping[str, str]) -> tuple[Sk
     names = ", ".join(skeleton.names[i] for i in reversed(above))
     note = f"'{skeleton.names[root]}' is the root; its parents are folded into it: {names}"
     if beside:
-        note += f"; other branches are left out: {listed((skeleton.names[i] for i in beside), hierarchy.LISTED)}"
+        note += f"; other branches are left out: {list_names((skeleton.names[i] for i in beside), hierarchy.LISTED)}"
     return bvh_file.skeleton(joints, place, turn, skeleton.fps), (note,)
 
 

@@ -30,8 +30,8 @@ from dynsplines.solver.figure.root import Root, roots_of, subtree
 from dynsplines.solver.posing import STARTS, PoseSearch, Residuals, join
 from dynsplines.solver.tolerances import TINY
 
-from ...errors import GIVE_MAP, UserError, listed
-from ...scene.configuration import posed
+from ...errors import GIVE_MAP, UserError, list_names
+from ...scene.configuration import kinematics_of
 from ...scene.roles import NEEDED, ONWARD, SIDES, lineage, mapped_roles
 from . import hierarchy, maps
 from .captured_skeleton import CapturedSkeleton, standing_turn, unit
@@ -128,13 +128,13 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
             every = captured.names if by_role is captured.roles else names[1:]
             repeated = [name for name in every if f"{name}_2" in every]
             twice = (
-                f"; twice there is {listed(repeated, hierarchy.LISTED)}: add left and right to the names"
+                f"; twice there is {list_names(repeated, hierarchy.LISTED)}: add left and right to the names"
                 if repeated
                 else ""
             )
             raise UserError(
                 f"{where}: among {what} none is a {' or '.join(missing).replace('_', ' ')} by its name: "
-                f"{listed(every, hierarchy.LISTED)}{twice}; {GIVE_MAP}"
+                f"{list_names(every, hierarchy.LISTED)}{twice}; {GIVE_MAP}"
             )
     chain = hierarchy.above(model, standing.roles.get("pelvis", standing.roles["left_thigh"]), itself=True)
     root = next((root for root in roots_of(model) if root.body in chain), None)
@@ -174,8 +174,10 @@ def onto(captured: CapturedSkeleton, model: mujoco.MjModel, where: str) -> tuple
     still = [names[body] for body in range(1, model.nbody) if model.body_jntnum[body] and body not in moved]
     toes = " and ".join(captured.names[captured.roles[f"{side}_toe"]] for side in bent)
     notes += [f"the figure has no toes: what {toes} bend turns its feet"] if bent else []
-    notes += [f"without a counterpart in the figure: {listed(lost, hierarchy.LISTED)}"] if lost else []
-    notes += [f"without a counterpart in the file, kept at rest: {listed(still, hierarchy.LISTED)}"] if still else []
+    notes += [f"without a counterpart in the figure: {list_names(lost, hierarchy.LISTED)}"] if lost else []
+    notes += (
+        [f"without a counterpart in the file, kept at rest: {list_names(still, hierarchy.LISTED)}"] if still else []
+    )
     return qpos, tuple(notes)
 
 
@@ -401,7 +403,7 @@ def _place(captured: CapturedSkeleton, standing: _Standing, root: Root, qpos: Ar
     pelvis = standing.roles["pelvis"]
     offset = quat.rotate(quat.conjugate(standing.turn[pelvis]), middle - standing.at_zero[pelvis])
 
-    places = [data.xpos[pelvis] + quat.rotate(data.xquat[pelvis], offset) for data in posed(model, qpos)]
+    places = [data.xpos[pelvis] + quat.rotate(data.xquat[pelvis], offset) for data in kinematics_of(model, qpos)]
     return _shift(model, root, qpos, scale * hips - np.array(places))
 
 
@@ -413,7 +415,7 @@ def _on_ground(standing: _Standing, root: Root, qpos: Array) -> tuple[Array, flo
     if not soles and not feet.size:
         return qpos, 0.0
     lowest = []
-    for data in posed(model, qpos):
+    for data in kinematics_of(model, qpos):
         centre, reach = boxes(model, data, feet)
         lowest.append((data.site_xpos[soles] if soles else centre - reach)[:, 2].min())
     lift = -float(np.percentile(lowest, LOWEST))

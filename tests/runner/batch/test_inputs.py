@@ -127,7 +127,7 @@ def test_elsewhere_a_clip_is_solved_as_it_is_here(tmp_path: Path):
     problem = recordings.load(str(path))
     figure.unlink()
     path.unlink()
-    product = solving.solved(replace(files, output="tiny.npz"), there)
+    product = solving.solve(replace(files, output="tiny.npz"), there)
     (tmp_path / "result.npz").write_bytes(product.files["tiny.npz"])
     assert [problem["name"] for problem in product.violations] == ["root", "left_knee"]
     saved = load(tmp_path / "result.npz")
@@ -139,7 +139,7 @@ def test_elsewhere_a_clip_is_solved_as_it_is_here(tmp_path: Path):
 
 def test_a_worker_with_another_version_is_rejected(tmp_path: Path):
     with pytest.raises(UserError, match=r"the worker has dynamic-splines .*, not 0\.0\.7"):
-        solving.solved(
+        solving.solve(
             replace(task_of(InputSource(None, PurePosixPath("stairs")), {}), output="stairs.npz", program="0.0.7"),
             tmp_path,
         )
@@ -153,7 +153,7 @@ def test_a_clip_takes_along_the_recording_that_it_follows(tmp_path: Path):
     there.mkdir()
     written(tmp_path)
     path = tmp_path / "tiny.toml"
-    product = solving.solved(replace(task_of(InputSource(path, PurePosixPath("tiny")), {}), output="tiny.npz"), there)
+    product = solving.solve(replace(task_of(InputSource(path, PurePosixPath("tiny")), {}), output="tiny.npz"), there)
     (tmp_path / "own.npz").write_bytes(product.files["tiny.npz"])
     (tmp_path / "through.toml").write_text(FOLLOWING.format("tiny.toml"), encoding="utf-8")
     clip_file, digests = tmp_path / "following.toml", []
@@ -163,7 +163,7 @@ def test_a_clip_takes_along_the_recording_that_it_follows(tmp_path: Path):
         assert sorted(files.files) == sorted(["following.toml", "tiny.xml", *along])
         elsewhere = tmp_path / f"elsewhere {recording}"
         elsewhere.mkdir()
-        made = solving.solved(replace(files, output="made.npz"), elsewhere)
+        made = solving.solve(replace(files, output="made.npz"), elsewhere)
         (tmp_path / "made.npz").write_bytes(made.files["made.npz"])
         assert load(tmp_path / "made.npz").keys[-1].time == pytest.approx(0.41)
         digests.append(files.digest)

@@ -14,7 +14,7 @@ pytest.importorskip("distributed")
 from dynsplines.batch.dispatch import Batch
 from dynsplines.batch.inputs import sources, task_of
 from dynsplines.batch.manifest import Entry, Manifest, digest_of
-from dynsplines.batch.solving import solved
+from dynsplines.batch.solving import solve
 from dynsplines.batch.task import BatchOptions
 from dynsplines.errors import UserError
 
@@ -61,7 +61,7 @@ def out(tmp_path: Path) -> Path:
 
 def left(out: Path, options: BatchOptions = BatchOptions()) -> list[str]:  # noqa: B008
     """The clips that a command has left to do, by a program that starts anew."""
-    batch = Batch(Manifest.of(out), options, quiet(), solved)
+    batch = Batch(Manifest.of(out), options, quiet(), solve)
     batch.plan(sources([str(out.parent / "tiny.toml"), str(out.parent / "other.toml")]))
     return [str(source.name) for source in batch.waiting]
 

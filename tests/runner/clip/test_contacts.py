@@ -131,7 +131,7 @@ def test_the_distance_from_a_specified_position_is_reported_if_keyframes_put_the
     heel = next(point for point in loaded.context.points if point.name == "left_heel")
     x, y, z = places_of([heel], Samples.still(loaded.figure, loaded.context.keys.states))[0][:, 0, 0]
     contact = f'point = "left_heel"\nfrom = 0\nto = 1\nposition = [{x + off}, {y}, {z}]'
-    at_rest = solving.unsolved(recordings.from_text(text(contact), name="stand"))
+    at_rest = solving.raw_spline(recordings.from_text(text(contact), name="stand"))
     rows = [violation for violation in at_rest.violations if violation.kind == "contact"]
     assert bool(rows) == (off > 0.01)
     assert all(violation.amount == pytest.approx(off, abs=1e-6) for violation in rows)
@@ -179,7 +179,7 @@ def lift(*more: str, hands: tuple[str, ...] = ("left", "right")) -> str:
 
 @pytest.mark.slow
 def test_a_crate_that_nothing_holds_in_the_air_floats():
-    result = solving.unsolved(recordings.from_text(lift(keyframe(2.7, STANDING, AT)), name="lift"))
+    result = solving.raw_spline(recordings.from_text(lift(keyframe(2.7, STANDING, AT)), name="lift"))
     floating = [violation for violation in result.violations if violation.kind == "float"]
     assert {violation.name for violation in floating} == {"crate"}
     times = np.array([violation.time for violation in floating])

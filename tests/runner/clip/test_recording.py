@@ -200,7 +200,7 @@ def test_a_loop_that_ships_is_followed_as_often_as_the_clip_specifies_and_false_
     qpos = clip.figure.to_qpos(near.recorded.path.at(np.array([0.3, 0.3 + period, 0.3 + 2 * period])))
     np.testing.assert_allclose(np.diff(qpos[:, 0]), 1.38, atol=0.01)
     np.testing.assert_allclose(np.abs(qpos[:, 1:]), np.abs(qpos[[0, 0, 0], 1:]), atol=2e-3)
-    found = solving.unsolved(clip).motion
+    found = solving.raw_spline(clip).motion
     changes: list[Any] = [[{}], {"a": 1}, [{"point": "left_toe", "from, s": 1, "to, s": 0}], 3]
     for change in changes:
         with pytest.raises(UserError, match="stances"):
@@ -227,7 +227,7 @@ def test_a_walk_steps_on_to_a_kerb_and_only_the_given_keyframes_are_reported():
     found = penetration(model, times, clip.figure.to_qpos(path.at(times)))
     assert found.deepest < 0.004, found.worst()
     saved = solved.motion
-    report = solving.Solved.of(saved).measured(Progress(), "").report
+    report = solving.Solved.of(saved).measure(Progress(), "").report
     assert report["violations"] == []
     assert (report["keyframes"], report["partial keyframes"]) == (3, 3)
     largest = report["after"]["largest"]

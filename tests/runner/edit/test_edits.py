@@ -81,22 +81,22 @@ def assert_fixed(saved: Saved, fixed: Mask, got: Array, wanted: Array) -> None:
 
 
 METAMORPHIC: dict[str, tuple[str, Edit, Edit]] = {  # the motion, and two ways to edit it
-    "mirrored twice": ("plain", lambda saved: edits.mirrored(edits.mirrored(saved)), edits.without_clip),
-    "slower, then faster": ("loop", lambda saved: edits.retimed(edits.retimed(saved, 0.4), 2.5), edits.without_clip),
+    "mirrored twice": ("plain", lambda saved: edits.mirror(edits.mirror(saved)), edits.without_clip),
+    "slower, then faster": ("loop", lambda saved: edits.retime(edits.retime(saved, 0.4), 2.5), edits.without_clip),
     "mirrored and faster": (
         "following",
-        lambda saved: edits.mirrored(edits.retimed(saved, 2)),
-        lambda saved: edits.retimed(edits.mirrored(saved), 2),
+        lambda saved: edits.mirror(edits.retime(saved, 2)),
+        lambda saved: edits.retime(edits.mirror(saved), 2),
     ),
     "trimmed in two steps": (
         "following",
-        lambda saved: edits.trimmed(edits.trimmed(saved, 0.05, 0.4), 0.1, 0.3),
-        lambda saved: edits.trimmed(saved, 0.1, 0.3),
+        lambda saved: edits.trim(edits.trim(saved, 0.05, 0.4), 0.1, 0.3),
+        lambda saved: edits.trim(saved, 0.1, 0.3),
     ),
     "repeated in two steps": (
         "loop",
-        lambda saved: edits.repeated(edits.repeated(saved, 2), 2),
-        lambda saved: edits.repeated(saved, 4),
+        lambda saved: edits.repeat(edits.repeat(saved, 2), 2),
+        lambda saved: edits.repeat(saved, 4),
     ),
 }
 
@@ -109,9 +109,9 @@ def test_the_same_motion_by_two_ways(motions, way):
 
 
 EDITS: dict[str, tuple[Edit, Callable[[Array], Array]]] = {
-    "mirrored": (edits.mirrored, lambda t: t),
-    "retimed": (lambda saved: edits.retimed(saved, 2.0), lambda t: t / 2),
-    "trimmed": (lambda saved: edits.trimmed(saved, 0.1, 0.3), lambda t: t),
+    "mirrored": (edits.mirror, lambda t: t),
+    "retimed": (lambda saved: edits.retime(saved, 2.0), lambda t: t / 2),
+    "trimmed": (lambda saved: edits.trim(saved, 0.1, 0.3), lambda t: t),
 }
 
 
@@ -137,14 +137,14 @@ def assert_plain(edited: Saved, folder: Path) -> None:
     again = motion.load(folder / "edited.npz")
     assert_equal(again, edited)
     assert isinstance(solving.Solved.of(again).violations, tuple)
-    assert solving.Solved.of(again).measured(quiet(), "edited").report["stopped because"]
+    assert solving.Solved.of(again).measure(quiet(), "edited").report["stopped because"]
 
 
 @pytest.mark.slow
 def test_joined_motions_have_the_samples_of_both(motions, tmp_path, monkeypatch):
     monkeypatch.setattr(edits, "optimise", lambda *problem, **_: optimise(*problem, max_evaluations=5))
     saved, times = motions["plain"], np.linspace(0, 0.41, 19)
-    both = edits.joined(saved, saved, 0.2, quiet())
+    both = edits.join(saved, saved, 0.2, quiet())
     assert_same(saved, at(both, times), at(saved, times))
     second, wanted = at(both, times + 0.61), at(saved, times)
     np.testing.assert_allclose(second[:, 2], wanted[:, 2], rtol=0, atol=1e-9)  # elsewhere in the plane
@@ -157,7 +157,7 @@ def test_joined_motions_have_the_samples_of_both(motions, tmp_path, monkeypatch)
 def test_an_edited_motion_is_followed_as_a_recording(motions, tmp_path):
     """To change a motion without a clip."""
     problems.written(tmp_path)
-    motion.save(edits.retimed(motions["plain"], 0.5), tmp_path / "own.npz")
+    motion.save(edits.retime(motions["plain"], 0.5), tmp_path / "own.npz")
     key = "[[keyframe]]\ntime = 0.4\njoints.left_knee = {rotvec = [0, 70, 0]}\n"
     found = recordings.from_text(FOLLOWING + key, name="changed", folder=tmp_path)
     assert (found.has_recording, found.keys[-1].time) == (True, pytest.approx(0.82))
@@ -166,7 +166,7 @@ def test_an_edited_motion_is_followed_as_a_recording(motions, tmp_path):
 @pytest.mark.parametrize("count", [1, 3])
 def test_a_repeated_loop_has_the_samples_and_keyframes_of_every_period(motions, count):
     loop = motions["loop"]
-    many, seam, period = edits.repeated(loop, count), Seam.of(loop.figure, loop.timeline), 0.41
+    many, seam, period = edits.repeat(loop, count), Seam.of(loop.figure, loop.timeline), 0.41
     for number in range(count):
         wanted = loop.figure.to_qpos(seam.move(path_of(loop.timeline).at(TIMES), number))
         assert_same(loop, at(many, np.minimum(TIMES + number * period, count * period)), wanted)
@@ -178,7 +178,7 @@ def test_a_repeated_loop_has_the_samples_and_keyframes_of_every_period(motions, 
         np.testing.assert_array_equal(key.fixed, inner if i % 2 else seam_fixed)
     found = solving.Solved.of(many).clip
     assert found.ends == "periodic"
-    seam = solving.Solved.of(many).measured(quiet(), "edited").report["after"]["seam"]
+    seam = solving.Solved.of(many).measure(quiet(), "edited").report["after"]["seam"]
     np.testing.assert_allclose(seam["travel, m"], [0.3 * count, 0, 0.1 * count], atol=1e-12)
     assert max(seam[name] for name in ("state", "first derivative", "second derivative")) < 1e-9
 
@@ -186,16 +186,16 @@ def test_a_repeated_loop_has_the_samples_and_keyframes_of_every_period(motions, 
 # what cannot be
 
 REFUSED: dict[str, tuple[Callable[[Saved], object], str]] = {
-    "beyond": (lambda saved: edits.trimmed(saved, 0.1, 0.7), r"from 0\.1 to 0\.7 s is not inside 0 to 0\.41 s"),
-    "backwards": (lambda saved: edits.trimmed(saved, 0.4, 0.1), "an interval ends after it begins"),
-    "too short": (lambda saved: edits.trimmed(saved, 0.2, 0.2004), r"less than 0\.001 s"),
-    "too fast": (lambda saved: edits.retimed(saved, 500), r"less than 0\.001 s"),
-    "too slow": (lambda saved: edits.retimed(saved, 1e-4), "over 600 s"),
-    "no loop": (lambda saved: edits.repeated(saved, 2), "only a loop"),
-    "another figure": (lambda saved: edits.joined(saved, shipped.unsolved("tumble"), 0.4, quiet()), "differ in: "),
+    "beyond": (lambda saved: edits.trim(saved, 0.1, 0.7), r"from 0\.1 to 0\.7 s is not inside 0 to 0\.41 s"),
+    "backwards": (lambda saved: edits.trim(saved, 0.4, 0.1), "an interval ends after it begins"),
+    "too short": (lambda saved: edits.trim(saved, 0.2, 0.2004), r"less than 0\.001 s"),
+    "too fast": (lambda saved: edits.retime(saved, 500), r"less than 0\.001 s"),
+    "too slow": (lambda saved: edits.retime(saved, 1e-4), "over 600 s"),
+    "no loop": (lambda saved: edits.repeat(saved, 2), "only a loop"),
+    "another figure": (lambda saved: edits.join(saved, shipped.unsolved("tumble"), 0.4, quiet()), "differ in: "),
 } | {
     f"transition {value}": (
-        lambda saved, value=value: edits.joined(saved, saved, value, quiet()),
+        lambda saved, value=value: edits.join(saved, saved, value, quiet()),
         r"a transition lasts 0\.001 to 600 s",
     )
     for value in (0.0, -1.0, np.nan, np.inf)
@@ -211,12 +211,12 @@ def test_edits_that_make_no_motion_are_refused(motions, way):
 
 def test_loops_of_other_coordinates_figures_and_lengths_are_refused(motions, tmp_path):
     with pytest.raises(UserError, match="over 600 s"):
-        edits.repeated(motions["loop"], 2000)
+        edits.repeat(motions["loop"], 2000)
     other = solved(problems.changed("[solve]", '[solve]\ncoordinates = "joint"'), tmp_path)
     with pytest.raises(UserError, match="is in world coordinates, 'tiny' in joint coordinates"):
-        edits.joined(motions["plain"], other, 0.4, quiet())
+        edits.join(motions["plain"], other, 0.4, quiet())
     with pytest.raises(UserError, match="puppet: no partner on the other side for: "):
-        edits.mirrored(moved())
+        edits.mirror(moved())
 
 
 # clips
@@ -313,7 +313,7 @@ def test_only_tables_of_clips_are_edited_to_a_clip(motions, tmp_path, name):
 def test_a_motion_as_a_clip_has_its_tables_or_else_its_keyframes(motions, tmp_path):
     clip_text.write(motions["plain"], tmp_path / "plain.toml", overwrite=False)
     assert recordings.load(str(tmp_path / "plain.toml")).context.schedule.on_ground
-    clip_text.write(edits.mirrored(motions["plain"]), tmp_path / "edited.toml", overwrite=True)
+    clip_text.write(edits.mirror(motions["plain"]), tmp_path / "edited.toml", overwrite=True)
     again = recordings.load(str(tmp_path / "edited.toml"))
     assert [key.time for key in again.keys] == [0, 0.2, 0.41]
     assert not again.context.schedule.on_ground

@@ -10,7 +10,7 @@ from problems import LOOP, names, written
 
 from dynsplines import motion, recordings, solving
 from dynsplines.edit import edits, thinning
-from dynsplines.edit.thinning import recorded_of, thinned
+from dynsplines.edit.thinning import recorded_of, thin_motion
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.motion import Saved
@@ -26,7 +26,7 @@ FINE = (0.002, np.radians(5))
 def loop(tmp_path_factory: pytest.TempPathFactory) -> Saved:
     """A loop of the tiny figure as its raw spline."""
     path = written(tmp_path_factory.mktemp("loop"), LOOP)
-    return solving.unsolved(recordings.load(str(path))).motion
+    return solving.raw_spline(recordings.load(str(path))).motion
 
 
 def run(
@@ -65,7 +65,7 @@ def test_what_is_no_length_is_refused(text):
 def test_the_spline_through_a_thinned_clips_keyframes_is_the_motion_that_was_measured(motion_file, tmp_path, capsys):
     target, measured = tmp_path / "step.toml", motion.load(motion_file)
     run(motion_file, target)
-    again = solving.unsolved(recordings.load(str(target))).motion
+    again = solving.raw_spline(recordings.load(str(target))).motion
     told = " ".join(capsys.readouterr().err.split())
     said = re.search(r"(\d+) keyframes of (\d+); at most ([\d.]+) cm at ([\d.]+) s \(([\w ]+)\)", told)
     assert said, told
@@ -90,7 +90,7 @@ def test_a_loop_stays_a_loop_in_its_clip(loop, tmp_path):
 def test_a_searched_clip_is_reported_beside_its_spline_and_keeps_the_bound_where_that_is_requested(
     loop, tmp_path, capsys
 ):
-    source, target, step = tmp_path / "step.npz", tmp_path / "step.toml", edits.trimmed(loop, 0.1, 0.4)
+    source, target, step = tmp_path / "step.npz", tmp_path / "step.toml", edits.trim(loop, 0.1, 0.4)
     motion.save(step, source)
     run(source, tmp_path / "spline.toml", bound=FINE)
     spline, solved = (
@@ -121,7 +121,7 @@ def test_a_recording_is_thinned_at_its_own_instants_and_its_figure_named_if_it_s
     assert names(tmp_path) == ["again.toml", "step.csv"]
     assert 'figure = "spinner"' in target.read_text()
     source = tmp_path / "walk.qpos.npz"  # plain arrays are a recording by their ending
-    formats.export(edits.trimmed(spin, 0.1, 0.2), "npz", source)
+    formats.export(edits.trim(spin, 0.1, 0.2), "npz", source)
     assert len(recordings.load(str(run(source, tmp_path / "thin.toml"))).keys) < 6
 
 
@@ -152,4 +152,4 @@ def test_bounds_that_make_no_sense_are_refused(saved):
             thinning.bound_of("2cm", angle, ("--max-error", "--max-angle"))
     for distance in (0.0, np.nan, np.inf):
         with pytest.raises(UserError, match="more than 0"):
-            thinned(saved, distance, 0.1)
+            thin_motion(saved, distance, 0.1)

@@ -89,7 +89,7 @@ def test_a_loop_comes_back_turned_and_smooth_and_its_report_contains_it(circle):
     assert np.degrees(seam.headings) == pytest.approx([45])
     np.testing.assert_allclose(seam.travel[:3], [0.3, 0.1, 0], atol=1e-12)
     assert seam.discontinuity(path_of(circle.timeline)).max() < 1e-9
-    report = solving.Solved.of(circle).measured(quiet(), "edited").report
+    report = solving.Solved.of(circle).measure(quiet(), "edited").report
     for side in ("before", "after"):
         found = report[side]["seam"]
         assert found["turn, degrees"] == pytest.approx(45)
@@ -97,7 +97,7 @@ def test_a_loop_comes_back_turned_and_smooth_and_its_report_contains_it(circle):
 
 
 def test_a_turning_loop_played_on_goes_round(circle):
-    many = edits.repeated(circle, 8)
+    many = edits.repeat(circle, 8)
     first, last = circle.figure.to_qpos(many.timeline.states[[0, -1]])
     assert abs(first[3:7] @ last[3:7]) == pytest.approx(1)
     np.testing.assert_allclose(last[:3], first[:3], atol=1e-9)  # eight eighths are the whole way round
@@ -107,7 +107,7 @@ def test_a_turning_loop_played_on_goes_round(circle):
 def test_a_turning_loop_is_saved_retimed_and_thinned_as_one(circle, tmp_path):
     motion.save(circle, tmp_path / "circle.npz")
     again = motion.load(tmp_path / "circle.npz")
-    for each in (again, edits.retimed(again, 1.5)):
+    for each in (again, edits.retime(again, 1.5)):
         seam = Seam.of(each.figure, each.timeline)
         assert np.degrees(seam.headings) == pytest.approx([45])
         assert seam.discontinuity(path_of(each.timeline)).max() < 1e-8

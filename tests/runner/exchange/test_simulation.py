@@ -98,7 +98,7 @@ def rig(tmp_path_factory):
     folder = tmp_path_factory.mktemp("rig")
     (folder / "rig.xml").write_text(RIG)
     problem = recordings.load(str(clip_file(folder, folder / "rig.xml", *KEYS)))
-    saved = solving.unsolved(problem).motion
+    saved = solving.raw_spline(problem).motion
     return saved, exported(saved, folder)[0]
 
 

@@ -35,7 +35,7 @@ def unsolved(folder, keys: list[tuple[float, float, float, float]], head: str = 
         text += f"[[keyframe]]\ntime = {time}\nroot.position = [{x}, {y}, {z}]\nroot.rotation = {{rotvec=[0,0,0]}}\n"
     written(folder, text, "foot.toml")
     (folder / "foot.xml").write_text(FOOT, encoding="utf-8")
-    return solving.unsolved(recordings.load(str(folder / "foot.toml")))
+    return solving.raw_spline(recordings.load(str(folder / "foot.toml")))
 
 
 def side(solved: Solved) -> dict:
@@ -105,7 +105,7 @@ def test_skate_of_round_feet_is_measured_at_their_lowest_points(tmp_path):
     key = '[[keyframe]]\ntime = {0}\nroot.position = [{0}, 0, 0.4]\nothers = "rest"\n'
     keys = key.format(0.0) + key.format(1.0)
     written(tmp_path, f'figure = "ball.xml"\n[solve]\nends = "free"\n{keys}', "ball.toml")
-    solved = solving.unsolved(recordings.load(str(tmp_path / "ball.toml")))
+    solved = solving.raw_spline(recordings.load(str(tmp_path / "ball.toml")))
     skate = side(solved)["skate"]
     assert skate and all(one["path, m"] == pytest.approx(1) for one in skate.values())
     assert all(one["speed, m/s"] == pytest.approx(1) == one["rest, s"] for one in skate.values())
@@ -202,7 +202,7 @@ def test_figures_without_feet_or_quaternions_have_a_report_too(tmp_path, figure)
         path = written(tmp_path)
         (tmp_path / "tiny.xml").write_text(FIGURE.replace("left_toe", "tip"), encoding="utf-8")
     solved = solving.solve(recordings.load(str(path)), quiet())
-    data = solved.measured(quiet()).report
+    data = solved.measure(quiet()).report
     json.dumps(data, allow_nan=False)
     assert data["after"]["skate"] == {}
     assert "stance" not in data["after"]["largest"]

@@ -212,14 +212,14 @@ FAULTS: dict[str, tuple[str, str, str, list[str]]] = {  # figure, clip, kind (""
 
 def wrong(problem: Clip, timeline: Timeline | None = None, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:
     """With the raw spline, or with another timeline through its keyframes; figures here may hang in the air."""
-    raw = solving.unsolved(problem).motion.raw
+    raw = solving.raw_spline(problem).motion.raw
     found = violation.violations(problem, timeline or raw, raw, stop)
     return tuple(each for each in found if each.kind != "aloft")
 
 
 def of_kind(problem: Clip, kind: str) -> list[Violation]:
     """Those of a kind on the raw spline, by time and name; "": of all kinds but aloft."""
-    raw = solving.unsolved(problem).motion.raw
+    raw = solving.raw_spline(problem).motion.raw
     found = violation.violations(problem, raw, raw) if kind == "aloft" else wrong(problem)
     return sorted((each for each in found if kind in ("", each.kind)), key=lambda v: (v.time or 0.0, v.name))
 
@@ -246,7 +246,7 @@ def kinds(found: Sequence[Violation]) -> set[str]:
 
 def with_frame(problem: Clip, time: float, change: np.ndarray) -> Timeline:
     """The raw spline with one more frame, in which the state is another."""
-    raw = solving.unsolved(problem).motion.raw
+    raw = solving.raw_spline(problem).motion.raw
     return raw.insert([Frame.variable(time, path_of(raw).at(np.array([time]))[0] + change)])
 
 
@@ -296,7 +296,7 @@ def test_a_path_that_goes_deeper_than_the_keyframes_next_to_it_is_at_fault_too()
 def test_between_frames_a_path_in_the_floor_is_found_as_deep_as_it_is():
     problem = read(keys(*(at(0, 0, z) for z in (1, 0.11, 0.11, 1)), times=(0, 0.5, 1, 1.5)), BALL)
     found = next(each for each in wrong(problem) if each.kind == "penetration")
-    run = Sampled.of(solving.unsolved(problem).motion, 1000.0)
+    run = Sampled.of(solving.raw_spline(problem).motion, 1000.0)
     seen = penetration(problem.figure.model, run.time, run.qpos)
     assert found.amount == pytest.approx(seen.deepest, abs=1e-4)
     assert found.time == pytest.approx(0.75, abs=0.01)
@@ -307,7 +307,7 @@ def test_between_frames_a_path_in_the_floor_is_found_as_deep_as_it_is():
 def test_depths_are_mujocos():
     problem = shipped.loaded("jump_over_box")
     found = [each for each in wrong(problem) if each.kind == "penetration"]
-    run = Sampled.of(solving.unsolved(problem).motion, 240.0)
+    run = Sampled.of(solving.raw_spline(problem).motion, 240.0)
     seen = penetration(problem.figure.model, run.time, run.qpos)
     assert seen.deepest > 0.02
     assert found[0].amount == pytest.approx(seen.deepest, abs=0.002)
@@ -340,7 +340,7 @@ def test_a_narrow_obstacle_inside_a_wide_geom_is_reported(model, geom, row, box,
 def deepest(problem: Clip, rate: float) -> float:
     """[m] of any pair of geoms that MuJoCo lets collide, by its distances, along the raw spline."""
     model, data = problem.figure.model, mujoco.MjData(problem.figure.model)
-    run = Sampled.of(solving.unsolved(problem).motion, rate)
+    run = Sampled.of(solving.raw_spline(problem).motion, rate)
     depth = 0.0
     for qpos in run.qpos:
         data.qpos[:] = qpos
@@ -405,7 +405,7 @@ def test_a_contact_that_moves_is_reported_at_its_worst_moment_once_for_a_foot():
     toe = CONTACT.format("toe", 1.2, 1.8)
     problem = read(standing(0, 0, 0.4) + toe)
     (found,) = of_kind(problem, "contact")
-    x = path_of(solving.unsolved(problem).motion.raw).at(np.array([1.2, 1.5, 1.8]))[:, 0]
+    x = path_of(solving.raw_spline(problem).motion.raw).at(np.array([1.2, 1.5, 1.8]))[:, 0]
     assert (found.name, found.keyframe) == ("right_toe", None)
     assert found.amount == pytest.approx(max(x[1] - x[0], x[2] - x[1]), abs=1e-3)
     assert found.time in (1.2, 1.8)
@@ -439,7 +439,7 @@ def test_a_foot_moves_between_samples_of_a_recording_unless_they_are_far_apart(s
 
 def test_a_limb_that_whips():
     problem = read(keys(HIGH, HIGH))
-    raw = solving.unsolved(problem).motion.raw
+    raw = solving.raw_spline(problem).motion.raw
     elbow = next(link for link in problem.figure.links if link.name == "left_elbow").qpos
     state = path_of(raw).at(np.array([0.5]))[0]
     turned = state.copy()
@@ -532,7 +532,7 @@ def test_of_many_lines_the_worst_are_reported_and_the_rest_counted():
 def test_edited_motions_have_the_violations_of_their_samples_and_not_of_the_clip():
     """A contact that moves is a fault of the clip; feet that slide are in the samples."""
     problem = unposed(read(standing(0, 0, 0.4) + CONTACT.format("toe", 1.2, 1.8)))
-    walked = solving.unsolved(problem).motion
+    walked = solving.raw_spline(problem).motion
 
     def found(saved: motion.Saved) -> set[tuple[str, str]]:
         return {(each.kind, each.name) for each in solving.Solved.of(saved).violations}
@@ -540,8 +540,8 @@ def test_edited_motions_have_the_violations_of_their_samples_and_not_of_the_clip
     assert found(walked) >= {("contact", "right_toe")}
     slides = {("slide", f"{side}_foot") for side in ("left", "right")}
     stances = {("stance", f"{side}_toe") for side in ("left", "right")}
-    assert found(edits.mirrored(walked)) == found(edits.retimed(walked, 2.0)) == slides | stances
-    assert found(edits.trimmed(walked, 1.1, 2.0)) == slides
+    assert found(edits.mirror(walked)) == found(edits.retime(walked, 2.0)) == slides | stances
+    assert found(edits.trim(walked, 1.1, 2.0)) == slides
     assert found(replace(walked, text="figure = ")) == found(edits.without_clip(walked))  # an unreadable clip
 
 

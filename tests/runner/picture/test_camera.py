@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from dynsplines.picture.camera import ANGLES, View, axes, plan, smoothed, still
+from dynsplines.picture.camera import ANGLES, View, axes, plan, smooth, still
 
 
 def run_forward(seconds: float = 2.0, fps: float = 30.0, speed: float = 3.0) -> np.ndarray:
@@ -49,9 +49,9 @@ def test_a_figure_that_stands_fills_most_of_the_height():
 
 def test_uniform_motion_is_followed_exactly_up_to_its_ends_and_jolts_are_smoothed_away():
     path = np.column_stack([np.linspace(0, 5, 40), np.linspace(1, -1, 40)])
-    np.testing.assert_allclose(smoothed(path, 30), path, atol=1e-12)
+    np.testing.assert_allclose(smooth(path, 30), path, atol=1e-12)
     path = np.column_stack([np.linspace(0, 4, 120), 0.1 * np.sin(np.arange(120) * 1.5)])
-    assert np.abs(smoothed(path, 30)[20:-20, 1]).max() < 0.002
+    assert np.abs(smooth(path, 30)[20:-20, 1]).max() < 0.002
 
 
 def test_figures_side_by_side_share_one_plan_that_fits_them_all():

@@ -82,7 +82,7 @@ def test_a_motion_file_with_damaged_assets_is_refused(model, tmp_path):
     target, bad = tmp_path / "it.npz", tmp_path / "bad.npz"
     scene = compose(figure_spec(str(model)))
     rest = np.tile(scene.model().qpos0, (2, 1))
-    motion.save(solving.unsolved(clip.from_qpos("it", scene, np.arange(2.0), rest, 30.0, "it")).motion, target)
+    motion.save(solving.raw_spline(clip.from_qpos("it", scene, np.arange(2.0), rest, 30.0, "it")).motion, target)
     for damage in ("asset_0", "asset_names"):
         with np.load(target) as data:
             assert damage in data

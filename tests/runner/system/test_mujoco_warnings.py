@@ -76,7 +76,7 @@ def test_a_batch_has_it_among_the_notes_of_a_clip(run: Command, tmp_path: Path):
     folder = tmp_path / "work"
     folder.mkdir()
     files, options = {"clip.toml": CLIP.encode(), "arm.xml": SINGULAR.encode()}, BatchOptions(to="locomujoco")
-    product = solving.solved(Task("clip.toml", files, options=options, output="clip.loco.npz"), folder)
+    product = solving.solve(Task("clip.toml", files, options=options, output="clip.loco.npz"), folder)
     assert [note[:24] for note in product.notes if "MuJoCo" in note] == ["MuJoCo: Inertia matrix i"]
     assert not Path("MUJOCO_LOG.TXT").exists()
 

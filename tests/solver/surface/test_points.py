@@ -293,7 +293,7 @@ def depths(clip: Clip, geom: str, obstacle: str) -> tuple[float, float]:
     """The depth [m] of a geom in an obstacle in the second keyframe by MuJoCo, and that of the only violation."""
     model = clip.figure.model
     data = kinematics(model, clip.figure.to_qpos(clip.keys[1].state[None])[0])
-    (violation,) = (each for each in solving.unsolved(clip).violations if each.kind == "penetration")
+    (violation,) = (each for each in solving.raw_spline(clip).violations if each.kind == "penetration")
     assert violation.name == geom
     distance = mujoco.mj_geomDistance(model, data, model.geom(geom).id, model.geom(obstacle).id, 1, None)
     return -distance, violation.amount

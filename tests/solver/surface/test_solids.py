@@ -182,7 +182,7 @@ def test_a_cube_in_a_hill_is_a_violation_as_deep_as_the_hill_is_high_over_its_bo
     clip = build(HILL.format(elevation=elevation, corners=text, shape=shape), keyframes)
     model, data = clip.figure.model, kinematics(clip.figure.model)
     top = 1 - mujoco.mj_rayHfield(model, data, model.geom("hill").id, np.array([0, 0, 1.0]), np.array([0, 0, -1.0]))
-    violations = [each for each in solving.unsolved(clip).violations if each.kind == "penetration"]
+    violations = [each for each in solving.raw_spline(clip).violations if each.kind == "penetration"]
     assert [violation.name for violation in violations] == ["cube"]
     assert violations[0].amount == pytest.approx(top - 0.1, rel=0.05)
 

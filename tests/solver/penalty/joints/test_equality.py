@@ -32,7 +32,7 @@ def solved(text: str, keys: str, folder: Path) -> solving.Solved:
 
 
 def measured(found: solving.Solved) -> dict:
-    return found.measured(quiet()).report["after"]["largest"]
+    return found.measure(quiet()).report["after"]["largest"]
 
 
 @pytest.mark.parametrize(("text", "units"), [(GRIPPER, ["degrees", "m", "degrees"]), (GEARS, ["m", "degrees", "m"])])
@@ -139,8 +139,8 @@ roots.lid = {position = [0, 1, 1], rotation = {rotvec = [0, 0, 0]}}
 
 def test_keyframes_that_break_a_coupling_or_tear_a_loop_are_kept_and_reported(tmp_path):
     keys = "".join(f"[[keyframe]]\ntime = {t}\njoints = {{left = 20, right = 0.08, swing = 0}}\n" for t in (0, 1))
-    off = solving.unsolved(read(GRIPPER, keys, tmp_path)).violations
+    off = solving.raw_spline(read(GRIPPER, keys, tmp_path)).violations
     assert "keyframe 1 itself: right is 57 mm off what it follows at 0.00 s" in map(str, off)
     text = "[[keyframe]]\ntime = {}\njoints = {{crank = {}, rod = 0, rocker = 0}}\nothers = 'rest'\n"
-    torn = solving.unsolved(read(FOUR_BAR, text.format(0, 0) + text.format(1, 40), tmp_path)).violations
+    torn = solving.raw_spline(read(FOUR_BAR, text.format(0, 0) + text.format(1, 40), tmp_path)).violations
     assert any(str(each).startswith("keyframe 2 itself: the loop of rod and rocker is torn by ") for each in torn)
