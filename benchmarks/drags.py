@@ -88,10 +88,10 @@ class Pulls:
         """Return the pose after a pull in so many moves of the mouse."""
         self._contacts(self.home)
         start, last, seconds = self._place(pull), self.home, []
-        grip = self.poser.gripped(self.home, pull.body, pull.offset)
+        grip = self.poser.grip(self.home, pull.body, pull.offset)
         for share in [*np.arange(1, moves + 1) / moves, *[1.0] * RESTING]:
             begin = perf_counter()
-            last = self.poser.pulled(grip, start + share * pull.by, last).qpos
+            last = self.poser.pull(grip, start + share * pull.by, last).qpos
             seconds.append(perf_counter() - begin)
         self._contacts(last)
         missed = float(np.linalg.norm(self._place(pull) - start - pull.by))

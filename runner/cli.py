@@ -206,7 +206,7 @@ def studio(
 ) -> None:
     """Edit a clip in the browser; it is solved after every edit."""
     launch.check_packages()
-    launch.run(document.opened(source), port=port, browser=browser)
+    launch.run(document.open_document(source), port=port, browser=browser)
 
 
 @app.command(rich_help_panel="Create")

@@ -102,7 +102,7 @@ class Actions:
         poser = await self.poser()
         home = self.at(time, poser)
         how = {"plant": plant, "alone": alone, "locked": locks}
-        grip = await asyncio.to_thread(poser.gripped, home, int(body), offset, **how)
+        grip = await asyncio.to_thread(poser.grip, home, int(body), offset, **how)
         self._drag = _DragAction(int(body), home, home, grip=grip)
         return ""
 
@@ -113,7 +113,7 @@ class Actions:
             raise UserError("no limb is grabbed; press the mouse on one first")
         poser = await self._same_poser(drag)
         begin = time.perf_counter()
-        posed = await asyncio.to_thread(poser.pulled, drag.grip, position, drag.pose)
+        posed = await asyncio.to_thread(poser.pull, drag.grip, position, drag.pose)
         drag.pose = posed.qpos
         bodies = _bodies(poser, posed.qpos)
         return {**bodies, "missed": round(posed.worst, 5), "ms": round(1e3 * (time.perf_counter() - begin), 2)}
@@ -125,8 +125,8 @@ class Actions:
             home = self.at(time, poser)
             body = next((int(link.body) for link in poser.figure.links[1:] if link.name == joint), 0)
             drag = self._drag = _DragAction(body, home, home, turned=turned)
-        pose = (await self._same_poser(drag)).turned(drag.home, joint, turn)
-        drag.pose = await asyncio.to_thread(poser.kept, drag.home, pose, locks) if locks else pose
+        pose = (await self._same_poser(drag)).turn(drag.home, joint, turn)
+        drag.pose = await asyncio.to_thread(poser.keep, drag.home, pose, locks) if locks else pose
         return _bodies(poser, drag.pose)
 
     async def drop(self, *, time: float, partial: bool = False) -> str:
@@ -155,8 +155,8 @@ class Actions:
             entries = self._without_free_joints(index, poser.keyframe_entries(last), home, last, poser)
             entries = {**entries, **_without(self._targets(index))}
         else:
-            entries = self._released_entries(index, _named(entries, poser), last, poser, entries)
-        return "change", _posed(index, entries, "pose the figure")
+            entries = self._released_entries(index, _links_in(entries, poser), last, poser, entries)
+        return "change", _arguments(index, entries, "pose the figure")
 
     def _targets(self, index: int) -> list[str]:
         """Return the sites and bodies with a target position in a keyframe."""
@@ -190,7 +190,7 @@ class Actions:
 
     def _without_free_joints(self, index: int, entries: TomlTable, home: Any, last: Any, poser: Poser) -> TomlTable:
         """Return the entries without joints that the keyframe leaves free and that the drag did not move."""
-        moved = _named(poser.keyframe_entries(last, home), poser)
+        moved = _links_in(poser.keyframe_entries(last, home), poser)
         return poser.select_joints(entries, self._fixed_names(index, poser) | moved)
 
     async def cancel(self) -> str:
@@ -228,7 +228,7 @@ class Actions:
             return entries
         if self._targets(index):
             return entries
-        after = await asyncio.to_thread(poser.kept, before, after, locks, plant=plant or bool(locks))
+        after = await asyncio.to_thread(poser.keep, before, after, locks, plant=plant or bool(locks))
         changed = {*entries.get("joints", {}), *entries.get("roots", {}), *([poser.root] if "root" in entries else [])}
         others = self._fixed_names(index, poser) - changed
         out = poser.select_joints(poser.keyframe_entries(after, before), others)
@@ -248,7 +248,7 @@ class Actions:
         if not is_specified.any():
             raise UserError(f"the pose '{name}' has no joints; list them under [joints]")
         moved = np.where(is_specified, np.inf, home)  # its entries
-        self._drag = _DragAction(0, moved, poser.placed(pose, home))
+        self._drag = _DragAction(0, moved, poser.place(pose, home))
         return await self.drop(time=time, partial=partial)
 
     async def save_pose(self, *, time: float, name: str, overwrite: bool = False) -> str:
@@ -280,7 +280,7 @@ class Actions:
         determined = {*joints, *row.get("joints", {}), *row.get("roots", {}), *([poser.root] if "root" in row else [])}
         # targets whose joints are all fixed now
         places = [name for name in self._targets(key) if poser.deciding_joints(name)[0] <= determined]
-        return await self.session.edit("change", _posed(key, {**entries, **_without(places)}, "pin joints"))
+        return await self.session.edit("change", _arguments(key, {**entries, **_without(places)}, "pin joints"))
 
     async def free(self, *, key: int, joints: Sequence[str]) -> str:
         """Free joints of a keyframe, and remove the targets that determine them."""
@@ -295,7 +295,7 @@ class Actions:
             elif link.name in joints:
                 entries["joints"][link.name] = "free"
         entries = self._released_entries(key, set(joints), self._state(key), poser, entries)
-        return await self.session.edit("change", _posed(key, entries, "free joints"))
+        return await self.session.edit("change", _arguments(key, entries, "free joints"))
 
     async def mirror(self, *, keys: Sequence[int]) -> str:
         """Swap left and right in keyframes."""
@@ -353,11 +353,11 @@ def _without(places: Sequence[str]) -> TomlTable:
     return {group: dict.fromkeys(places) for group in ("sites", "bodies")}
 
 
-def _posed(index: int, entries: TomlTable, words: str) -> Message:
+def _arguments(index: int, entries: TomlTable, words: str) -> Message:
     """Return the arguments of an edit of a keyframe."""
     return {"at": ["keyframe", index], "entries": entries, "words": words}
 
 
-def _named(entries: TomlTable, poser: Poser) -> set[str]:
+def _links_in(entries: TomlTable, poser: Poser) -> set[str]:
     root = {poser.root} if poser.root is not None and entries.get("root") else set()
     return {*entries["joints"], *entries.get("roots", {}), *root}

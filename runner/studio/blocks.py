@@ -19,7 +19,7 @@ from tomlkit.items import AoT, InlineTable, Table
 
 from ..errors import UserError
 from ..system.quantity import LARGEST
-from .document import parsed
+from .document import parse
 
 DIGITS = 5  # decimal places of metres and degrees
 DOTTED = ("root", "roots", "joints", "sites", "bodies")  # tables of a keyframe with one entry per line
@@ -55,7 +55,7 @@ class TextBlock:
             node = node[key]
         return node[0] if isinstance(node, AoT) else node
 
-    def written(self) -> str:
+    def write(self) -> str:
         """Return the present text."""
         if self.tree is None:
             return self.text + self.ending
@@ -73,7 +73,7 @@ class Blocks:
     def of(cls, text: str, where: str) -> Blocks:
         """Return the blocks of a text. Raises UserError for invalid TOML, and for notation that cannot be edited."""
         try:
-            entries = parsed(text)
+            entries = parse(text)
         except (RecursionError, ValueError) as error:
             raise UserError(f"{where}: not valid TOML: {error}") from None
         heads: list[tuple[int, tuple[str, ...], bool]] = [(0, (), False)]
@@ -102,7 +102,7 @@ class Blocks:
             block.tree = None
 
     def as_string(self) -> str:
-        return "".join(block.written() for block in self.blocks)
+        return "".join(block.write() for block in self.blocks)
 
     def rows(self, *path: str) -> list[TextBlock]:
         """Return the [[...]] tables of a path."""
@@ -137,7 +137,7 @@ class Blocks:
     def insert(self, at: int, block: TextBlock) -> None:
         """Insert a block before another one, with an empty line on either side."""
         before = self.blocks[at - 1] if at else None
-        if before is not None and not (text := before.written()).endswith("\n\n") and text:
+        if before is not None and not (text := before.write()).endswith("\n\n") and text:
             before.ending += "\n" if text.endswith("\n") else "\n\n"
         self.blocks.insert(at, block)
 
@@ -172,13 +172,13 @@ def _row_block(blocks: Blocks, at: tuple[Any, ...]) -> TextBlock:
 def number(value: Any, what: str) -> float:
     """Return a finite number with few digits. Raises UserError for other values."""
     if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        raise UserError(f"{what}: give a finite number, not {_shown(value)}")
+        raise UserError(f"{what}: give a finite number, not {_quote(value)}")
     if abs(value) > LARGEST:
         raise UserError(f"{what}: {value:g} is too large")
     return round(float(value), DIGITS) + 0.0
 
 
-def _shown(value: Any) -> str:
+def _quote(value: Any) -> str:
     return "nothing" if value is None or value == "" else repr(value)[:40]
 
 

@@ -36,9 +36,9 @@ def curves(figure: Figure, solution: Solution) -> dict[str, Any]:
     by_side = {side: _series(figure, samples_at(figure, path_of(line), time)) for side, line in sides.items()}
     groups: dict[str, list[dict[str, Any]]] = {name: [] for name in UNITS}
     for i, (group, link, axis, values) in enumerate(by_side["after"]):
-        series = {"name": _label(link, axis), "joint": link.name, "axis": axis, "after": _rounded(values)}
+        series = {"name": _label(link, axis), "joint": link.name, "axis": axis, "after": _round(values)}
         if "before" in by_side:
-            series["before"] = _rounded(by_side["before"][i][-1])
+            series["before"] = _round(by_side["before"][i][-1])
         groups[group].append(series)
     listed = [{"name": name, "unit": UNITS[name], "series": series} for name, series in groups.items()]
     return {"time": time.round(4).tolist(), "groups": listed}
@@ -112,5 +112,5 @@ def _norm(link: Link, values: Array) -> Array:
     return np.linalg.norm(components[:, -3:], axis=1) if components.shape[1] > 1 else components[:, 0]
 
 
-def _rounded(values: Array) -> list[float]:
+def _round(values: Array) -> list[float]:
     return np.asarray(values, float).round(3).tolist()

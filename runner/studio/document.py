@@ -26,7 +26,7 @@ Step = tuple[str, str]  # description of an edit, and the text before or after i
 
 
 @lru_cache(maxsize=8)
-def parsed(text: str) -> TomlTable:
+def parse(text: str) -> TomlTable:
     """Return a TOML text as plain tables, which are shared: callers must not change them."""
     return tomllib.loads(text)
 
@@ -50,7 +50,7 @@ def inside(folder: Path, name: Any) -> Path:
     return path
 
 
-def opened(source: str) -> Document:
+def open_document(source: str) -> Document:
     """Open a clip file or a shipped clip. Raises UserError."""
     if source in models.clips():
         return Document(source, models.clip_text(source), Path.cwd(), saved=models.clip_text(source))
@@ -146,7 +146,7 @@ class Document:
 
     def tree_rows(self) -> list[TomlTable]:
         """Return the [[keyframe]] tables as plain ones."""
-        return parsed(self.text).get("keyframe", [])
+        return parse(self.text).get("keyframe", [])
 
     def commit(self, text: str, words: str, stroke: str | None = None) -> None:
         """Set the present text; `words` describe the edit. Consecutive edits of one stroke are undone together."""
@@ -189,7 +189,7 @@ class Document:
         """Return the entries of a saved pose. Raises UserError."""
         file = inside(self.poses, f"{name}.toml")
         try:
-            return parsed(text_of(file)[0])
+            return parse(text_of(file)[0])
         except (OSError, ValueError) as error:
             raise UserError(f"the pose '{name}': {error}") from None
 
@@ -258,6 +258,6 @@ class Document:
 
 def _counts(text: str) -> dict[str, int]:
     """Return the number of tables by the name of their list."""
-    tables = parsed(text)
+    tables = parse(text)
     scene = tables.get("scene", {})
     return {name: len(rows) for name, rows in [*tables.items(), *scene.items()] if isinstance(rows, list)}

@@ -103,12 +103,12 @@ class Footing:
         """Return the height [m] of a foot's lowest point above the ground."""
         return float(self.heights(foot.centres(data), foot.radii).min())
 
-    def fixed(self, foot: Spheres, data: mujoco.MjData) -> PointGoal:
+    def fix(self, foot: Spheres, data: mujoco.MjData) -> PointGoal:
         """Return the goal that fixes a foot."""
         outermost = foot.outermost(data)
         return PointGoal("sole", foot.body, outermost.offsets, outermost.centres(data))
 
-    def locked(self, body: int, data: mujoco.MjData) -> PointGoal:
+    def lock(self, body: int, data: mujoco.MjData) -> PointGoal:
         """Return the goal that fixes a body, or its last site if its limb has less than six degrees of freedom."""
         model, dofs = self.figure.model, [self.figure.links[link].dofs for link in self.figure.limb(body)]
         offsets = np.eye(3, 3, -1)  # [m]
@@ -129,7 +129,7 @@ class Footing:
         length = float(np.ptp(centres[:, :2], axis=0).max())
         return np.where(levels < levels.max() - length / 2, levels.max(), levels)
 
-    def landed(self, foot: Spheres, data: mujoco.MjData, by: ArrayLike) -> PointGoal:
+    def land(self, foot: Spheres, data: mujoco.MjData, by: ArrayLike) -> PointGoal:
         """Return the goal that puts a foot on the ground, free to slide, where it is after it has moved by (3,) [m]."""
         outermost = foot.outermost(data)
         positions = np.full((len(outermost.radii), 3), np.nan)

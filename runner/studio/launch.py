@@ -27,7 +27,7 @@ def run(
     report: Callable[[str], None] = PRINT,
 ) -> None:
     """Serve a document on this machine until Ctrl-C. Raises UserError for an unavailable port."""
-    listening = _bound(port)
+    listening = _listen(port)
     session = Session(document)
     session.start()  # before the server's imports, so that both run in parallel
     token, port = secrets.token_urlsafe(24), listening.getsockname()[1]
@@ -70,7 +70,7 @@ def check_packages() -> None:
             raise missing_package("the studio", name, "studio")
 
 
-def _bound(port: int) -> socket.socket:
+def _listen(port: int) -> socket.socket:
     """Return a listening socket. Raises UserError for a port that is in use."""
     listening = socket.socket(socket.AF_INET, socket.SOCK_STREAM, socket.IPPROTO_TCP)  # asyncio then sets TCP_NODELAY
     listening.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)

@@ -49,7 +49,7 @@ def serve(line: Line, outside: bool) -> None:
     inbox: SimpleQueue[Message | None] = SimpleQueue()
     outbox: SimpleQueue[Message] = SimpleQueue()
     loop = SolverLoop(outbox.put, lambda: not inbox.empty())
-    signal.signal(signal.SIGINT, loop.interrupted)
+    signal.signal(signal.SIGINT, loop.handle_interrupt)
     threading.Thread(target=_read, args=(line, inbox, loop), daemon=True).start()
     threading.Thread(target=_write, args=(line, outbox), daemon=True).start()
     outbox.put({"is": "kinds", "kinds": kinds()})
@@ -106,12 +106,12 @@ class SolverLoop:
     def do(self, message: Message) -> None:
         """Perform a request, then search until a message waits or the search ends. Errors are reported to the page."""
         arguments = {key: value for key, value in message.items() if key != "do"}
-        self._guarded(getattr(self, f"do_{message['do']}"), message.get("id"), **arguments)
+        self._try(getattr(self, f"do_{message['do']}"), message.get("id"), **arguments)
         while self.is_searching and not self.has_message():
-            if not self._guarded(self._run, None):
+            if not self._try(self._run, None):
                 self.is_searching = False
 
-    def _guarded(self, step: Callable[..., None], number: int | None, **arguments: Any) -> bool:
+    def _try(self, step: Callable[..., None], number: int | None, **arguments: Any) -> bool:
         """Return whether a step has ended without an error, which is reported as the answer to a request."""
         try:
             step(**arguments)
@@ -215,7 +215,7 @@ class SolverLoop:
         if self._is_interruptible:
             _thread.interrupt_main()
 
-    def interrupted(self, number: int, frame: object) -> None:
+    def handle_interrupt(self, number: int, frame: object) -> None:
         """Handle an interrupt during a search only: it can arrive a moment late."""
         if self._is_interruptible:
             raise KeyboardInterrupt
@@ -296,7 +296,7 @@ class SolverLoop:
         self._sent = time.monotonic()
         header = {"is": "path", "kind": kind, "revision": self.revision, **details}
         frames = [round(float(t), 5) for t in timeline.times]
-        data = paths.packed(self.clip.figure, timeline, {**header, "frames": frames})
+        data = paths.pack(self.clip.figure, timeline, {**header, "frames": frames})
         self.send({**header, "data": data, "timeline": pickle.dumps(_bare(timeline))})
 
     def _report(self, what: str, **details: Any) -> None:

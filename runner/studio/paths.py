@@ -29,7 +29,7 @@ def rate_of(duration: float) -> float:
     return RATE if duration * RATE <= MOST_SAMPLES else MOST_SAMPLES / duration
 
 
-def packed(figure: Figure, timeline: Timeline, header: Mapping[str, object]) -> bytes:
+def pack(figure: Figure, timeline: Timeline, header: Mapping[str, object]) -> bytes:
     """Return a timeline's motion with a header, to which start, rate and count of the samples are added."""
     first, last = float(timeline.times[0]), float(timeline.times[-1])
     rate = rate_of(last - first)
@@ -43,10 +43,10 @@ def packed(figure: Figure, timeline: Timeline, header: Mapping[str, object]) -> 
         "count": len(time),
         "bodies": figure.model.nbody,
     }
-    return framed(full_header, *poses(figure, qpos))
+    return join_bytes(full_header, *poses(figure, qpos))
 
 
-def framed(header: Mapping[str, object], *arrays: Array | NDArray[np.float32]) -> bytes:
+def join_bytes(header: Mapping[str, object], *arrays: Array | NDArray[np.float32]) -> bytes:
     """Return a header and arrays as bytes."""
     text = json.dumps(header, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)

@@ -104,7 +104,7 @@ class Poser:
         knees = set() if self.bends is None else {joint.link for joint in self.bends.joints}
         return dict.fromkeys(self.footing.end_joints - knees, END_RANGE)
 
-    def gripped(
+    def grip(
         self,
         qpos: Array,
         body: int,
@@ -163,7 +163,7 @@ class Poser:
         root = self.figure.links[(self.figure.chain(grip.body)[-1:] or [0])[0]].body
         return SupportPolygon.of(root, np.concatenate(points)) if points else None
 
-    def pulled(self, grip: Grip, position: ArrayLike, begin: Array) -> Posed:
+    def pull(self, grip: Grip, position: ArrayLike, begin: Array) -> Posed:
         """Return the pose with the point at a position (3,) [m], or as near as possible, from the last pose (nq,).
 
         A limb that reaches moves alone. A foot that comes near the ground lands on it. A knee or thigh moves with its
@@ -173,27 +173,27 @@ class Poser:
         target = PointGoal("target", grip.body, grip.offset[None], place[None])
         has_foot = bool(grip.hanging) and grip.is_balanced
         if grip.limb.any() and not has_foot and self._is_within_reach(grip, place):
-            pose = self._dragged(grip, target, np.where(grip.limb, begin, grip.qpos), free=grip.limb)
+            pose = self._drag(grip, target, np.where(grip.limb, begin, grip.qpos), free=grip.limb)
             if pose.worst <= SHORT and self._keeps_balance(grip, pose):
                 return pose
         feet = tuple(foot for foot in grip.hanging if foot.body == grip.body)
         if has_foot and not feet:
-            pose = self._dragged(grip, target, begin, fixed=grip.hanging)
+            pose = self._drag(grip, target, begin, fixed=grip.hanging)
             if pose.missed[0] <= LIFTED and self._keeps_balance(grip, pose):
                 return pose
         if feet and has_foot:
             set_qpos(self.figure.model, self.data, begin)
             by = place - self._point(grip, self.data)
             landing = tuple(foot for foot in feet if self._lands(grip, foot, by))
-            return self._dragged(grip, target, begin, landing=landing, by=by)
-        pose = self._dragged(grip, target, begin)
+            return self._drag(grip, target, begin, landing=landing, by=by)
+        pose = self._drag(grip, target, begin)
         for _ in range(LANDINGS if grip.hanging else 0):  # the support polygon moves with the sliding foot
             set_qpos(self.figure.model, self.data, pose.qpos)
             low = tuple(foot for foot in grip.hanging if self.footing.clearance(foot, self.data) < STANDING)
-            pose = self._dragged(grip, target, pose.qpos, landing=low) if low else pose
+            pose = self._drag(grip, target, pose.qpos, landing=low) if low else pose
         return pose
 
-    def _dragged(
+    def _drag(
         self,
         grip: Grip,
         target: PointGoal,
@@ -207,12 +207,12 @@ class Poser:
         """Return the pose of a drag, with feet of the grabbed limb fixed, aloft, or landing after a move (3,) [m]."""
         footing = self.footing
         set_qpos(self.figure.model, self.data, grip.qpos)
-        goals = [footing.fixed(foot, self.data) for foot in (*grip.standing, *fixed)]
-        goals += [footing.locked(body, self.data) for body in grip.locked]
+        goals = [footing.fix(foot, self.data) for foot in (*grip.standing, *fixed)]
+        goals += [footing.lock(body, self.data) for body in grip.locked]
         aloft = [foot for foot in grip.hanging if foot not in fixed and foot not in landing]
         level = [(LEVEL_WEIGHT, BodyGoal("foot", self.data.xquat[foot.body].copy(), foot.body)) for foot in aloft]
         set_qpos(self.figure.model, self.data, begin)
-        goals += [footing.landed(foot, self.data, by) for foot in landing]
+        goals += [footing.land(foot, self.data, by) for foot in landing]
         support = self._support(grip, (*fixed, *landing)) if grip.is_balanced else None
         limits = grip.limits if support is None else (*grip.limits, support)
         if support is not None and any(foot.body == grip.body for foot in aloft):
@@ -248,7 +248,7 @@ class Poser:
     def _point(grip: Grip, data: mujoco.MjData) -> Array:
         return np.array(data.xpos[grip.body] + data.xmat[grip.body].reshape(3, 3) @ grip.offset)
 
-    def kept(self, before: Array, after: Array, locked: Collection[int], *, plant: bool = True) -> Array:
+    def keep(self, before: Array, after: Array, locked: Collection[int], *, plant: bool = True) -> Array:
         """Return a pose (nq,) like `after` in which locked bodies are where they were before.
 
         Joints that differ from `before` remain. Limbs and root move instead. With `plant`, feet that stood on the
@@ -256,9 +256,9 @@ class Poser:
         """
         figure, footing = self.figure, self.footing
         set_qpos(figure.model, self.data, before)
-        locks = [footing.locked(body, self.data) for body in locked]
+        locks = [footing.lock(body, self.data) for body in locked]
         links = [link for link in dict.fromkeys(point.link for point in self.soles) if plant and self._stands(link)]
-        feet = [footing.fixed(footing.spheres[link].lowest(self.data), self.data) for link in links]
+        feet = [footing.fix(footing.spheres[link].lowest(self.data), self.data) for link in links]
         feet = [foot for foot in feet if foot.index not in locked]
         for goals in ([*locks, *feet], locks):
             free = np.zeros(figure.width, bool)
@@ -285,7 +285,7 @@ class Poser:
         key = key_of(self.figure, row, None, (), where)
         return np.where(key.fixed, key.state, qpos), key.fixed
 
-    def placed(self, qpos: Array, home: Array) -> Array:
+    def place(self, qpos: Array, home: Array) -> Array:
         """Return a pose (nq,) with the root at the horizontal position and heading of another one (nq,)."""
         if self.figure.root is None:
             return qpos
@@ -296,7 +296,7 @@ class Poser:
         out[start : start + 2], out[turned] = home[start : start + 2], quat.product(turn, qpos[turned])
         return out
 
-    def turned(self, qpos: Array, joint: str, turn: ArrayLike) -> Array:
+    def turn(self, qpos: Array, joint: str, turn: ArrayLike) -> Array:
         """Return a pose (nq,) with one joint rotated by a quaternion in the world (4,); a hinge by its component."""
         link = next((link for link in self.figure.links[1:] if link.name == joint), None)
         if link is None:
@@ -328,7 +328,7 @@ class Poser:
             for link in self.figure.links[1:]:
                 is_moved[link.columns] = np.abs(qpos - home)[link.columns].max() >= MOVED
         row = tables(keyframe_tables(self.figure, [Frame.key(0.0, qpos, is_moved)])[0])
-        return {"joints": {}} | {key: _rounded(value) for key, value in row.items() if key != "time"}
+        return {"joints": {}} | {key: _round(value) for key, value in row.items() if key != "time"}
 
     @cached_property
     def root(self) -> str | None:
@@ -367,7 +367,7 @@ class Poser:
         return names | {point.name for point in self.soles if point.link in links}
 
 
-def _rounded(value: Any, digits: int = DIGITS) -> Any:
+def _round(value: Any, digits: int = DIGITS) -> Any:
     if isinstance(value, dict):
-        return {key: _rounded(entry, PLACES.get(key, digits)) for key, entry in value.items()}
-    return [_rounded(entry, digits) for entry in value] if isinstance(value, tuple) else round(value, digits) + 0.0
+        return {key: _round(entry, PLACES.get(key, digits)) for key, entry in value.items()}
+    return [_round(entry, digits) for entry in value] if isinstance(value, tuple) else round(value, digits) + 0.0

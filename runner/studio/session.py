@@ -145,7 +145,7 @@ class Session:
         if text != self.document.text:
             loaded = await self._validate(text)
             self.document.commit(text, words, stroke)
-            words = self._changed(loaded, words)
+            words = self._accept_change(loaded, words)
         return words
 
     async def undo(self) -> str:
@@ -161,7 +161,7 @@ class Session:
         words, text = self.document.steps[verb][-1]
         loaded = await self._validate(text)
         self.document.step(verb)
-        return self._changed(loaded, f"{verb}: {words}")
+        return self._accept_change(loaded, f"{verb}: {words}")
 
     def check_offer(self) -> None:
         """Raise UserError while unsaved work is offered: it would be replaced."""
@@ -181,7 +181,7 @@ class Session:
         else:
             self.document.commit(offer, words)
             self.document.numbered_since = self.document.revision
-            words = self._changed(loaded, words)
+            words = self._accept_change(loaded, words)
         self._show_offer()
         return words
 
@@ -194,7 +194,7 @@ class Session:
         place = {"name": document.name, "place": document.place, "folder": str(document.folder)}
         return {"do": "load", "text": text, **place, "revision": revision, "go": self.go}
 
-    def _changed(self, loaded: Message, words: str) -> str:
+    def _accept_change(self, loaded: Message, words: str) -> str:
         """Show a changed document, and store it as unsaved work. Return the words, with the reason if it cannot be."""
         self._accept(loaded)
         try:
@@ -247,7 +247,7 @@ class Session:
         self.document.commit(text, "reload the file")
         self.document.saved, self.document.numbered_since = text, self.document.revision
         self._show_outside(None)
-        return self._changed(loaded, f"reloaded {self.document.place}")
+        return self._accept_change(loaded, f"reloaded {self.document.place}")
 
     async def keep(self) -> str:
         """Keep the present text although the file has changed: saving replaces the file."""
@@ -268,7 +268,7 @@ class Session:
             self.document = previous
             raise
         document.revision = document.numbered_since = loaded["revision"]
-        self._changed(loaded, "")
+        self._accept_change(loaded, "")
 
     # ---- the search
 

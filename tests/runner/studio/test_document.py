@@ -12,7 +12,7 @@ from texts import read_data
 from dynsplines import models
 from dynsplines.clip.parse import table_of
 from dynsplines.errors import UserError
-from dynsplines.studio.document import Document, opened
+from dynsplines.studio.document import Document, open_document
 from dynsplines.studio.edits import EDITS
 from dynsplines.studio.stage import weights
 
@@ -238,7 +238,7 @@ def test_tables_under_headers_of_their_own_belong_to_their_keyframe():
 def test_lines_that_end_as_on_windows_are_edited_and_end_so_again(tmp_path):
     file = tmp_path / "clip.toml"
     file.write_bytes(TEXT.replace("\n", "\r\n").encode())
-    found = opened(str(file))
+    found = open_document(str(file))
     assert not found.is_dirty
     edited(found, "move_keys", {"moves": [[1, 0.6]]})
     found.save(file)
@@ -248,9 +248,9 @@ def test_lines_that_end_as_on_windows_are_edited_and_end_so_again(tmp_path):
 def test_a_clip_file_and_a_shipped_clip_are_opened(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     file = problems.written(tmp_path)
-    found = opened(file.name)
+    found = open_document(file.name)
     assert (found.text, found.file, found.folder) == (problems.CLIP, file.resolve(), tmp_path.resolve())
-    shipped = opened("run_and_step")
+    shipped = open_document("run_and_step")
     assert (shipped.text, shipped.file, shipped.folder) == (models.clip_text("run_and_step"), None, tmp_path)
     assert not found.is_dirty
     assert not shipped.is_dirty
@@ -273,5 +273,5 @@ def test_other_files_are_rejected_with_the_command_that_writes_a_clip(tmp_path, 
     for file in ("walk.npz", "walk.bvh"):
         (tmp_path / file).write_bytes(b"")
     with pytest.raises(UserError) as error:
-        opened(name)
+        open_document(name)
     assert words in str(error.value)

@@ -9,7 +9,7 @@ import pytest
 from browser import Tab
 from texts import read_data
 
-from dynsplines.studio.document import opened
+from dynsplines.studio.document import open_document
 
 pytestmark = [
     pytest.mark.slow,
@@ -27,7 +27,7 @@ def tab(tmp_path_factory):
     folder = tmp_path_factory.mktemp("page")
     for name in ("dancer.xml", "dancer.toml"):
         (folder / name).write_text(read_data(name), encoding="utf-8")
-    crashed = opened(str(folder / "dancer.toml"))
+    crashed = open_document(str(folder / "dancer.toml"))
     crashed.commit(CLIP.replace("time = 1\n", "time = 1.1\n"), "move a keyframe")
     crashed.write_unsaved()
     with browsers.opened() as browser, browsers.studio(folder, "dancer.toml") as studio:

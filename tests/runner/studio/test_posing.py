@@ -30,10 +30,10 @@ def test_a_hand_within_reach_moves_its_arm_alone(clip, poser):
     model, home = clip.figure.model, np.array(clip.keys[-1].state)
     body = model.body("left_forearm").id
     goal = kinematics(model, home).site("left_hand").xpos + np.array([0.25, 0.05, 0.2])
-    grip = poser.gripped(home, body, model.site("left_hand").pos)
-    found = poser.pulled(grip, goal, home)
+    grip = poser.grip(home, body, model.site("left_hand").pos)
+    found = poser.pull(grip, goal, home)
     for _ in range(4):
-        found = poser.pulled(grip, goal, found.qpos)
+        found = poser.pull(grip, goal, found.qpos)
     np.testing.assert_allclose(kinematics(model, found.qpos).site("left_hand").xpos, goal, atol=2e-3)
     arm = np.zeros(model.nq, bool)
     for link in clip.figure.limb(body):
@@ -45,7 +45,7 @@ def test_a_hand_within_reach_moves_its_arm_alone(clip, poser):
 def test_a_target_out_of_reach_is_approached_in_bounded_time_by_the_limb_alone_if_requested(clip, poser):
     model, home = clip.figure.model, np.array(clip.keys[-1].state)
     begin = time.perf_counter()
-    found = poser.pulled(poser.gripped(home, model.body("right_foot").id, np.zeros(3)), np.array([0.0, 0, 30.0]), home)
+    found = poser.pull(poser.grip(home, model.body("right_foot").id, np.zeros(3)), np.array([0.0, 0, 30.0]), home)
     assert time.perf_counter() - begin < 2.0
     assert np.isfinite(found.qpos).all()
     assert found.worst > 1
@@ -53,8 +53,8 @@ def test_a_target_out_of_reach_is_approached_in_bounded_time_by_the_limb_alone_i
         if model.jnt_limited[link.joint] and link.kind.name == "BALL":
             turn = 2 * np.arccos(np.clip(abs(found.qpos[link.qpos]), 0, 1))
             assert turn <= model.jnt_range[link.joint, 1] + 0.1
-    grip = poser.gripped(home, model.body("left_forearm").id, np.zeros(3), alone=True)
-    alone = poser.pulled(grip, np.array([9.0, 0, 1.0]), home).qpos
+    grip = poser.grip(home, model.body("left_forearm").id, np.zeros(3), alone=True)
+    alone = poser.pull(grip, np.array([9.0, 0, 1.0]), home).qpos
     assert set(poser.keyframe_entries(alone, home)["joints"]) == {"left_shoulder"}
 
 
@@ -70,7 +70,7 @@ def test_feet_on_the_ground_stay_where_a_moved_root_lets_them(clip, poser):
         return kinematics(model, qpos).site_xpos[[model.site(name).id for name in SOLES]]
 
     def kept(**root):
-        return poser.kept(home, poser.with_entries(home, {"root": root})[0], ())
+        return poser.keep(home, poser.with_entries(home, {"root": root})[0], ())
 
     lower = kept(position=[place[0] + 0.03, "free", place[2] - 0.08])
     assert lower[start : start + 3] == pytest.approx(place + np.array([0.03, 0, -0.08]))
@@ -96,18 +96,18 @@ def test_a_locked_body_stays_while_others_are_dragged_turned_or_typed(clip, pose
     model, home = clip.figure.model, np.array(clip.keys[-1].state)
     here, locks = place_of(model, home, name), (model.body(name).id,)
     with pytest.raises(UserError, match=f"'{name}': locked"):
-        poser.gripped(home, model.body(name).id, np.zeros(3), locked=locks)
+        poser.grip(home, model.body(name).id, np.zeros(3), locked=locks)
     offset = np.array([0.02, 0.03, -0.12])
     for pulled in ("chest", "right_foot", "left_upper_arm", "left_shin"):
         body = kinematics(model, home).body(pulled)
-        grip = poser.gripped(home, body.id, offset, plant=False, locked=locks)
+        grip = poser.grip(home, body.id, offset, plant=False, locked=locks)
         target = body.xpos + body.xmat.reshape(3, 3) @ offset + [0.1, 0.05, 0.06]
-        found = poser.pulled(grip, target, poser.pulled(grip, target, home).qpos).qpos
+        found = poser.pull(grip, target, poser.pull(grip, target, home).qpos).qpos
         np.testing.assert_allclose(place_of(model, found, name), here, atol=3e-3)
         assert np.abs(found - home).max() > 0.01
     for joint in ("left_hip", "left_shoulder"):
         typed = poser.with_entries(home, {"joints": {joint: {"rotvec": [4, -12, 2]}}})[0]
-        after = poser.kept(home, typed, locks)
+        after = poser.keep(home, typed, locks)
         np.testing.assert_allclose(place_of(model, after, name), here, atol=3e-3)
         link = next(link for link in clip.figure.links if link.name == joint)
         np.testing.assert_allclose(after[link.columns], typed[link.columns])
@@ -118,18 +118,18 @@ def test_a_change_that_a_locked_body_cannot_follow_is_rejected(clip, poser):
     place = home[clip.figure.links[clip.figure.root.link].qpos :][:3]
     higher = poser.with_entries(home, {"root": {"position": [*place[:2], place[2] + 0.5]}})[0]
     with pytest.raises(UserError, match="'left_foot': locked, and cannot stay"):
-        poser.kept(home, higher, [clip.figure.model.body("left_foot").id])
+        poser.keep(home, higher, [clip.figure.model.body("left_foot").id])
 
 
 def test_a_joint_turns_about_an_axis_of_the_world(clip, poser):
     model, home = clip.figure.model, np.array(clip.keys[0].state)
     half = np.radians(20) / 2
-    turned = poser.turned(home, "left_shoulder", [np.cos(half), 0, np.sin(half), 0])
+    turned = poser.turn(home, "left_shoulder", [np.cos(half), 0, np.sin(half), 0])
     before, after = (kinematics(model, each).body("left_upper_arm").xmat.reshape(3, 3) for each in (home, turned))
     about = np.array([[np.cos(2 * half), 0, np.sin(2 * half)], [0, 1, 0], [-np.sin(2 * half), 0, np.cos(2 * half)]])
     np.testing.assert_allclose(after, about @ before, atol=1e-9)
     with pytest.raises(UserError, match="left_knee"):
-        poser.turned(home, "left_kne", [1, 0, 0, 0])
+        poser.turn(home, "left_kne", [1, 0, 0, 0])
 
 
 @pytest.fixture(scope="module")

@@ -275,7 +275,7 @@ def test_a_port_that_is_taken_is_reported():
         taken.bind(("127.0.0.1", 0))
         taken.listen()
         with pytest.raises(UserError, match="--port"):
-            launch._bound(taken.getsockname()[1])
+            launch._listen(taken.getsockname()[1])
 
 
 def test_undo_with_nothing_to_undo_is_refused(session):

@@ -10,7 +10,7 @@ from processes import session_without_solver
 
 from dynsplines.errors import UserError
 from dynsplines.studio import solver
-from dynsplines.studio.document import Document, opened
+from dynsplines.studio.document import Document, open_document
 from dynsplines.studio.files import Files
 
 TEXT = "".join(f'[[keyframe]]\ntime = {time}\nothers = "rest"\n' for time in (0.0, 0.1, 0.2))
@@ -26,7 +26,7 @@ def file(tmp_path):
 @pytest.fixture
 def start(file, monkeypatch):
     """Opens the clip in a new session."""
-    return lambda: session_without_solver(opened(str(file)), monkeypatch)
+    return lambda: session_without_solver(open_document(str(file)), monkeypatch)
 
 
 def add_key(session, time):
