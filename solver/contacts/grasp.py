@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 import numpy as np
 
@@ -48,19 +47,6 @@ def surfaces_on(figure: Figure, link: int) -> tuple[Surface, ...]:
     return tuple(surfaces)
 
 
-class _Unheld(NamedTuple):
-    """A part of a segment in which nothing holds an object that lies at keyframe `key`.
-
-    Attributes:
-        grasp: The grasp that begins or ends the hold at its other end.
-        hold: The time of this end [s].
-    """
-
-    key: int
-    grasp: Contact
-    hold: float
-
-
 def resting_objects(
     keyframes: KeyframePoints, links: Sequence[int], grasps: Sequence[Contact] = ()
 ) -> tuple[Contact, ...]:
@@ -83,21 +69,26 @@ def resting_objects(
         is_set = np.logical_and.reduce(points.is_known)
         stays: Mask = np.logical_and.reduce(points.moves < points.limits.tiny) & is_set[:-1] & is_set[1:]
         inferred += [between_keyframes(points, i, k) for k in np.flatnonzero(stays).tolist() for i in range(3)]
-        for part in _unheld(points, stays, is_set, [grasp for grasp in grasps if grasp.on == link]):
-            if _is_near(points, part, link):
-                first, last = sorted((float(keyframes.keys.times[part.key]), part.hold))
-                places = points.centres[:, :, part.key].T.copy()
+        for k, grasp, hold in _unheld(points, stays, is_set, [grasp for grasp in grasps if grasp.on == link]):
+            if _is_near(points, k, grasp, hold, link):
+                first, last = sorted((float(keyframes.keys.times[k]), hold))
+                places = points.centres[:, :, k].T.copy()
                 inferred += [Contact.at(p, first, last, at) for p, at in zip(points.points, places, strict=True)]
     return tuple(inferred)
 
 
-def _unheld(points: KeyframePoints, stays: Mask, is_set: Mask, grasps: Sequence[Contact]) -> Iterator[_Unheld]:
+def _unheld(
+    points: KeyframePoints, stays: Mask, is_set: Mask, grasps: Sequence[Contact]
+) -> Iterator[tuple[int, Contact, float]]:
     """Yield the parts of segments before and after holds of one object, given by its points.
 
     Args:
         stays: The segments in which it rests, (K − 1,).
         is_set: The keyframes that place it, (K,).
         grasps: Its grasps.
+
+    Yields:
+        The keyframe at which it lies, and the grasp that begins or ends the hold at the other end, with its time [s].
     """
     for k, start, end in points.segments():
         holds = [grasp for grasp in grasps if grasp.first < end and start < grasp.last]
@@ -105,9 +96,9 @@ def _unheld(points: KeyframePoints, stays: Mask, is_set: Mask, grasps: Sequence[
             continue
         first, last = min(holds, key=lambda grasp: grasp.first), max(holds, key=lambda grasp: grasp.last)
         if first.first - start > points.limits.lift_off and is_set[k] and _lies(stays, k - 1):
-            yield _Unheld(k, first, first.first)
+            yield k, first, first.first
         if end - last.last > points.limits.lift_off and is_set[k + 1] and _lies(stays, k + 1):
-            yield _Unheld(k + 1, last, last.last)
+            yield k + 1, last, last.last
 
 
 def _lies(stays: Mask, beyond: int) -> bool:
@@ -115,13 +106,13 @@ def _lies(stays: Mask, beyond: int) -> bool:
     return not 0 <= beyond < stays.size or bool(stays[beyond])
 
 
-def _is_near(points: KeyframePoints, part: _Unheld, link: int) -> bool:
-    """Return whether the hand is near the object at the end of the hold, on the spline through the keyframes."""
-    at = np.array([part.hold])
+def _is_near(points: KeyframePoints, k: int, grasp: Contact, hold: float, link: int) -> bool:
+    """Return whether the hand is near the object of keyframe k when the hold begins or ends [s], on the spline through
+    the keyframes."""
+    at, links = np.array([hold]), points.samples.links
     samples = Samples(points.figure, *path_of(points.keys).motion(at))
-    grasp, links = part.grasp, points.samples.links
     hand, _ = samples.links.points(np.array([grasp.point.link]), grasp.point.position[:, None])
-    place: Array = links.x[:, link, part.key]
+    place: Array = links.x[:, link, k]
     if grasp.is_placed:
-        place = place + links.rotation[:, :, link, part.key] @ grasp.place(at)[:, 0]
+        place = place + links.rotation[:, :, link, k] @ grasp.place(at)[:, 0]
     return float(np.linalg.norm(hand[:, 0, 0] - place)) < points.limits.at_hand
