@@ -13,6 +13,7 @@ is added to it. Link 0 is the world.
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from enum import IntEnum
 from functools import cached_property, lru_cache
@@ -468,6 +469,16 @@ def _run(indices: Index) -> slice | None:
     if not indices.size or np.any(np.diff(indices) != 1):
         return None
     return slice(int(indices[0]), int(indices[-1]) + 1)
+
+
+def sets_joints(figure: Figure, specified: Mask, links: Sequence[int] | Index) -> Mask:
+    """Return whether keyframes specify the joints of n links, (n, K). Of a free joint, only the rotation counts.
+
+    Args:
+        specified: Entries of qpos that keyframes specify, (K, nq).
+    """
+    columns = [quaternion_columns(figure.links[i]) or figure.links[i].qpos for i in links]
+    return np.array([np.atleast_2d(specified[:, column].T).all(axis=0) for column in columns])
 
 
 def on_links(vectors: Array, owners: Index, count: int) -> Array:

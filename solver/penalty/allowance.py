@@ -10,7 +10,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..array import Array, Index, segments_at
+from ..array import Array, Index, Mask, segments_at
+from ..curve.frame import Timeline
 
 
 @dataclass(frozen=True)
@@ -24,6 +25,12 @@ class Allowance:
 
     times: Array
     excess: Array
+
+    @classmethod
+    def in_keys(cls, keys: Timeline, excess: Array, is_fixed: Mask) -> Allowance | None:
+        """Return the tolerance of positive excesses (..., K) that keyframes fix, (..., K); None without any."""
+        excess = np.maximum(excess, 0) * is_fixed
+        return cls(keys.times, excess) if excess.any() else None
 
     def at(self, t: Array) -> Array:
         """Return the tolerated excesses, constant outside the range of the keyframes.

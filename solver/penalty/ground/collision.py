@@ -68,7 +68,7 @@ class Collision(Penalty):
                     points = free[self._arrays[0][free] == part]
                     excess[points, k] = excess[points, before].max()
                 is_set[free, k] = True
-        return replace(self, allowed=Allowance(keys.times, excess)) if excess.any() else self
+        return replace(self, allowed=Allowance.in_keys(keys, excess, is_set))
 
     @property
     def role(self) -> Role:

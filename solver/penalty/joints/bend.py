@@ -16,7 +16,7 @@ import numpy as np
 from ...array import Array, Index
 from ...curve.frame import Timeline
 from ...figure.algebra import cross, dot, rotation_matrix
-from ...figure.figure import Figure, on_links, quaternion_columns
+from ...figure.figure import Figure, on_links, sets_joints
 from ...figure.kinematics import Samples
 from ...figure.wrenches import of_turn
 from ...tolerances import ROUNDING
@@ -73,11 +73,8 @@ class BendLimits(Penalty):
         """Return the penalty with tolerances for joints that keyframes fix beyond their bounds."""
         if not self.joints:
             return self
-        samples = Samples.still(figure, keys.states)
-        columns = [quaternion_columns(figure.links[joint.link]) for joint in self.joints]
-        fixed = np.array([keys.fixed[:, group].all(axis=1) for group in columns])
-        excess = np.maximum(self.excess(self.angles(samples)), 0) * fixed
-        return replace(self, allowed=Allowance(keys.times, excess)) if excess.any() else self
+        excess = self.excess(self.angles(Samples.still(figure, keys.states)))
+        return replace(self, allowed=Allowance.in_keys(keys, excess, sets_joints(figure, keys.fixed, self.axes[0])))
 
     def extend(self, samples: Samples) -> BendLimits:
         """Return the limits, extended to nearly all samples."""

@@ -17,7 +17,7 @@ from ... import quaternion as quat
 from ...array import Array, Index, Mask
 from ...curve.frame import Timeline
 from ...figure.algebra import cross, dot, hamilton, vector_product
-from ...figure.figure import Figure, JointKind, quaternion_columns
+from ...figure.figure import Figure, JointKind, sets_joints
 from ...figure.kinematics import Samples
 from ...figure.wrenches import Wrenches, of_turn
 from ...tolerances import SMALLEST
@@ -83,11 +83,8 @@ class JointRange(Penalty):
             excess[:, plain] = low[plain, None] - value, value - high[plain, None]
         if balls.size:
             excess[1, balls] = self._rotations(samples)[0] - high[balls, None]
-        links = [figure.links[joint.link] for joint in self.joints]
-        columns = [quaternion_columns(link) or slice(link.qpos, link.qpos + 1) for link in links]
-        fixed = np.array([keys.fixed[:, group].all(axis=1) for group in columns])
-        excess = np.maximum(excess, 0) * fixed
-        return replace(self, allowed=Allowance(keys.times, excess)) if excess.any() else self
+        links = [joint.link for joint in self.joints]
+        return replace(self, allowed=Allowance.in_keys(keys, excess, sets_joints(figure, keys.fixed, links)))
 
     def beyond(self, samples: Samples) -> Array:
         """Return the excess of every joint over its range, negative within it, (n, S) [rad or m]."""

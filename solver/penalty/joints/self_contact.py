@@ -91,9 +91,8 @@ class SelfContact(Penalty):
         np.maximum.at(excess, (pair_of[i, j], at), depth)
         path = figure.tables.path[:, 1:] > 0
         specified = np.array([keys.fixed[:, link.columns].all(axis=1) for link in figure.links[1:]])
-        for row, (first, last) in zip(excess, self._bounds[0][pairs].T, strict=True):
-            row *= specified[path[first] != path[last]].all(axis=0)
-        return replace(self, allowed=Allowance(keys.times, excess)) if excess.any() else self
+        is_fixed = [specified[path[i] != path[j]].all(axis=0) for i, j in self._bounds[0][pairs].T]
+        return replace(self, allowed=Allowance.in_keys(keys, excess, np.array(is_fixed)))
 
     def watching(self, parts: Iterable[Samples]) -> SelfContact:
         """Return the penalty of the watched pairs of links and those that are in each other."""
