@@ -17,7 +17,7 @@ from dynsplines.solver.curve.spline import Path, natural_spline, path_of
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import continue_from, inbetween
-from dynsplines.solver.penalty import Rolling, TrackingPenalty, UnitMagnitude
+from dynsplines.solver.penalty import TrackingPenalty, UnitMagnitude
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface.points import places_of
@@ -329,6 +329,6 @@ def slip(figure: Figure, path: Path, rest: Contact) -> float:
         figure, path, np.linspace(rest.first, rest.last, max(2, round((rest.last - rest.first) * RATE)))
     )
     rotation = samples.links.Q[:, rest.point.link]
-    rolling = Rolling.of(rest, rotation[:, samples.count // 2])
-    places = places_of((rest.point,), samples)[0][:, 0] - rolling.displacement(rotation)
+    rolling = replace(rest, start=rotation[:, samples.count // 2])
+    places = places_of((rest.point,), samples)[0][:, 0] - rolling.roll(rotation)
     return float(np.linalg.norm(places - places.mean(axis=1, keepdims=True), axis=0).max())

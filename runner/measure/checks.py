@@ -16,7 +16,7 @@ from dynsplines.solver.array import Array, Index, Mask
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.spline import Path
-from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
+from dynsplines.solver.figure.figure import Figure, JointKind, sets_joints
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import (
     Attachment,
@@ -25,7 +25,6 @@ from dynsplines.solver.penalty import (
     CouplingPenalty,
     JointRange,
     Range,
-    Rolling,
     Speed,
     closures,
     couplings,
@@ -128,11 +127,6 @@ class Fixed:
         origins = [Point("", i, np.zeros(3)) for i in range(len(self.figure.links))]
         return sets_places(self.figure, self.states, origins)
 
-    def joints(self, links: Sequence[int]) -> Mask:
-        """Return which keyframes fix the joints of n links, (n, K). Of a free joint, only the rotation counts."""
-        columns = [quaternion_columns(self.figure.links[i]) or self.figure.links[i].qpos for i in links]
-        return np.array([np.atleast_2d(self.states[:, column].T).all(axis=0) for column in columns])
-
 
 def bends(limits: BendLimits, fixed: Fixed, bound: float | None) -> Check:
     """Return the check of knees and elbows that bend backward or sideways, or twist.
@@ -154,7 +148,8 @@ def bends(limits: BendLimits, fixed: Fixed, bound: float | None) -> Check:
         beyond = [limits.least - flexion, np.abs(sideways) - limits.sideways, np.abs(twist) - limits.twist]
         return Hits.of(np.degrees(np.concatenate(beyond)))
 
-    return Check.each(rows, hits, np.tile(fixed.joints([joint.link for joint in limits.joints]), (3, 1)))
+    is_set = sets_joints(fixed.figure, fixed.states, [joint.link for joint in limits.joints])
+    return Check.each(rows, hits, np.tile(is_set, (3, 1)))
 
 
 def ranges(joints: Sequence[Range], kinds: tuple[str, str], text: str, fixed: Mask | None = None) -> Check:
@@ -262,41 +257,23 @@ def hovering(rests: Sequence[Contact], surfaces: Sequence[Surface], groups: Inde
     return Check.each(rows, hits, fixed.places[[point.link for point in points]], groups)
 
 
-@dataclass(frozen=True, eq=False)
-class ContactTarget:
-    """A point that must stay in its place.
-
-    kind     "contact" or "stance"
-    group    number of its foot and interval
-    rolling  how it rolls, if it does
-    """
-
-    kind: str
-    contact: Contact
-    group: int
-    rolling: Rolling | None = None
-
-
-def displacements(targets: Sequence[ContactTarget], fixed: Fixed) -> Check:
-    """Return the check of points of one kind that leave their places."""
-    attachment, points = Attachment(tuple(target.contact for target in targets)), [t.contact.point for t in targets]
+def displacements(kind: str, contacts: Sequence[Contact], groups: Index, fixed: Fixed) -> Check:
+    """Return the check of points that leave their places; kind: "contact" or "stance"."""
+    attachment, points = Attachment(tuple(contacts)), [contact.point for contact in contacts]
 
     def hits(samples: Samples) -> Hits:
         row, at, away = attachment.displacements(samples)
-        for i, target in enumerate(targets):
-            if target.rolling is not None:
-                of_target = row == i
-                turned = samples.links.Q[:, target.contact.point.link, at[of_target]]
-                away[:, of_target] -= target.rolling.displacement(turned)
+        for i, contact in enumerate(contacts):
+            if contact.start is not None:
+                mine = row == i
+                away[:, mine] -= contact.roll(samples.links.Q[:, contact.point.link, at[mine]])
         return Hits(row, at, np.linalg.norm(away, axis=0))
 
-    kind = targets[0].kind
     text = {
         "contact": "contact {} is {{}} from the place where it should rest",
         "stance": "{} moves {{}} between keyframes with the same position",
     }[kind]
     rows = [row_of(kind, point.name, text.format(point.name)) for point in points]
-    groups = np.array([target.group for target in targets])
     return Check.each(rows, hits, fixed.places[[point.link for point in points]], groups)
 
 

@@ -95,7 +95,7 @@ def _sliding(motion: Measurement, samples: Samples) -> Iterator[Violation]:
     speeds = np.linalg.norm(_velocities(samples, links, positions)[:2], axis=0)
     centres, radii = places_of(points, samples)
     height, _ = heights(context.surfaces, centres, radii)
-    stances = [(sphere_at(figure, target.contact.point), target.contact) for target in motion.contact_targets]
+    stances = [(sphere_at(figure, each.point), each) for contacts in motion.targets.values() for each in contacts]
     rests = np.array(
         [
             within(tuple((one.first, one.last) for at, one in stances if at.coincides(point)), samples.t)

@@ -5,7 +5,7 @@ The measured quantities do not depend on which ones the clip penalizes. Violatio
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -15,13 +15,12 @@ from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.figure.figure import Figure, sets_joints
 from dynsplines.solver.penalty import (
     Attachment,
     BendLimits,
     Collision,
     Penalty,
-    Rolling,
     Speed,
     Sum,
     grasp_places,
@@ -36,7 +35,7 @@ from ..clip.kinds import BODY, body_contacts
 from ..motion import Saved, even_times, sample_runs, samples_at
 from . import checks
 from .bounds import Row
-from .checks import Check, ContactTarget, Fixed, Hits
+from .checks import Check, Fixed, Hits
 
 RATE = 240.0  # [1/s] of the grid: a foot at 4 m/s moves 17 mm between samples
 
@@ -48,7 +47,7 @@ class Measurement:
     clip    the clip; if it follows a recording, its frames are only the specified keyframes, the first and the last
     time    (T,) [s] of the grid;  key_at  (K,) indices of the keyframes in it
     checks  each with the amounts of its rows
-    contact_targets  points that must not move in an interval
+    targets  contacts whose points must not move: "contact", those of the clip, and "stance", inferred from keyframes
     """
 
     clip: Clip
@@ -56,19 +55,19 @@ class Measurement:
     time: Array
     key_at: Index
     checks: tuple[tuple[Check, Hits], ...]
-    contact_targets: tuple[ContactTarget, ...]
+    targets: Mapping[str, Sequence[Contact]]
 
     @classmethod
     def of(cls, clip: Clip, timeline: Timeline, raw: Timeline) -> Measurement:
         """Measure a timeline; `raw` is the raw spline, whose angular accelerations are the reference for whips."""
         clip, path = _as_keyed(clip), path_of(timeline)
         key_times = np.clip([key.time for key in clip.keys], *path.span)
-        stays = tuple(_contact_targets(clip, timeline))
-        instants = [t for stay in stays for t in (stay.contact.first, stay.contact.last)]
-        instants += [t for grasp in clip.context.schedule.grasps for t in (grasp.first, grasp.last)]
+        targets = {"contact": _contacts(clip, timeline), "stance": _stances(clip, timeline)}
+        contacts = (*targets["contact"], *targets["stance"], *clip.context.schedule.grasps)
+        instants = [t for contact in contacts for t in (contact.first, contact.last)]
         time = np.unique(np.concatenate([even_times(path.span, RATE), key_times, instants]))
         key_at = np.searchsorted(time, key_times)
-        every = list(_checks(clip, timeline, stays, _peak(clip.figure, raw, time)))
+        every = list(_checks(clip, timeline, targets, _peak(clip.figure, raw, time)))
         parts: list[list[Hits]] = [[] for _ in every]
         for samples in sample_runs(clip.figure, path, time):
             first = np.searchsorted(time, samples.t[0])
@@ -76,7 +75,7 @@ class Measurement:
                 part = check.hits(samples)
                 hits.append(replace(part, at=first + part.at))
         amounts = tuple((check, Hits.join(hits)) for check, hits in zip(every, parts, strict=True))
-        return cls(clip, timeline, time, key_at, amounts, stays)
+        return cls(clip, timeline, time, key_at, amounts, targets)
 
     def largest(self) -> dict[str, tuple[Row, float, float]]:
         """Return the row, the amount and the time [s] of the largest amount of every kind of violation, if positive."""
@@ -136,15 +135,14 @@ def _peak(figure: Figure, raw: Timeline, time: Array) -> float:
 
 
 def _checks(
-    clip: Clip, timeline: Timeline, contact_targets: Sequence[ContactTarget], raw_peak: float
+    clip: Clip, timeline: Timeline, targets: Mapping[str, Sequence[Contact]], raw_peak: float
 ) -> Iterator[Check]:
     figure, context = clip.figure, clip.context
     fixed = Fixed(figure, np.array([key.fixed for key in clip.keys]))
     feet, parts = feet_of(figure, context.points), list(_parts(clip))
-    for kind in ("contact", "stance"):
-        targets = [target for target in contact_targets if target.kind == kind]
-        if targets:
-            yield checks.displacements(targets, fixed)
+    for kind, contacts in targets.items():
+        if contacts:
+            yield checks.displacements(kind, contacts, _groups(contacts, feet), fixed)
     if context.schedule.grasps:
         path = path_of(timeline)
         starts = [
@@ -163,7 +161,7 @@ def _checks(
         yield checks.hovering(rests, context.surfaces, _groups(rests, feet), fixed)
     joints = joint_ranges(figure)
     if joints:
-        fixed_joints = fixed.joints([joint.link for joint in joints])
+        fixed_joints = sets_joints(figure, fixed.states, [joint.link for joint in joints])
         yield checks.ranges(joints, ("range", "travel"), "{joint.name} is {} beyond its range", fixed_joints)
     if context.holds and not clip.has_recording:
         text = "{joint.name} swings {} away from its values in the keyframes at {joint.first:g} and {joint.last:g} s"
@@ -231,23 +229,29 @@ def is_imported(clip: Clip, timeline: Timeline) -> bool:
     return not clip.text and timeline.variable_count == 0
 
 
-def _contact_targets(clip: Clip, timeline: Timeline) -> Iterator[ContactTarget]:
-    """Yield the clip's contacts, and the stances inferred from keyframes, with the numbers of their groups.
+def _contacts(clip: Clip, timeline: Timeline) -> list[Contact]:
+    """Return the clip's contacts with their places: specified, else those in keyframes, else that in mid-contact."""
+    rests, out = clip.context.schedule.on_ground, list[Contact]()
+    if not rests:
+        return out
+    middle = samples_at(clip.figure, path_of(timeline), np.array([0.5 * (rest.first + rest.last) for rest in rests]))
+    places, _ = places_of([rest.point for rest in rests], middle)
+    for k, rest in enumerate(rests):
+        rest = replace(rest, start=middle.links.Q[:, rest.point.link, k])
+        if rest.specified is not None or not rest.is_placed:
+            place = places[:, k, k] if rest.specified is None else rest.specified
+            rest = replace(rest, places=place[None], times=np.array([rest.first]), slack=None)
+        out.append(rest)
+    return out
+
+
+def _stances(clip: Clip, timeline: Timeline) -> list[Contact]:
+    """Return the stances inferred from keyframes.
 
     Frames of a recording are samples, not poses: a foot that lands between two of them is near its place in both.
     """
-    figure, feet = clip.figure, feet_of(clip.figure, clip.context.points)
-    rests = clip.context.schedule.on_ground
-    if rests:
-        middle = samples_at(figure, path_of(timeline), np.array([0.5 * (rest.first + rest.last) for rest in rests]))
-        spots = np.diagonal(places_of([rest.point for rest in rests], middle)[0], axis1=1, axis2=2)
-        for k, (rest, group) in enumerate(zip(rests, _groups(rests, feet).tolist(), strict=True)):
-            rolling = Rolling.of(rest, middle.links.Q[:, rest.point.link, k])
-            yield ContactTarget("contact", _target(rest, spots[:, k]), group, rolling)
-    shortest = Thresholds.of(figure).far_apart if is_imported(clip, timeline) else 0.0
-    free = [stance for stance in keyframe_stances(clip, timeline) if stance.last - stance.first > shortest]
-    for stance, group in zip(free, _groups(free, feet).tolist(), strict=True):
-        yield ContactTarget("stance", stance, group)
+    shortest = Thresholds.of(clip.figure).far_apart if is_imported(clip, timeline) else 0.0
+    return [stance for stance in keyframe_stances(clip, timeline) if stance.last - stance.first > shortest]
 
 
 def keyframe_stances(clip: Clip, timeline: Timeline) -> tuple[Contact, ...]:
@@ -256,12 +260,3 @@ def keyframe_stances(clip: Clip, timeline: Timeline) -> tuple[Contact, ...]:
     frames = [replace(key, state=state) for key, state in zip(clip.keys, states, strict=True)]
     keys = Timeline(tuple(frames), np.zeros((2, timeline.width)))
     return replace(clip.context.schedule, keys=keys).stances
-
-
-def _target(contact: Contact, middle: Array) -> Contact:
-    """Return a contact at its target: the position that it specifies, else those in keyframes, else the one in
-    mid-contact, (3,) [m]."""
-    if contact.specified is None and contact.is_placed:
-        return contact
-    place = middle if contact.specified is None else contact.specified
-    return Contact.at(contact.point, contact.first, contact.last, place)

@@ -23,7 +23,7 @@ from ..motion import Saved
 from .bounds import BOUNDS, Row, Violation, row_of
 from .checks import SAME_DEPTH, Check, Hits
 from .ground import floating_and_sliding
-from .measurement import Measurement
+from .measurement import Measurement, feet_of
 from .support import missing_support
 
 MAX_LINES = 10  # most violations that are printed
@@ -161,13 +161,17 @@ def _name(check: Check, hits: Hits, group: Index, worst: int) -> int:
 def _drifts(motion: Measurement) -> Iterator[Violation]:
     """Yield the keyframes in which a resting point is not at its position in the previous keyframe."""
     worst: dict[tuple[str, int, int], tuple[float, Row, float]] = {}
-    for target in motion.contact_targets:
-        for contact in target.contact.pieces():
-            assert contact.places is not None
-            drift = float(np.linalg.norm(contact.places[-1] - contact.places[0]))
-            place = target.kind, target.group, int(np.argmin(np.abs(motion.time[motion.key_at] - contact.last)))
-            if drift > max(BOUNDS[target.kind].most, worst[place][0] if place in worst else 0.0):
-                text = f"{contact.point.name} should rest, but is {{}} from its position in the previous keyframe"
-                worst[place] = drift, row_of(target.kind, contact.point.name, text), contact.last
+    feet = feet_of(motion.clip.figure, motion.clip.context.points)
+    pieces = [
+        (kind, piece) for kind, contacts in motion.targets.items() for each in contacts for piece in each.pieces()
+    ]
+    for kind, contact in pieces:
+        assert contact.places is not None
+        drift = float(np.linalg.norm(contact.places[-1] - contact.places[0]))
+        key = int(np.argmin(np.abs(motion.time[motion.key_at] - contact.last)))
+        place = kind, int(feet[contact.point.link]), key
+        if drift > max(BOUNDS[kind].most, worst[place][0] if place in worst else 0.0):
+            text = f"{contact.point.name} should rest, but is {{}} from its position in the previous keyframe"
+            worst[place] = drift, row_of(kind, contact.point.name, text), contact.last
     for (_, _, k), (drift, row, time) in worst.items():
         yield row.violation(drift, time, int(motion.numbers[k]))

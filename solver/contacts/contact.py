@@ -11,7 +11,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from .. import quaternion as quat
 from ..array import Array, Mask
+from ..figure.algebra import cross
 from ..surface import Plane
 from ..surface.points import Point
 from ..tolerances import ROUNDING
@@ -40,6 +42,7 @@ class Contact:
         specified: The position that a clip specifies (3,) [m], from which keyframes may differ a little; None without.
         surface: The plane that the point touches; None: any surface below it.
         rolls: Whether a sphere may roll on the surface like a wheel; otherwise its centre rests.
+        start: The orientation (4,) of the link in which a sphere that rolls is at its position; None: any.
         weight: The weight relative to other contacts [1].
     """
 
@@ -53,6 +56,7 @@ class Contact:
     specified: Array | None = None
     surface: Plane | None = None
     rolls: bool = False
+    start: Array | None = None
     weight: float = 1.0
 
     @classmethod
@@ -77,6 +81,14 @@ class Contact:
         if len(self.places) == 1:
             return np.repeat(self.places.T, t.size, axis=1)
         return np.array([np.interp(t, self.times, axis) for axis in self.places.T])
+
+    def roll(self, turned: Array) -> Array:
+        """Return the displacements (3, k) [m] of a sphere's centre that rolls while its link turns from `start` to
+        orientations (4, k), each about a fixed axis; zero without `start`."""
+        if self.start is None or not self.rolls:
+            return np.zeros((3, turned.shape[1]))
+        turns = quat.rotation_vector(quat.product(turned.T, quat.inverse(self.start)))
+        return cross(turns.T, self.point.radius * self.normal[:, None])
 
     def pieces(self) -> list[Contact]:
         """Return contacts with at most two positions, in order of time, which together are this one."""

@@ -14,7 +14,6 @@ from .block import Dense as Dense
 from .block import Entries as Entries
 from .check import check as check
 from .ground.attachment import Attachment as Attachment
-from .ground.attachment import Rolling as Rolling
 from .ground.attachment import grasp_places as grasp_places
 from .ground.collision import Collision as Collision
 from .ground.flight import Flight as Flight

@@ -17,7 +17,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ... import quaternion as quat
 from ...array import Array, Index, Mask, pairs_within
 from ...contacts import Contact
 from ...contacts.thresholds import Thresholds
@@ -221,27 +220,6 @@ class _Pieces(NamedTuple):
         """Return the slack (P,) [m] of pieces (P,) at times t (P,) [s]."""
         start, growth = self.slack[:, piece]
         return start + growth * (t - self.since[piece])
-
-
-@dataclass(frozen=True, eq=False)
-class Rolling:
-    """A sphere of a link that rolls on a plane: the displacement of its centre without slip.
-
-    offset  (3,) [m] from the lowest point of the sphere to its centre
-    start   (4,) orientation of the link for which the displacement is zero
-    """
-
-    offset: Array
-    start: Array
-
-    @classmethod
-    def of(cls, contact: Contact, start: Array) -> Rolling:
-        """Return the rolling of a contact whose link has an orientation (4,) in its place; the arm is zero for none."""
-        return cls(contact.rolls * contact.point.radius * contact.normal, start)
-
-    def displacement(self, turned: Array) -> Array:
-        """Return displacements (3, k) [m] of the centre if the link turns to (4, k), each about a fixed axis."""
-        return cross(quat.rotation_vector(quat.product(turned.T, quat.inverse(self.start))).T, self.offset[:, None])
 
 
 def _sliding(samples: Samples, grasp: Contact, at: Index) -> Block:

@@ -80,8 +80,8 @@ def test_a_foot_that_wanders_between_two_planted_keyframes_slides_as_far_as_it_d
         (1.5, 0.0, 0.02, 0.1),
     ]
     solved = unsolved(tmp_path, keys)
-    stances = Measurement.sides(solved.clip, solved.motion)[1].contact_targets
-    assert {(s.contact.point.name, s.contact.first, s.contact.last) for s in stances} == {
+    stances = Measurement.sides(solved.clip, solved.motion)[1].targets["stance"]
+    assert {(s.point.name, s.first, s.last) for s in stances} == {
         (point, *span) for point in ("heel", "toe") for span in ((-0.5, 0), (1, 1.5))
     }
     run = Sampled.of(solved.motion, 2000.0)

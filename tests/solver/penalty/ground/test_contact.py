@@ -1,5 +1,7 @@
 """Contacts, stances, targets, grasps and resting points: values, and motions that obey them."""
 
+import dataclasses
+
 import mujoco
 import numpy as np
 import pytest
@@ -153,7 +155,7 @@ def test_a_sphere_that_rolls_goes_as_far_as_it_has_turned(angle):
     turned = quat.product(quat.from_rotation_vector([0, angle, 0]), start)[:, None]
     for rolls, ground, way in ((True, None, 1.0), (True, Plane("floor", np.zeros(3), UP), 1.0), (False, None, 0.0)):
         rest = Contact(Point("ball", 1, np.zeros(3), 0.05), 0.0, 1.0, surface=ground, rolls=rolls)
-        found = penalty.Rolling.of(rest, start).displacement(turned)
+        found = dataclasses.replace(rest, start=start).roll(turned)
         np.testing.assert_allclose(found[:, 0], [way * 0.05 * angle, 0, 0], atol=1e-12)
 
 
