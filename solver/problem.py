@@ -25,7 +25,7 @@ from .refine.subdivision import CRITERIA, FEW, MORE
 from .search.minimum import Optimiser
 from .search.nlopt_methods import LBFGS
 
-TINY = 0.05  # [1] longest segment without a variable frame, relative to the frame spacing of adjacent segments
+SHORT = 0.05  # [1] longest segment without a variable frame, relative to the frame spacing of adjacent segments
 SPACING = 0.3  # [s] maximum initial spacing of frames
 
 
@@ -90,7 +90,7 @@ class Settings:
             if self.frames is None or longer.sum() <= self.frames:
                 count = longer
             spacing = np.pad(spans / (count + 1), 1)
-            count[spans < TINY * np.maximum(spacing[:-2], spacing[2:])] = 0
+            count[spans < SHORT * np.maximum(spacing[:-2], spacing[2:])] = 0
         return np.concatenate(
             [a + h * np.arange(1, n + 1) / (n + 1) for a, h, n in zip(times[:-1], spans, count, strict=True)]
         )

@@ -21,7 +21,7 @@ from ..tolerances import ROUNDING
 from .subdivision import FEW
 
 CLOSE = 0.15  # [1] distance from a keyframe, relative to the segment, below which a variable frame is omitted
-TINY = 0.02  # [s] length of a segment up to which it gets no variable frames
+SHORT = 0.02  # [s] length of a segment up to which it gets no variable frames
 
 
 def warm_start(
@@ -113,7 +113,7 @@ def _place(times: Array, inner: Array) -> Array:
         margin = CLOSE * (b - a)
         inside = inner[(inner > a + margin) & (inner < b - margin)]
         inside = inside[np.append(True, np.diff(inside) > ROUNDING)] if inside.size else inside
-        if not inside.size and b - a > TINY:
+        if not inside.size and b - a > SHORT:
             inside = a + (b - a) * np.arange(1, FEW + 1) / (FEW + 1)
         result += inside.tolist()
     return np.array(result)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from ..array import Array, Index
 from ..tolerances import TINY
-from .surface import DEEP, FAR, UPRIGHT
+from .surface import DEEP, UPRIGHT
 
 SIDEWAYS = 4.0  # [1] κ, the factor on distances to faces that do not point up
 
@@ -44,7 +44,7 @@ class Box:
         local = self._local(points)
         size, radii = self.half[:, None, None] + radius[:, None], radius.repeat(points.shape[2])
         inside = self._within(local, size)
-        depth, gradient = np.full(inside.shape, FAR if margin else 0.0), np.zeros(points.shape)
+        depth, gradient = np.full(inside.shape, -np.inf if margin else 0.0), np.zeros(points.shape)
         flat, slopes = local.reshape(3, -1), gradient.reshape(3, -1)
         _, _, kappa, inward = self._faces
         if margin:  # the face that separates a sphere from the box by the largest distance

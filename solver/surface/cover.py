@@ -164,8 +164,8 @@ def _touching(corners: Array, faces: Index, pace: float) -> tuple[Array, Array]:
     sides = np.stack([places[k - 1] - places[k - 2] for k in range(3)])  # opposite each corner
     normals = np.cross(sides[2], -sides[1])
     areas = np.linalg.norm(normals, axis=1)
-    places, sides, normals = places[:, areas > ROUNDING], sides[:, areas > ROUNDING], normals[areas > ROUNDING]
-    normals /= areas[areas > ROUNDING, None]
+    solid = areas > ROUNDING
+    places, sides, normals = places[:, solid], sides[:, solid], normals[solid] / areas[solid, None]
     offsets, lengths = np.sum(normals * places[0], axis=1), np.linalg.norm(sides, axis=2)
     middles = np.sum(places * (lengths / lengths.sum(axis=0))[:, :, None], axis=0)  # of the inscribed circles
     counts = np.ceil(np.sort(lengths, axis=0)[1] / pace).astype(int)  # the grid is along the two shorter sides

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ..array import Array, Index
 from ..tolerances import TINY
 from .solid import lengths
-from .surface import FAR, UPRIGHT
+from .surface import UPRIGHT
 
 WINDOW = 8  # cells in each direction that are searched for the nearest triangle
 
@@ -39,7 +39,7 @@ class HeightField:
 
     def depth(self, points: Array, radius: Array, margin: float = 0.0) -> tuple[Array, Array]:
         local, radii = self._local(points.reshape(3, -1)), np.repeat(radius, points.shape[2])
-        depth, gradient = np.full(radii.size, FAR if margin else 0.0), np.zeros(local.shape)
+        depth, gradient = np.full(radii.size, -np.inf if margin else 0.0), np.zeros(local.shape)
         which = np.flatnonzero(self._least(local) < radii + margin)
         distance, outward = self._distance(local[:, which], np.maximum(radii[which] + margin, 0))
         over = radii[which] - distance

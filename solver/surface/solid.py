@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..array import Array, Index
 from ..tolerances import TINY
-from .surface import DEEP, FAR
+from .surface import DEEP
 
 LEAST_RISE = 0.05  # minimum z of a normal of a surface to stand on
 
@@ -38,7 +38,7 @@ class Solid(ABC):
 
     def depth(self, points: Array, radius: Array, margin: float = 0.0) -> tuple[Array, Array]:
         flat, radii = points.reshape(3, -1), np.repeat(radius, points.shape[2])
-        depth, gradient = np.full(radii.size, FAR if margin else 0.0), np.zeros(flat.shape)
+        depth, gradient = np.full(radii.size, -np.inf if margin else 0.0), np.zeros(flat.shape)
         which = self._candidates(flat, radii + margin)
         distance, outward = self.distance(flat[:, which])
         over = radii[which] - distance

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 from ..array import Array
 
 UPRIGHT = 0.7  # [1] z of the unit normal above which a face points up and can support a figure
-FAR = -np.inf  # depth of a sphere outside the margin
 DEEP = 0.15  # [m] depth below its top from which a solid no longer supports a point
 GROUNDED = 0.01  # [m] maximum gap to the floor of solids that stand on it
 
@@ -68,7 +67,7 @@ class Plane:
     def depth(self, points: Array, radius: Array, margin: float = 0.0) -> tuple[Array, Array]:
         depth = radius[:, None] - self._over(points)
         near = depth > -margin
-        return np.where(near, depth, FAR if margin else 0.0), np.multiply.outer(-self.normal, near)
+        return np.where(near, depth, -np.inf if margin else 0.0), np.multiply.outer(-self.normal, near)
 
     def near(self, points: Array, radius: Array) -> NDArray[np.bool_]:
         return self._over(points) < radius

@@ -18,7 +18,6 @@ from ...figure.kinematics import Samples
 from ...figure.wrenches import of_point
 from ...surface import Box, Plane, Surface
 from ...surface.points import Point, arrays_of, sets_places
-from ...surface.surface import FAR
 from ...tolerances import ROUNDING
 from ..allowance import Allowance
 from ..block import Block
@@ -160,7 +159,7 @@ class Collision(Penalty):
     def _in(self, surface: Surface, samples: Samples, candidates: _Near, margin: float) -> Block:
         flat, arms, centres, radii = candidates
         depth, direction = surface.depth(centres, radii, margin)
-        near = np.flatnonzero(depth > FAR)
+        near = np.flatnonzero(depth > -np.inf)
         depth, direction = depth.ravel()[near], direction.reshape(3, -1)[:, near]
         link, at = np.divmod(flat[near % flat.size], samples.count)
         direction, leg = self._in_world(samples, at, direction, centres[:, near, 0])

@@ -24,7 +24,7 @@ from ..block import Block
 from ..curvature import Curvature
 from ..penalty import Normalization, Penalty
 
-NEGLIGIBLE, TINY = 0.03, 1e-8  # [1] smallest root of the weight of a point in a model of E, and in E
+NEGLIGIBLE, FAINT = 0.03, 1e-8  # [1] smallest root of the weight of a point in a model of E, and in E
 LOWEST = -0.25  # [1] height, relative to the reach, below which the weight is constant
 WORTH = 1e-3  # [m² rad⁻² s²] reference value: 3 cm/s of a point on the ground cost as much as half a radian per s²
 
@@ -80,8 +80,8 @@ class Skate(Penalty):
         return arrays_of(self.points)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        for near in self._near(samples, TINY):
-            by_velocity = near.by_velocity(near.share * near.velocity / np.maximum(near.speed, TINY))
+        for near in self._near(samples, FAINT):
+            by_velocity = near.by_velocity(near.share * near.velocity / np.maximum(near.speed, FAINT))
             changes = by_velocity, near.by_weight
             yield Block(near.at, near.share * near.speed, changes, curved=self._add_curvature)
 

@@ -26,7 +26,7 @@ from ..block import Block, Entries
 from ..penalty import NEAR_ANGLE, NEAR_LENGTH, Normalization, Penalty, Role
 
 NEAR_HOME = np.radians(12)  # [rad] distance that a step may cover to a bound of rotations that are kept near one value
-ROUNDING = np.radians(0.5)  # [rad] ε
+BLEND = np.radians(0.5)  # [rad] ε
 
 
 @dataclass(frozen=True)
@@ -192,7 +192,7 @@ class JointRange(Penalty):
         w, sine = dot(base, child), np.sqrt(dot(along, along))
         angle = 2 * np.arctan2(sine, np.abs(w))
         angle_ = 2 * np.arctan2(np.abs(w), sine)
-        rounded = np.hypot(angle_, ROUNDING)
+        rounded = np.hypot(angle_, BLEND)
         axis = along * np.where(w < 0, -1.0, 1.0) / np.maximum(sine, SMALLEST)
         return angle, np.pi - rounded, angle_ / rounded, axis
 
