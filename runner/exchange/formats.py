@@ -30,9 +30,10 @@ class Format:
     The module has `write(sampled, path)` if the format can be written, which may return notes for the user, and
     `read(path, model, fps)`, which returns a Recording, if it can be read; `model` is None without a figure from the
     user. Both raise UserError. An optional function `recognises(path)` decides between formats that share an extension.
-    Only BVH's reader takes `scale` [m], and only the table's writer groups of columns.
 
     containers  extensions of other files with the same content, only read
+    options     what else the format takes: "columns", groups of columns that the writer adds; "scale", the unit of
+                length [m] of the reader; "assets", files of the figure that are written beside it
     """
 
     name: str
@@ -42,6 +43,7 @@ class Format:
     writes: bool = True
     reads: bool = False
     containers: tuple[str, ...] = ()
+    options: tuple[str, ...] = ()
 
     @property
     def plain_ending(self) -> str:
@@ -63,10 +65,12 @@ class Format:
 
 FORMATS = (
     Format("csv", ".csv", "table: time and qpos, a column per joint coordinate", "csv_table", reads=True,
-           containers=(".tsv", ".txt")),
+           containers=(".tsv", ".txt"), options=("columns",)),
     Format("npz", ".qpos.npz", "plain arrays: time, qpos, qvel, qacc, names, figure", "arrays", reads=True),
-    Format("mjcf", ".keys.xml", "MJCF of figure and scene, a <key> per sample", "mjcf_keys", reads=True),
-    Format("simulate", ".simulate.xml", "the same with actuators that follow the motion, for mj_step", "simulate"),
+    Format("mjcf", ".keys.xml", "MJCF of figure and scene, a <key> per sample", "mjcf_keys", reads=True,
+           options=("assets",)),
+    Format("simulate", ".simulate.xml", "the same with actuators that follow the motion, for mj_step", "simulate",
+           options=("assets",)),
     Format("mjlab", ".mjlab.npz", "mjlab, BeyondMimic: hinge angles and body poses", "mjlab", reads=True),
     Format("mjlab-csv", ".mjlab.csv", "input of mjlab, BeyondMimic: root pose (xyzw) and hinge angles, without names",
            "mjlab_csv", reads=True),
@@ -75,7 +79,7 @@ FORMATS = (
            containers=(".pickle",)),
     Format("mimickit", ".mimickit.pkl", "MimicKit: rotation vectors of root and ball joints", "mimickit", reads=True),
     Format("amass", ".amass.npz", "AMASS: motion capture of an SMPL body", "amass", writes=False, reads=True),
-    Format("bvh", ".bvh", "skeleton and joint angles, y up, in centimetres", "bvh", reads=True),
+    Format("bvh", ".bvh", "skeleton and joint angles, y up, in centimetres", "bvh", reads=True, options=("scale",)),
     Format("gltf", ".glb", "meshes and an animation, for Blender, game engines and the web", "gltf"),
     Format("html", ".html", "page that plays the motion before and after solving, in any browser", "html"),
 )  # fmt: skip
@@ -127,7 +131,7 @@ def choose(name: str | None, target: Path | None, columns: Sequence[str] = ()) -
         form = writer(by_name.name)
     if target is not None:
         form.check_name(target)
-    if columns and form.name != "csv":
+    if columns and "columns" not in form.options:
         raise UserError(f"the format '{form.name}' cannot hold columns of forces or velocities; csv can")
     return form
 
@@ -175,7 +179,7 @@ def export(
     target = target or target_of(saved.name, form)
     check_target(target, overwrite=overwrite)
     sampled = Sampled.of(saved, None if fps is None else positive(fps, "fps ="))
-    meshes = saved.scene.assets if target.suffix.lower() == ".xml" else {}
+    meshes = saved.scene.assets if "assets" in form.options else {}
     others = {target.parent / name: content for name, content in meshes.items()}
     for other, content in others.items():
         if other == target:
@@ -211,7 +215,7 @@ def recording(
         raise UserError(_write_only(kind) if kind in writers() else unknown("format", kind, available))
     form = available[kind] if kind is not None else _recognise(source)
     size_limit.check_file(source)
-    if scale is not None and form.name != "bvh":
+    if scale is not None and "scale" not in form.options:
         raise UserError(f"{source}: lengths of the format '{form.name}' are metres; --scale does not apply")
     unit = {} if scale is None else {"scale": scale}
     result = _module(form).read(source, model, fps, **unit)
