@@ -26,6 +26,7 @@ import importlib.abc
 import importlib.util
 import itertools
 import json
+import math
 import os
 import random
 import resource
@@ -212,15 +213,16 @@ class Recorder:
         self.seconds[report.nodeid] = self.seconds.get(report.nodeid, 0.0) + report.duration
 
     def lines(self) -> dict[str, dict[int, list[str]]]:
-        """By file and line, the tests that run it, the fastest first, at most `MOST`."""
+        """By file and line, the tests that run it, those of its folder and the fastest first, at most `MOST`."""
         data = self.coverage.get_data()
-        return {
-            Path(file).relative_to(ROOT).as_posix(): {
-                line: sorted(filter(self.seconds.get, tests), key=self.seconds.__getitem__)[:MOST]
+        out: dict[str, dict[int, list[str]]] = {}
+        for file in data.measured_files():
+            path = Path(file).relative_to(ROOT).as_posix()
+            out[path] = {
+                line: sorted(filter(self.seconds.get, tests), key=lambda test: _order(test, path, self.seconds))[:MOST]
                 for line, tests in data.contexts_by_lineno(file).items()
             }
-            for file in data.measured_files()
-        }
+        return out
 
 
 def record(part: int, parts: int, target: Path) -> None:
@@ -269,16 +271,22 @@ def recorded() -> dict:
     return json.loads(RECORD.read_text(encoding="utf-8"))
 
 
+def _order(test: str, path: str, seconds: dict[str, float]) -> tuple[bool, float]:
+    """The place of a test among those that are tried on a file: those of its folder first, then the fastest."""
+    return not test.startswith(f"tests/{Path(path).parent.as_posix()}/"), seconds.get(test, math.inf)
+
+
 def tests_of(path: str, line: int, most: float) -> list[list[str]]:
-    """The tests that run a line, the fastest first, then those beside them, which share fixtures and caches that may
-    have run it; as many as take `most` [s] together: a few, and the others."""
+    """The tests that run a line, those of its folder and the fastest first, then the others of the folder and those
+    beside them, which share fixtures and caches that may have run it; as many as take `most` [s] together: a few, and
+    the others."""
     seconds = recorded()["seconds"]
     of_file = recorded()["lines"].get(path, {})
     of_line = of_file.get(str(line)) or itertools.chain.from_iterable(of_file.values())  # a line that imports run
     direct = set(of_line)
     files = {test.partition("::")[0] for test in direct}
-    every = {test for test in seconds if test.partition("::")[0] in files} | direct
-    tests = sorted(every, key=lambda test: (test not in direct, seconds.get(test, most)))
+    every = {test for test in seconds if not _order(test, path, seconds)[0] or test.partition("::")[0] in files}
+    tests = sorted(every | direct, key=lambda test: (test not in direct, *_order(test, path, seconds)))
     spent, out = 0.0, list[str]()
     for test in tests:
         spent += seconds.get(test, most)
