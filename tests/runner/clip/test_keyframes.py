@@ -150,6 +150,7 @@ def test_rotations_of_joints_and_bodies_and_turns_from_rest_are_reported_too() -
     assert "rotvec [0, 0, 270]" in read_human("", "joints.spine = {rotvec = [0, 0, 270]}").notes[0]
     assert any("nothing turns" in note for note in read_human("", "", "root.rotation = {euler = [0, 5, 360]}").notes)
     assert read_human("", "root.rotation = {euler = [0, 5, 170]}", "root.rotation = {euler = [0, 5, 340]}").notes == ()
+    assert read_human("", "root.rotation = {euler = [120, 60, 150]}").notes == ()  # each by less than a half turn
 
 
 @pytest.mark.parametrize("place", [(0.6, -0.3), (-0.3, -0.6)])

@@ -23,7 +23,7 @@ from dynsplines.motion import Saved
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
-from dynsplines.solver.penalty import Support, TrackingPenalty
+from dynsplines.solver.penalty import JointRange, Support, TrackingPenalty
 from dynsplines.system.progress import Progress
 
 REACH = """
@@ -268,3 +268,15 @@ def test_the_ground_supports_the_figure_with_feet_after_another_free_body():
     assert isinstance(support, Support)
     assert figure.links[support.root].name == "root"
     assert (len(support.footings), weight) == (len(context.points), 1000.0)
+
+
+def test_a_recording_is_followed_a_little_inside_the_ranges_of_joints():
+    figure = figure_of(scene(biped()))
+    states = np.tile(figure.to_state(figure.model.qpos0), (2, 1))
+    context = tracking_context(figure, np.array([0.0, 1.0]), states, "biped")
+    terms = [term for term, _ in KINDS["limits"].terms(context, Options()) if isinstance(term, JointRange)]
+    joints = [joint for term in terms for joint in term.joints]
+    assert len(joints) == 6
+    for joint in joints:
+        low, high = figure.model.joint(joint.name).range
+        assert low < joint.low < joint.high < high

@@ -350,7 +350,7 @@ GOOD = read_data("two_joints.bvh")
 
 def test_a_rounded_frame_time_is_the_rate_that_is_meant(tmp_path):
     path = tmp_path / "good.bvh"
-    path.write_text(GOOD.replace("\n", "\r\n").replace("  {", " {  "))
+    path.write_text(GOOD.replace("Chest\n  {", "Chest {").replace("\n", "\r\n").replace("    {", "   {  "))
     assert bvh_file.read(path).fps == 120
     assert bvh_file.fps_of(0.033367, 6) == pytest.approx(30 / 1.001)
     assert bvh_file.fps_of(0.0333333, 7) == 30
