@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from figures import BALL_TREE, figure_of
 from problems import Watched, by_nlopt, discretised, problem_of
+from scipy.optimize import rosen, rosen_der
 
 from dynsplines import load
 from dynsplines.solver.curve.spline import path_of
@@ -114,6 +115,18 @@ START = np.array([-1.2, 1.0])
 def test_an_unknown_method_is_refused_and_the_known_ones_listed(name):
     with pytest.raises(ValueError, match=f"no optimiser '{name}'; there are: lbfgs, slsqp, ccsaq, tnewton, var2"):
         minimise(lambda x: (float(x @ x), 2 * x), START, method=name)
+
+
+@pytest.mark.parametrize("method", METHODS_OF_NLOPT)
+def test_the_unit_of_the_objective_does_not_matter(method):
+    found = [
+        minimise(lambda x, unit=unit: (unit * rosen(x), unit * rosen_der(x)), START, method=method, max_evaluations=300)
+        for unit in (1.0, 2.0**20, 2.0**-20)
+    ]
+    for other in found[1:]:
+        np.testing.assert_array_equal(other.x, found[0].x)
+        assert other.evaluations == found[0].evaluations
+    assert rosen(found[0].x) < 0.1 * rosen(START)
 
 
 @pytest.mark.parametrize("method", ["lbfgs", "tnewton", "var2"])
