@@ -5,8 +5,6 @@ import type { Part, Piece, Shapes } from "./shapes";
 
 export interface Pose { position: ArrayLike<number>; rotation: ArrayLike<number>; }
 
-const ROUGH = 240; // triangles of a body where few points are drawn
-
 export const UNSEEN = 1; // the layer of what is only taken hold of
 
 const turn = new THREE.Quaternion();
@@ -15,7 +13,7 @@ const turn = new THREE.Quaternion();
 export const veil = (colour: number, opacity: number, behind = 0.05): THREE.Material[] => {
   const paints = [
     new THREE.MeshBasicMaterial({ colorWrite: false, transparent: true }),
-    new THREE.MeshStandardMaterial({ color: colour, transparent: true, opacity, depthWrite: false, roughness: 0.9 }),
+    new THREE.MeshLambertMaterial({ color: colour, transparent: true, opacity, depthWrite: false }),
   ];
   // Where both nearly coincide the solid one shows: to the depth test the ghost lies a few centimetres behind its place
   for (const paint of paints) paint.onBeforeCompile = (shader) => {
@@ -30,20 +28,20 @@ export class Figure {
   readonly root = new THREE.Group();
   readonly groups: THREE.Group[];
   readonly planes: { mesh: THREE.Mesh; part: Part }[] = [];
-  readonly merged: Merged | null = null;
-  private readonly rough: Merged | null = null; // of fewer, in place of the merged one
+  private readonly merged: Merged | null = null;
+  private readonly rough: Merged | null = null; // of fewer, in place of the merged one, and of a ghost
 
-  /** veils: materials of a ghost; none for the figure itself, which may be one mesh */
-  constructor(bodies: string[], pieces: Piece[], shapes: Shapes, veils?: THREE.Material[], merge = false) {
+  /** veils: materials of a ghost; none for the figure itself; rough: triangles of a body where it is one mesh, of few points */
+  constructor(bodies: string[], pieces: Piece[], shapes: Shapes, veils?: THREE.Material[], rough = 0) {
     this.groups = bodies.map((name, body) => Object.assign(new THREE.Group(), { name, userData: { body } }));
-    const parts = shapes.parts(pieces), joined = merge ? parts.filter((part) => part.joined) : [];
+    const parts = shapes.parts(pieces), joined = rough ? parts.filter((part) => part.joined) : [];
     if (joined.length) {
-      this.merged = new Merged(joined, joined[0].material);
-      this.rough = new Merged(joined, joined[0].material, ROUGH);
-      this.root.add(this.merged.mesh, this.rough.mesh);
-      this.isRough = false;
+      this.merged = veils ? null : new Merged(joined, [joined[0].material]);
+      this.rough = new Merged(joined, veils ?? [joined[0].material], rough);
+      for (const each of [this.merged, this.rough]) if (each) this.root.add(each.mesh);
+      this.isRough = veils !== undefined;
     }
-    for (const part of parts) {
+    for (const part of veils ? parts.filter((each) => !joined.includes(each)) : parts) {
       (veils ?? [part.material]).forEach((paint, order) => {
         const mesh = new THREE.Mesh(part.geometry, paint);
         if (veils) mesh.renderOrder = 1 + order;

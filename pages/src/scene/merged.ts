@@ -9,8 +9,9 @@ export class Merged {
   private readonly points: Float32Array;
   private readonly normals: Float32Array;
 
-  /** parts: with colours at their points, in their bodies' axes; most: triangles of each */
-  constructor(given: Part[], material: THREE.Material, most = Infinity) {
+  /** parts: with colours at their points, in their bodies' axes; materials: put on in this order, or that of the figure
+   * itself; most: triangles of each part */
+  constructor(given: Part[], materials: THREE.Material[], most = Infinity) {
     const parts = given.map((part) => ({ body: part.body, geometry: fewer(part.geometry, most) }));
     const size = parts.reduce((sum, part) => sum + part.geometry.attributes.position.count, 0);
     this.points = new Float32Array(3 * size);
@@ -33,9 +34,12 @@ export class Merged {
     }
     geometry.setAttribute("color", new THREE.BufferAttribute(colours, 3));
     geometry.setIndex(faces);
-    this.mesh = new THREE.Mesh(geometry, material);
-    Object.assign(this.mesh, { castShadow: true, receiveShadow: true, frustumCulled: false, matrixAutoUpdate: false });
-    this.mesh.raycast = () => {}; // it is of no one body: what is taken hold of are their own meshes
+    const single = materials.length === 1, meshes = materials.map((material, order) => Object.assign(new THREE.Mesh(geometry, material), {
+      castShadow: single, receiveShadow: single, frustumCulled: false, matrixAutoUpdate: false, renderOrder: single ? 0 : 1 + order,
+      raycast: () => {}, // it is of no one body: what is taken hold of are their own meshes
+    }));
+    this.mesh = meshes[0];
+    for (const other of meshes.slice(1)) this.mesh.add(other);
   }
 
   put(pose: Pose): void {
@@ -57,7 +61,7 @@ export class Merged {
 const fewer = (geometry: THREE.BufferGeometry, most: number): THREE.BufferGeometry => {
   const { position, color } = geometry.attributes, corners = geometry.index?.array ?? Uint32Array.from({ length: position.count }, (_, i) => i);
   if (corners.length <= 3 * most) return geometry;
-  return clustered(position.array as Float32Array, Uint32Array.from(corners), most, color?.array);
+  return (geometry.userData[most] ??= clustered(position.array as Float32Array, Uint32Array.from(corners), most, color?.array)); // for all ghosts
 };
 
 /** Points turned by a matrix, column by column, and moved. */

@@ -19,6 +19,8 @@ const REST_SEARCHING = 900; // by a processor that loads or searches meanwhile
 const LEAVE = 90; // [ms] from one image to the next that a processor which draws leaves to the search while it plays
 const LEAVE_STILL = 130; // while it does not: only better paths change the view
 const SCALES = [0.4, 0.55, 0.75, 1]; // of the pixels along either side: few steps, because each change allocates a new canvas
+const MERGED = 240; // triangles of a body that a processor draws
+const GHOSTLY = 80; // of a ghost's
 const ROUGH = 0.75; // up to which the figure itself has fewer triangles, too
 const MARGIN = 1.12; // of the distance from which the figure just fits
 const LOWEST = 0.05; // [m] of the camera above the ground
@@ -166,12 +168,12 @@ export class Stage {
     for (const each of [this.figure, this.still, ...Object.values(this.sides).map((s) => s.figure), ...this.ghosts]) each?.dispose();
     this.shapes?.dispose();
     const shapes = (this.shapes = new Shapes(stage, this.software ? 1 : this.renderer.capabilities.getMaxAnisotropy(), () => this.draw(), this.software ? COARSE : FINE));
-    const moving = stage.pieces.filter((piece) => !piece.still);
+    const moving = stage.pieces.filter((piece) => !piece.still), rough = this.software ? MERGED : 0;
     this.still = new Figure(stage.bodies, stage.pieces.filter((piece) => piece.still), shapes);
-    this.figure = new Figure(stage.bodies, moving, shapes, undefined, this.software);
+    this.figure = new Figure(stage.bodies, moving, shapes, undefined, rough);
     this.sides = {
-      before: { figure: new Figure(stage.bodies, moving, shapes, veil(0xe0663f, 0.42)), path: () => model.raw },
-      snapshot: { figure: new Figure(stage.bodies, moving, shapes, veil(0x4f9fe0, 0.45)), path: () => model.snapshot },
+      before: { figure: new Figure(stage.bodies, moving, shapes, veil(0xe0663f, 0.42), rough), path: () => model.raw },
+      snapshot: { figure: new Figure(stage.bodies, moving, shapes, veil(0x4f9fe0, 0.45), rough), path: () => model.snapshot },
     };
     this.ghosts = [];
     this.around.scene.add(this.still.root, this.figure.root, ...Object.values(this.sides).map((side) => side.figure.root));
@@ -183,11 +185,11 @@ export class Stage {
     for (const ghost of this.ghosts) ghost.root.visible = false;
     const { stage, document, now } = model;
     if (model.ghosts && stage && this.shapes && document && now) {
-      const every = Math.ceil(document.keys.length / MOST_GHOSTS);
+      const every = Math.ceil(document.keys.length / (this.software ? MOST_GHOSTS / 2 : MOST_GHOSTS));
       const moving = stage.pieces.filter((piece) => !piece.still);
       document.keys.filter((_, i) => i % every === 0).forEach((key, i) => {
         if (!this.ghosts[i]) {
-          this.ghosts[i] = new Figure(stage.bodies, moving, this.shapes!, veil(0x8fb4d9, 0.2, 0.08));
+          this.ghosts[i] = new Figure(stage.bodies, moving, this.shapes!, veil(0x8fb4d9, 0.2, 0.08), this.software ? GHOSTLY : 0);
           this.around.scene.add(this.ghosts[i].root);
         }
         this.ghosts[i].root.visible = true;
