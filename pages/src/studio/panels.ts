@@ -108,8 +108,11 @@ const library = (): HTMLElement => el("div", { class: "buttons" },
   el("button", { type: "button", text: "save pose …", title: "save the present pose as a file; or drag a keyframe here", onclick: () => savePose() }));
 
 let chosen: string | null = null; // the joint that was scrolled to last
+let time = 0; // [s] of what the panel shows
 
 const pose = (): void => {
+  if (model.playing) return; // what is being typed stays
+  time = model.time;
   const box = $("panel-pose"), { stage, loaded, document } = model, key = model.here;
   if (!stage || !loaded || !document || loaded.revision !== document.revision) return; // the rest of what was edited follows at once
   if (key === null || !loaded.keys[key]) {
@@ -125,10 +128,10 @@ const pose = (): void => {
     },
   });
   for (const value of new Set(["free", "rest", "previous", authored.others])) others.append(el("option", { value, text: value, selected: value === authored.others }));
-  const time = numberField("time", authored.time, "s", (value, stroke) => void moveKeys([[key, value]], revision, stroke), 1 / model.fps, 4);
+  const moment = numberField("time", authored.time, "s", (value, stroke) => void moveKeys([[key, value]], revision, stroke), 1 / model.fps, 4);
   const doing = (text: string, title: string, what: string, args: object) => el("button", { type: "button", text, title, onclick: () => void act(what, { key, revision, ...args }) });
   fill(box,
-    el("div", { class: "heading" }, el("h2", { text: `Keyframe ${key + 1}` }), el("label", {}, "at ", time, " s")),
+    el("div", { class: "heading" }, el("h2", { text: `Keyframe ${key + 1}` }), el("label", {}, "at ", moment, " s")),
     el("div", { class: "buttons" },
       el("button", { type: "button", text: "mirror", title: "mirror left and right (M)", onclick: () => void act("mirror", { keys: [key], revision }) }),
       doing("pin all", "pin every joint", "pin", { joints }), doing("free all", "free every joint", "free", { joints })),
@@ -261,8 +264,8 @@ export const beginPanels = (): void => {
       $(`tab-${next}`).focus();
     });
   }
-  model.on(["time", "joint"], () => { if (!model.playing) panels.pose(); });
-  model.on(["loaded", "stage", "document", "poses"], panels.pose);
+  model.on(["time", "joint", "loaded", "stage", "document", "poses"], panels.pose);
+  $("panel-pose").addEventListener("focusin", () => { if (model.playing) { model.playing = false; model.seek(time); } });
   model.on(["settled", "status", "loaded"], panels.problems);
   model.on(["kinds", "document", "loaded", "settled"], panels.weights);
   let later = 0;
