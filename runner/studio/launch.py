@@ -57,6 +57,7 @@ def _serve(session: Session, listening: socket.socket, token: str, hosts: frozen
         access_log=False,
         ws="websockets-sansio",
         ws_max_size=MOST_BYTES,
+        ws_ping_interval=None,  # a page on this machine may be busy, or asleep, for longer than any timeout
         server_header=False,
         timeout_graceful_shutdown=1,  # [s], so that pages receive the end of the server
     )
