@@ -286,14 +286,26 @@ class Poser:
         return np.where(key.fixed, key.state, qpos), key.fixed
 
     def place(self, qpos: Array, home: Array) -> Array:
-        """Return a pose (nq,) with the root at the horizontal position and heading of another one (nq,)."""
+        """Return a pose (nq,) with the root at the horizontal position and heading of another one (nq,).
+
+        A pose whose feet are inside of what the other one stands on is put on top of it.
+        """
         if self.figure.root is None:
             return qpos
+        set_qpos(self.figure.model, self.data, home)
+        aloft = self.data.xpos[:, 2].copy()
         start, out = self.figure.links[self.figure.root.link].qpos, np.array(qpos)
         turned = slice(start + 3, start + 7)
         before, after = heading(quat.matrices(np.stack([qpos[turned], home[turned]])))
         turn = quat.from_rotation_vector([0.0, 0.0, after - before])
         out[start : start + 2], out[turned] = home[start : start + 2], quat.product(turn, qpos[turned])
+        set_qpos(self.figure.model, self.data, out)
+        depths = [0.0]
+        for foot in (self.footing.spheres[link] for link in dict.fromkeys(point.link for point in self.soles)):
+            rise = max(0.0, aloft[foot.body] - self.data.xpos[foot.body, 2])
+            bottom = float((foot.centres(self.data)[:, 2] - foot.radii).min())
+            depths.append(float(self.footing.levels(foot, self.data, (0, 0, rise)).max()) - bottom)
+        out[start + 2] += max(depths) if max(depths) > STANDING else 0.0
         return out
 
     def turn(self, qpos: Array, joint: str, turn: ArrayLike) -> Array:

@@ -195,6 +195,17 @@ def before_box() -> Pulls:
     return Pulls(with_floor(spec), "_sole")
 
 
+def test_a_pose_is_put_on_top_of_what_the_figure_stands_on(before_box):
+    model, poser = before_box.model, before_box.poser
+    pose, home = before_box.home.copy(), before_box.home.copy()
+    home[:3] += [0.72, 0.05, 0.15]  # bent, as it were
+    placed = poser.place(pose, home)
+    data = kinematics(model, placed)
+    assert data.site("left_heel").xpos == pytest.approx([0.665, 0.14, 0.2], abs=1e-3)
+    home[0] = 0.2
+    np.testing.assert_allclose(poser.place(pose, home)[[0, 2]], [0.2, pose[2]], atol=1e-9)
+
+
 @pytest.mark.parametrize("place", [[0.78, 0.28], [0.78, 0.22], [0.62, 0.26]])
 def test_a_foot_that_is_dragged_through_the_edge_of_a_box_lands_flat_on_the_box(before_box, place):
     model = before_box.model
