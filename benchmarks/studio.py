@@ -1,28 +1,20 @@
-"""The studio in a real browser without a GPU: how soon there is a figure, a posed one, a better path; what stays flat.
-
-python benchmarks/studio.py --minutes 30     the long run of edits alone, with its memory
-"""
+"""The studio in a real browser without a GPU: how soon there is a figure, a posed one, a better path; what is lost."""
 
 from __future__ import annotations
 
 import pinned  # noqa: F401  isort: skip  # before anything that imports NumPy
 
-import argparse
 import os
 import re
 import shutil
-import subprocess
 import tempfile
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from bench import Effort, Section, Target, dynsplines, median, peer, worst
-
-from dynsplines import models
+from bench import Effort, Section, Target, median, peer, worst
+from studio_random import growth, served, until, work
 
 FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 SIZE = {"width": 1280, "height": 800}
@@ -33,6 +25,7 @@ ROUND = "new Promise((r) => requestAnimationFrame(() => requestAnimationFrame(r)
 SETTLED = "studio.model.status.state === 'settled'"
 KEY = 4  # the keyframe that is edited
 PULLS = 200  # poses of a drag
+PRESSES = 60
 SHARES = (0.3, 0.8)  # of a loop of 16 by 20 cm that a drag goes: each ends elsewhere, or a path would be remembered
 MINUTES = float(os.environ.get("STUDIO_MINUTES", "30"))  # of the long run, which is part of its results
 DRAG = """async ([body, count, share]) => {
@@ -48,13 +41,12 @@ DRAG = """async ([body, count, share]) => {
   return [times, trips];
 }"""
 RELEASE = """async ([name, entries]) => {
-  const { model } = studio, began = performance.now(), seen = [];
-  let heard = 0, first = null, done = false;
+  const { model } = studio, began = performance.now();
+  let path = null, better = null, done = false, frames = model.frames;
   model.on('path', () => {
-    if (done || model.course?.kind !== 'best') return;
-    heard += 1;
-    seen.push(model.course.value);
-    if (first === null) first = performance.now() - began;
+    if (done || model.frames === frames) return; // of the raw spline
+    path ??= performance.now() - began;
+    if (model.course.kind === 'best') better ??= performance.now() - began;
   });
   const answer = await studio.ask(name, entries);
   if (!answer.ok) throw new Error(answer.words);
@@ -62,15 +54,29 @@ RELEASE = """async ([name, entries]) => {
   const isDone = () => model.status.state === 'settled' && model.loaded.revision === revision;
   while (!isDone()) await new Promise((r) => setTimeout(r, 5));
   done = true;
-  return [first, performance.now() - began, heard];
+  return [path, better, performance.now() - began];
+}"""
+STILL = """async (seconds) => {
+  const { model, stage } = studio;
+  model.seek(0); model.playing = true; stage.draw();
+  await new Promise((r) => setTimeout(r, 1500));
+  const images = stage.images, began = performance.now();
+  await new Promise((r) => setTimeout(r, 1000 * seconds));
+  const rate = 1000 * (stage.images - images) / (performance.now() - began);
+  model.playing = false;
+  return rate;
 }"""
 PLAY = """async (seconds) => {
   const { model, stage } = studio;
   model.seek(0); model.playing = true; stage.draw();
   await new Promise((r) => setTimeout(r, 1500));
-  stage.longest = 0;
   const paths = model.frames, images = stage.images, began = performance.now();
-  let searching = 0, last = began;
+  let searching = 0, last = began, longest = 0, seen = stage.images, drawn = began;
+  const watch = (now) => {
+    if (stage.images !== seen) { longest = Math.max(longest, now - drawn); seen = stage.images; drawn = now; }
+    if (model.playing) requestAnimationFrame(watch);
+  };
+  requestAnimationFrame(watch);
   const change = (k) => studio.ask('edit', { name: 'change', at: ['solve'], entries: { tolerance: 1e-3 + 1e-6 * k } });
   let edits = 1;
   await change(edits);
@@ -82,33 +88,9 @@ PLAY = """async (seconds) => {
     last = now;
   }
   model.playing = false;
-  return [(model.frames - paths) / Math.max(1e-3, searching / 1000), stage.longest,
+  return [(model.frames - paths) / Math.max(1e-3, searching / 1000), longest,
           1000 * (stage.images - images) / (performance.now() - began)];
 }"""
-
-
-@contextmanager
-def served(folder: Path) -> Iterator[tuple[subprocess.Popen[str], str]]:
-    """The command on a clip in a folder."""
-    file = folder / "run.toml"
-    if not file.exists():
-        file.write_text(models.clip_text("run_and_step"), encoding="utf-8")
-    command = dynsplines("studio", "run.toml", "--no-browser")
-    running = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-    assert running.stdout is not None
-    try:
-        yield running, running.stdout.readline().strip()
-    finally:
-        running.terminate()
-        running.wait(20)
-
-
-def until(page: Any, condition: str, seconds: float = 120.0) -> None:
-    end = time.monotonic() + seconds
-    while not page.evaluate(condition):
-        if time.monotonic() > end:
-            raise TimeoutError(condition)
-        time.sleep(0.01)
 
 
 def first_figure(browser: Any, folder: Path) -> float:
@@ -126,7 +108,8 @@ def first_figure(browser: Any, folder: Path) -> float:
 
 def edits(page: Any, repeats: int, pulls: int) -> dict[str, list[float]]:
     """Poses of a drag, and the paths after it ends."""
-    times_by_name: dict[str, list[float]] = {"server": [], "trip": [], "first": [], "converged": []}
+    names = ("server", "trip", "path", "better", "converged")
+    times_by_name: dict[str, list[float]] = {name: [] for name in names}
     for i in range(repeats):
         page.evaluate(f"studio.model.seek(studio.model.document.keys[{KEY}].time)")
         body = page.evaluate("studio.model.stage.bodies.indexOf('left_foot')")
@@ -134,70 +117,37 @@ def edits(page: Any, repeats: int, pulls: int) -> dict[str, list[float]]:
         times, trips = page.evaluate(DRAG, [body, pulls, share])
         times_by_name["server"] += times
         times_by_name["trip"] += trips
-        first, converged, _ = page.evaluate(RELEASE, ["drop", {"time": page.evaluate("studio.model.time")}])
-        times_by_name["first"].append(first if first is not None else converged)
-        times_by_name["converged"].append(converged)
+        path, better, converged = page.evaluate(RELEASE, ["drop", {"time": page.evaluate("studio.model.time")}])
+        for what, value in (("path", path), ("better", better), ("converged", converged)):
+            times_by_name[what].append(converged if value is None else value)
         page.evaluate("studio.ask('undo')")
         time.sleep(0.2)
         until(page, SETTLED)
     return times_by_name
 
 
-def memory(running: subprocess.Popen[str], page: Any) -> tuple[float, float, float]:
-    """[MB] of the server, the solver, and what the page's program holds."""
-    psutil = peer("psutil")
-    assert psutil is not None
-    server = psutil.Process(running.pid)
-    solvers = [child for child in server.children() if "spawn_main" in " ".join(child.cmdline())]
-    session = page.context.new_cdp_session(page)
-    session.send("HeapProfiler.collectGarbage")
-    heap = session.send("Runtime.getHeapUsage")["usedSize"]
-    session.detach()
-    return server.memory_info().rss / 1e6, sum(s.memory_info().rss for s in solvers) / 1e6, heap / 1e6
-
-
-def long_run(browser: Any, folder: Path, minutes: float, report: Any) -> tuple[list[tuple[float, float, float]], int]:
-    """Edits, undo, solves and saves for so long; memory after every round, and how many edits there were."""
-    sizes: list[tuple[float, float, float]] = []
-    count = 0
-    with served(folder) as (running, address):
-        page = browser.new_page(viewport=SIZE)
-        page.goto(address)
-        until(page, READY)
-        until(page, SETTLED)
-        end = time.monotonic() + 60 * minutes
-        while time.monotonic() < end:
-            time_of = page.evaluate(f"studio.model.document.keys[{KEY}].time")
-            for request in (
-                {"name": "move_keys", "moves": [[KEY, round(time_of + 0.01, 4)]]},
-                {
-                    "name": "change",
-                    "at": ["keyframe", KEY],
-                    "entries": {"joints": {"left_elbow": {"rotvec": [0, -70.5 - count % 7, 0]}}},
-                },
-                {"name": "set_weight", "kind": "torque", "weight": 1.4},
-            ):
-                answer = page.evaluate("(request) => studio.ask('edit', request)", request)
-                assert answer["ok"], answer
-                count += 1
-            until(page, SETTLED)
-            for _ in range(3):
-                assert page.evaluate("studio.ask('undo')")["ok"]
-            assert page.evaluate("studio.ask('save')")["ok"]
-            until(page, SETTLED)
-            assert (folder / "run.toml").read_text(encoding="utf-8") == models.clip_text("run_and_step")
-            sizes.append(memory(running, page))
-            report(f"{count} edits, server {sizes[-1][0]:.0f}, solver {sizes[-1][1]:.0f}, page {sizes[-1][2]:.1f} MB")
-        page.close()
-    return sizes, count
-
-
-def growth(values: list[float]) -> float:
-    """By which share the mean of the last quarter is above that of the first, the first eighth left out to warm up."""
-    warm = values[len(values) // 8 :]
-    quarter = max(1, len(warm) // 4)
-    first, last = sum(warm[:quarter]) / quarter, sum(warm[-quarter:]) / quarter
-    return last / first - 1
+def presses(page: Any, count: int) -> tuple[int, int]:
+    """How many presses of an arrow key, 20 ms apart, change a number, and how many of three fields, typed at once."""
+    page.evaluate(f"studio.model.seek(studio.model.document.keys[{KEY}].time)")
+    field = page.get_by_label("left_shoulder x [degrees]", exact=True)
+    field.focus()
+    before = float(field.input_value())
+    begin = time.monotonic()
+    for i in range(1, count + 1):
+        page.keyboard.press("ArrowUp")
+        time.sleep(max(0, begin + 0.02 * i - time.monotonic()))
+    until(page, "studio.pending.size === 0")
+    counted = round(float(field.input_value()) - before)
+    field.select_text()
+    for text in ("11", "12", "13"):
+        page.keyboard.type(text)
+        page.keyboard.press("Tab")
+    until(page, "studio.pending.size === 0")
+    typed = page.evaluate(f"studio.model.document.keys[{KEY}].joints.left_shoulder.rotvec")
+    for _ in range(4):
+        page.evaluate("studio.ask('undo')")
+    until(page, SETTLED)
+    return counted, sum(value == k for value, k in zip(typed, (11, 12, 13), strict=True))
 
 
 def measure(effort: Effort) -> Section:
@@ -222,11 +172,14 @@ def measure(effort: Effort) -> Section:
             effort.report("drags")
             times = edits(page, effort.repeats, effort.count(PULLS, 40))
             effort.report("playing")
+            still = page.evaluate(STILL, effort.count(10, 3))
             rate, gap, images = page.evaluate(PLAY, effort.count(15, 5))
+            until(page, SETTLED)
+            counted, typed = presses(page, PRESSES)
             page.close()
-        effort.report("a long run")
+        effort.report("random work")
         minutes = effort.count(int(MINUTES), 1)
-        grown, count = long_run(browser, folder, minutes, effort.report)
+        person = work(browser, folder, minutes, 1, effort.report)
         browser.close()
     built = files("dynsplines.studio") / "built"
     size = sum(len((built / part).read_bytes()) for part in ("index.html", "studio.js", "studio.css"))
@@ -234,47 +187,41 @@ def measure(effort: Effort) -> Section:
     section.add("from the command to a figure", median(starts), worst(starts), "s")
     section.add("a pose of a drag, the server's time", median(times["server"]), worst(times["server"]), "ms")
     section.add("a pose of a drag, there and back", median(times["trip"]), worst(times["trip"]), "ms")
-    section.add("from letting go to a better path", median(times["first"]), worst(times["first"]), "ms")
+    section.add("from letting go to a path", median(times["path"]), worst(times["path"]), "ms")
+    section.add("from letting go to a better path", median(times["better"]), worst(times["better"]), "ms")
     section.add("from letting go to the end of the search", median(times["converged"]), worst(times["converged"]), "ms")
     section.add("paths a second while it optimises", rate, rate, "1/s")
     section.add("images a second while it plays and optimises", images, images, "1/s")
-    section.add("gap between two images meanwhile", gap, gap, "ms")
+    section.add("images a second while it plays", still, still, "1/s")
+    section.add("gap between two images while it plays and optimises", gap, gap, "ms")
+    section.add(f"of {PRESSES} presses of an arrow key, 20 ms apart", counted, counted, "")
+    section.add("of 3 fields that are typed at once", typed, typed, "")
+    section.add("deeds of random work", person.deeds.total(), person.deeds.total(), "")
+    section.add("refused in words", person.refused, person.refused, "")
+    section.add("lost, refused without words, or errors of the page", len(person.faults), len(person.faults), "")
     section.add("the page", size / 1e6, size / 1e6, "MB")
     section.add("requests outside", len(outside), len(outside), "")
-    shares = [100 * growth([row[i] for row in grown]) for i in range(3)]
+    shares = [100 * growth([row[i] for row in person.memory]) for i in range(3)]
     for who, share in zip(("server", "solver", "page"), shares, strict=True):
         section.add(f"memory of the {who}, last quarter beside the first", share, share, "%")
     section.targets += [
-        Target("figure", median(starts), 3.0, unit="s"),
+        Target("figure", median(starts), 2.0, unit="s"),
         Target("pose, median", median(times["server"]), 50.0, unit="ms"),
         Target("pose, worst", worst(times["server"]), 100.0, unit="ms"),
-        Target("better path", median(times["first"]), 400.0, unit="ms"),
+        Target("path", median(times["path"]), 200.0, unit="ms"),
+        Target("better path", median(times["better"]), 300.0, unit="ms"),
         Target("converged", median(times["converged"]), 1200.0, unit="ms"),
         Target("paths a second", rate, 8.0, least=True, unit="1/s"),
+        Target("playback", still, 40.0, least=True, unit="1/s"),
+        Target("presses", counted, PRESSES, least=True),
+        Target("typed fields", typed, 3, least=True),
+        Target("faults", len(person.faults), 0),
         Target("gap", gap, 200.0, unit="ms"),
         Target("page", size / 1e6, 1.5, unit="MB"),
         Target("memory of half an hour", max(shares) if minutes >= 30 else None, 5.0, unit="%"),
     ]
     section.notes.append(
-        f"{SIZE['width']} × {SIZE['height']}, SwiftShader; {count} edits in a long run of {minutes} minutes"
+        f"{SIZE['width']} × {SIZE['height']}, SwiftShader; random work for {minutes} minutes at another size"
     )
-    section.data = {**times, "starts": starts, "memory": grown}
+    section.data = {**times, "starts": starts, "memory": person.memory, "faults": person.faults}
     return section
-
-
-def main() -> None:
-    parser = argparse.ArgumentParser(description="the long run alone")
-    parser.add_argument("--minutes", type=float, default=30)
-    minutes = parser.parse_args().minutes
-    from playwright.sync_api import sync_playwright
-
-    with sync_playwright() as play, tempfile.TemporaryDirectory() as name:
-        browser = play.chromium.launch(executable_path=shutil.which("chromium"), args=FLAGS)
-        memories, count = long_run(browser, Path(name), minutes, print)
-        browser.close()
-    for i, who in enumerate(("server", "solver", "page")):
-        print(f"{who}: {100 * growth([row[i] for row in memories]):+.1f} % after {count} edits")
-
-
-if __name__ == "__main__":
-    main()
