@@ -33,7 +33,7 @@ from dynsplines.solver.penalty import (
 from dynsplines.solver.penalty.motion.acceleration import relative_accelerations
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import FAR, heights
-from dynsplines.solver.surface.points import Point, places_of, sets_places
+from dynsplines.solver.surface.points import places_of, sets_poses
 
 from ..motion import samples_at
 from .bounds import BOUNDS, SPEED_SHARE, WHIP_SHARE, Row, row_of
@@ -124,8 +124,13 @@ class Fixed:
 
     @cached_property
     def places(self) -> Mask:
-        origins = [Point("", i, np.zeros(3)) for i in range(len(self.figure.links))]
-        return sets_places(self.figure, self.states, origins)
+        links = np.arange(len(self.figure.links))
+        return sets_poses(self.figure, self.states, links, 0 * links)
+
+    def contacts(self, contacts: Sequence[Contact]) -> Mask:
+        """Return which keyframes fix the poses of points relative to what they touch, (n, K)."""
+        links = [contact.point.link for contact in contacts]
+        return sets_poses(self.figure, self.states, links, [contact.on for contact in contacts])
 
 
 def bends(limits: BendLimits, fixed: Fixed, bound: float | None) -> Check:
@@ -215,9 +220,8 @@ def loop_gaps(fixed: Fixed) -> Check | None:
         row, at, away = loops.displacements(samples)
         return Hits(row, at, np.linalg.norm(away, axis=0))
 
-    both = fixed.places[[pair.point.link for pair in pairs]] & fixed.places[[pair.on for pair in pairs]]
     _, groups = np.unique(names, return_inverse=True)
-    return Check.each(rows, hits, both, groups)
+    return Check.each(rows, hits, fixed.contacts(pairs), groups)
 
 
 def whips(figure: Figure, raw_peak: float) -> Check | None:
@@ -291,9 +295,7 @@ def slips(grasps: Sequence[Contact], starts: Sequence[Array], fixed: Fixed) -> C
             out[i] = grasp.during(samples.t) * np.linalg.norm(grasp_places(samples, grasp) - start[:, None], axis=0)
         return Hits.of(out)
 
-    return Check.each(
-        rows, hits, np.array([fixed.places[grasp.point.link] & fixed.places[grasp.on] for grasp in grasps])
-    )
+    return Check.each(rows, hits, fixed.contacts(grasps))
 
 
 def turns(contacts: Sequence[Contact], path: Path, fixed: Fixed) -> Check:
@@ -311,9 +313,8 @@ def turns(contacts: Sequence[Contact], path: Path, fixed: Fixed) -> Check:
             out[i] = contact.during(samples.t) * np.degrees(away / Thresholds.of(figure).object_arm)
         return Hits.of(out)
 
-    both = [fixed.places[contact.point.link] & fixed.places[contact.on] for contact in contacts]
     _, groups = np.unique([f"{hand} {body}" for body, hand in names], return_inverse=True)
-    return Check.each(rows, hits, np.array(both), groups)
+    return Check.each(rows, hits, fixed.contacts(contacts), groups)
 
 
 def penetrations(parts: Sequence[Collision], soles: frozenset[str], feet: Index, fixed: Fixed) -> Check:
@@ -377,7 +378,8 @@ def self_overlaps(carried: Sequence[int], fixed: Fixed) -> Check:
         return row_of("self", one, f"{one} and {two} are {{}} {deeper}in each other", other=two)
 
     def is_fixed(row: Index, key: Index) -> Mask:
-        return fixed.places[row // count, key] & fixed.places[row % count, key]
+        pairs, of_row = np.unique(row, return_inverse=True)
+        return sets_poses(figure, fixed.states, *np.divmod(pairs, count))[of_row, key]
 
     return Check(hits, row, bounds, groups, is_fixed, is_once_per_group=True)
 

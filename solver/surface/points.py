@@ -177,7 +177,19 @@ def sets_places(figure: Figure, specified: Mask, points: Sequence[Point]) -> Mas
     Args:
         specified: Entries of qpos that keyframes specify, (K, nq).
     """
-    whole = [specified[:, link.columns].all(axis=1) for link in figure.links[1:]]
+    links = [point.link for point in points]
+    return sets_poses(figure, specified, links, np.zeros(len(links), np.intp))
+
+
+def sets_poses(figure: Figure, specified: Mask, first: Sequence[int] | Index, last: Sequence[int] | Index) -> Mask:
+    """Return whether a keyframe specifies every joint between two links, and so their relative pose, (n, K).
+
+    Args:
+        specified: Entries of qpos that keyframes specify, (K, nq).
+        first: The indices of n links.
+        last: Those of n others; 0 is the world.
+    """
+    whole = np.array([specified[:, link.columns].all(axis=1) for link in figure.links[1:]]).reshape(-1, len(specified))
     path = figure.tables.path[:, 1:] > 0
-    rows = [np.all(np.array(whole)[path[point.link]], axis=0) for point in points]
-    return np.array(rows, bool).reshape(len(points), len(specified))
+    between = path[np.asarray(first, np.intp)] != path[np.asarray(last, np.intp)]
+    return np.array([whole[row].all(axis=0) for row in between], bool).reshape(len(between), len(specified))

@@ -29,6 +29,7 @@ from ...figure.kinematics import Samples
 from ...figure.model import kinematics
 from ...figure.wrenches import of_point
 from ...surface.cover import filling_spheres
+from ...surface.points import sets_poses
 from ...surface.touch import movers
 from ...tolerances import TINY
 from ..allowance import Allowance
@@ -89,10 +90,9 @@ class SelfContact(Penalty):
         excess = np.zeros((pairs.shape[1], keys.times.size))
         at, i, j, depth, *_ = self._overlaps(Samples.still(figure, keys.states), 0.0, None)
         np.maximum.at(excess, (pair_of[i, j], at), depth)
-        path = figure.tables.path[:, 1:] > 0
-        specified = np.array([keys.fixed[:, link.columns].all(axis=1) for link in figure.links[1:]])
-        is_fixed = [specified[path[i] != path[j]].all(axis=0) for i, j in self._bounds[0][pairs].T]
-        return replace(self, allowed=Allowance.in_keys(keys, excess, np.array(is_fixed)))
+        return replace(
+            self, allowed=Allowance.in_keys(keys, excess, sets_poses(figure, keys.fixed, *self._bounds[0][pairs]))
+        )
 
     def watching(self, parts: Iterable[Samples]) -> SelfContact:
         """Return the penalty of the watched pairs of links and those that are in each other."""
