@@ -1,19 +1,28 @@
-"""The shipped moves about things: sitting down, a jump over a box, a hand on a rail, a crate carried, a cartwheel.
-MuJoCo measures them.
+"""Moves about things: sitting down, a jump over a box, a hand on a rail, a crate carried, a cartwheel, a run on to a
+step, and a limb over obstacles. MuJoCo measures them.
 
 Every figure is of the solved motion between its keyframes, beside that of the raw spline where that shows what it is
 good for.
 """
+
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import perturbed
 import pytest
 import shipped
 from bench import Effort
+from paper.penetration import penetration
 from processes import quiet
 from shipped import in_carried, of
+from texts import read_data
 
-from dynsplines import solving
+from dynsplines import recordings, solving
+from dynsplines.measure.report import report
+from dynsplines.motion import Sampled
+from dynsplines.solver.surface import Box
+from dynsplines.solver.surface.points import places_of
 
 pytestmark = pytest.mark.slow
 G = 9.81
@@ -93,3 +102,56 @@ def test_a_clip_whose_keyframes_move_a_little_does_not_whip(monkeypatch):
     assert [target.met for target in section.targets] == [True] * 3
     (outcome,) = section.data["sets"]
     assert outcome["parts"]["collision.body"] < 1
+
+
+@pytest.fixture(scope="module")
+def measured() -> dict[str, Any]:
+    return report(of("run_and_step").clip, of("run_and_step").motion)
+
+
+def test_feet_cross_the_edge_of_the_step_close_above_it_and_limbs_do_not_whip(measured):
+    step, samples = of("run_and_step").clip.context.surfaces[1], of("run_and_step").all()
+    assert isinstance(step, Box)
+    links = sorted({point.link for point in of("run_and_step").clip.context.points})
+    for link in links:
+        points = tuple(point for point in of("run_and_step").clip.context.points if point.link == link)
+        x, _, z = places_of(points, samples)[0]
+        crossing = np.flatnonzero(np.diff(np.sign(x.mean(axis=0) - (step.centre[0] - step.half[0]))) > 0)
+        assert crossing.size == 1
+        assert 0 < z[:, crossing[0]].min() - (step.centre[2] + step.half[2]) <= 0.12
+    before, after = (measured[side]["largest"]["whip"]["amount"] for side in ("before", "after"))
+    assert after <= 1.5 * before
+    assert measured["after"]["centre of mass displacement, m"]["largest"] <= 0.10
+    lengths = np.linalg.norm(samples.q, axis=0)
+    assert 0.8 <= lengths.min() <= lengths.max() <= 1.25
+
+
+def test_in_flight_the_centre_of_mass_falls_freely_and_half_the_force_that_no_contact_can_supply_is_gone(measured):
+    before, after = (measured[side]["support"] for side in ("before", "after"))
+    assert before["off free fall, g"] >= 0.2 and after["off free fall, g"] <= 0.05
+    assert before["upward force in flight, N"] >= 200 and after["upward force in flight, N"] <= 20
+    assert after["root mean square"] <= 0.5 * before["root mean square"]
+    assert max(measured[side]["keyframe error"] for side in ("before", "after")) <= 1e-12
+
+
+LIMB = read_data("rail_limb.xml").replace("{ridge}", " ".join(["0 .2 .4 .6 .8 .9 1 .9 .8 .6 .4 .2 0"] * 7))
+OBSTACLES = {
+    "rail": 'type="capsule" size=".02 .6" euler="90 0 0" pos="0 0 .47"',
+    "rock": 'type="mesh" mesh="rock" pos="0 0 .43"',
+    "ridge": 'type="hfield" hfield="ridge" pos="0 0 .36"',
+}
+CLIP = read_data("limb.toml")
+
+
+@pytest.mark.parametrize("obstacle", OBSTACLES)
+def test_a_limb_goes_through_an_obstacle_on_the_raw_spline_and_at_most_two_millimetres_when_solved(
+    tmp_path: Path, obstacle: str
+):
+    (tmp_path / "limb.xml").write_text(LIMB.replace("{obstacle}", OBSTACLES[obstacle]), encoding="utf-8")
+    solved = solving.solve(recordings.from_text(CLIP, name="limb", folder=tmp_path), quiet())
+    figure, deepest = solved.clip.figure, []
+    for side in (solved.motion.before, solved.motion):
+        run = Sampled.of(side, 1000.0)
+        deepest.append(penetration(figure.model, run.time, run.qpos).deepest)
+    assert deepest[0] > 0.015
+    assert deepest[1] <= 0.002
