@@ -101,7 +101,7 @@ class Context:
         figure, body = self.figure, body_points(self.figure)
         if not body or not self.points:
             return body
-        rest = Samples.still(figure, figure.to_state(figure.model.qpos0[None]))
+        rest = Samples.of_qpos(figure)
         heights = bottoms_of((*body, *self.points), rest)[:, 0]
         soles = np.array([point.link for point in self.points])
         lowest = {link: heights[len(body) :][soles == link].min() for link in np.unique(soles).tolist()}

@@ -30,7 +30,7 @@ def person_of(figure: Figure, soles: Sequence[Point] = ()) -> Person:
     missing = [part.replace("_", " ") for part in PARTS if part not in parts]
     if missing:
         raise ValueError(f"no body has a name of these parts: {list_names(missing)}")
-    rest = Samples.still(figure, figure.to_state(figure.model.qpos0)[None])
+    rest = Samples.of_qpos(figure)
     return Person.of(figure, parts, float(bottoms_of(tuple(soles), rest).min()) if soles else None)
 
 

@@ -166,7 +166,7 @@ def _on_floor(figure: Figure, qpos: Array, *, lowers: bool) -> Array:
     for root in figure.tables.free_links.tolist():
         points = hanging(figure, root, body_points(figure))
         if points:
-            low = float(bottoms_of(points, Samples.still(figure, figure.to_state(qpos[None]))).min())
+            low = float(bottoms_of(points, Samples.of_qpos(figure, qpos)).min())
             out[figure.links[root].qpos + 2] += floor - low if lowers else max(floor - low, 0.0)
     return out
 
@@ -236,7 +236,7 @@ def _place_lines(figure: Figure, qpos: Array, soles: Sequence[Point]) -> list[st
     if not positions:
         return []
     lines = [f"# {AT_REST}"]
-    centres, _ = places_of([point for *_, point in positions], Samples.still(figure, figure.to_state(qpos[None])))
+    centres, _ = places_of([point for *_, point in positions], Samples.of_qpos(figure, qpos))
     for (key, form, point), place in zip(positions, centres[:, :, 0].T, strict=True):
         thick = f"  # the middle of a ball of radius {point.radius:.3g} m" if point.radius else ""
         where = ", ".join(f"{round(float(x), 4) + 0.0:g}" for x in place)

@@ -87,7 +87,7 @@ class Air:
         ground = np.take_along_axis(_bottoms(figure, feet), lowest[None], axis=0)[0] - low
         centre = _centre(body.samples, root)
         touches = low < body.limits.near_surface
-        rest = Samples.still(figure, figure.to_state(figure.model.qpos0)[None])
+        rest = Samples.of_qpos(figure)
         tall = _centre(rest, root)[0] - _bottoms(figure, KeyframePoints(rest, body.keys, tuple(soles))).min()
         tiptoe = ground + STRETCHED * max(tall, (centre - ground)[touches].max(initial=0.0))
         is_known, is_low = body.keys.known[:, figure.links[root].qpos + 2], body.heights.min(axis=0) < body.limits.clear

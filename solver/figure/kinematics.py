@@ -101,6 +101,12 @@ class Samples:
         at_rest = np.zeros(np.shape(y))
         return cls(figure, y, at_rest, at_rest, t)
 
+    @classmethod
+    def of_qpos(cls, figure: Figure, qpos: ArrayLike | None = None) -> Samples:
+        """Return samples of configurations qpos (S, nq), or of one (nq,), by default the rest pose."""
+        qpos = figure.model.qpos0 if qpos is None else qpos
+        return cls.still(figure, figure.to_state(np.atleast_2d(qpos)))
+
     @property
     def count(self) -> int:
         """S, the number of samples."""

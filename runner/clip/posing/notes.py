@@ -64,7 +64,7 @@ def immovable(figure: Figure, body: int) -> str:
 def _at_limits(figure: Figure, qpos: Array) -> set[int]:
     """Return the links whose joints are at the end of their ranges in a pose (nq,)."""
     limits = JointRange(joint_ranges(figure))
-    excess = limits.beyond(Samples.still(figure, figure.to_state(qpos[None])))[:, 0]
+    excess = limits.beyond(Samples.of_qpos(figure, qpos))[:, 0]
     return {joint.link for joint, over in zip(limits.joints, excess, strict=True) if over > -AT_LIMIT[joint.kind]}
 
 

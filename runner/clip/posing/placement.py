@@ -200,9 +200,9 @@ def _raise_root(
     return best
 
 
-def _depths(figure: Figure, qpos: Array, soles: Sequence[Point], surfaces: Sequence[Surface]) -> Array:
-    """Return the depths (n,) [m] of sole points below the ground in a pose (nq,), negative above it."""
-    height, _ = heights(surfaces, *places_of(soles, Samples.still(figure, figure.to_state(qpos[None]))))
+def _depths(figure: Figure, qpos: Array, points: Sequence[Point], surfaces: Sequence[Surface]) -> Array:
+    """Return the depths (n,) [m] of points below the ground in a pose (nq,), negative above it."""
+    height, _ = heights(surfaces, *places_of(points, Samples.of_qpos(figure, qpos)))
     return -height[:, 0]
 
 
@@ -232,13 +232,7 @@ def _unmet_balance(
         return []
     feet = {point.link for point in soles}
     others = [point for point in body_points(figure) if point.link not in feet]
-    return [] if _is_near(figure, pose, others, surfaces) else preferred
-
-
-def _is_near(figure: Figure, pose: Array, points: Sequence[Point], surfaces: Sequence[Surface]) -> bool:
-    """Return whether one of the points touches a surface in a pose (nq,)."""
-    height, _ = heights(surfaces, *places_of(points, Samples.still(figure, figure.to_state(pose[None]))))
-    return bool((height < Thresholds.of(figure).near_surface).any())
+    return [] if np.any(_depths(figure, pose, others, surfaces) > -most) else preferred
 
 
 def _is_slow(figure: Figure, path: Timeline, k: int) -> bool:

@@ -145,7 +145,7 @@ class Places:
         points = [point for point in body_points(figure) if point.link == link]
         if not points or not link:
             return origin
-        rest = Samples.still(figure, figure.to_state(figure.model.qpos0[None]))
+        rest = Samples.of_qpos(figure)
         height, *bottoms = bottoms_of([origin, *points], rest)[:, 0]
         return replace(origin, radius=max(float(height - min(bottoms)), 0.0))
 
@@ -198,7 +198,7 @@ def _near_ground(figure: Figure, points: Sequence[Point], qpos: Array) -> bool:
     body = body_points(figure)
     if not body:
         return True
-    places, radii = places_of((*points, *body), Samples.still(figure, figure.to_state(qpos)))
+    places, radii = places_of((*points, *body), Samples.of_qpos(figure, qpos))
     low, high = places[2] - radii[:, None], places[2] + radii[:, None]
     ground, tall = low.min(axis=0), np.ptp(np.concatenate([low, high]), axis=0)
     share = SUNK if figure.model.ntendon else THICK  # feet of figures with muscles have sites everywhere
@@ -256,7 +256,7 @@ def _lowest(figure: Figure, poses: Array) -> tuple[Point, ...]:
 
 def _feet(figure: Figure, root: Root, points: Sequence[Point], poses: Array) -> list[Point]:
     """Return the lowest points of a tree's lowest ends, in the tallest pose in which it stands on at least two feet."""
-    samples = Samples.still(figure, figure.to_state(poses))
+    samples = Samples.of_qpos(figure, poses)
     places, radii = places_of(points, samples)
     bottom = places[2] - radii[:, None]
     tall = samples.links.x[2, root.link] - bottom.min(axis=0)

@@ -192,8 +192,7 @@ class TrackedRecording:
         if not sets_places(figure, edit.fixed[None], [point])[0, 0]:
             return False
         qpos = np.stack([edit.state, self.pose(edit.time)])
-        states = figure.to_state(qpos)
-        places, _ = places_of((point,), Samples.still(figure, states))
+        places, _ = places_of((point,), Samples.of_qpos(figure, qpos))
         return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > Thresholds.of(figure).moved
 
 

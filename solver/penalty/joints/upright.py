@@ -57,7 +57,7 @@ class Upright(Penalty):
         if axis is not None and not np.any(axis):
             raise ValueError("axis is [0, 0, 0], which points nowhere")
         if axis is None:
-            rest = Samples.still(figure, figure.to_state(figure.model.qpos0)[None])
+            rest = Samples.of_qpos(figure)
             axes = rest.links.rotation[2][:, links, 0].T
         else:
             axes = [quat.rotate(figure.body_turn[body], axis) / np.linalg.norm(axis) for body in bodies]

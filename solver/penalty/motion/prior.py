@@ -72,7 +72,7 @@ class Person:
             raise ValueError("some parts of the body have no joint between them")
         if links[0] not in tables.free_links:
             raise ValueError("the pelvis has no free joint")
-        rest = Samples.still(figure, figure.to_state(figure.model.qpos0)[None])
+        rest = Samples.of_qpos(figure)
         anchors, centres = rest.links.anchor[:, links, 0].T, rest.links.points(links, tables.centre[:, links])[0]
         in_links = rest.links.rotation[:, :, links, 0].transpose(2, 0, 1)
         to_left, middle = anchors[6] - anchors[9], 0.5 * (anchors[6] + anchors[9])

@@ -148,7 +148,7 @@ def flexion(pulls: Pulls, qpos) -> dict[str, float]:
     """Return the flexion of knees and elbows [degrees]."""
     bends, _ = posing_limits(pulls.figure, {})
     assert bends is not None
-    angles = bends.angles(Samples.still(pulls.figure, pulls.figure.to_state(qpos[None])))
+    angles = bends.angles(Samples.of_qpos(pulls.figure, qpos))
     return {joint.name: float(np.degrees(angle)) for joint, angle in zip(bends.joints, angles[0, :, 0], strict=True)}
 
 

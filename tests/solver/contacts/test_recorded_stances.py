@@ -104,7 +104,7 @@ def test_a_stance_lasts_from_when_the_point_has_come_to_rest_until_it_leaves(bef
 def heights(take: Take, ground: Context) -> np.ndarray:
     """(4, T) of the lowest points of heel and toe, left and right."""
     assert [point.name for point in ground.points] == ["left_heel", "left_toe", "right_heel", "right_toe"]
-    places, _ = places_of(ground.points, Samples.still(take.figure, take.figure.to_state(take.qpos)))
+    places, _ = places_of(ground.points, Samples.of_qpos(take.figure, take.qpos))
     return height_over(ground.surfaces, places, np.array([point.radius for point in ground.points]))[0]
 
 

@@ -172,7 +172,7 @@ def assert_human(qpos: Array) -> None:
         angle = np.linalg.norm(quat.rotation_vector(qpos[link.qpos : link.qpos + 4]))
         assert angle <= figure.model.jnt_range[link.joint, 1]
     own = np.array([qpos[figure.links[joint.link].columns] for joint in BENDS.joints])
-    flexion, sideways, twist = BENDS.angles(Samples.still(figure, figure.to_state(qpos[None])))[..., 0]
+    flexion, sideways, twist = BENDS.angles(Samples.of_qpos(figure, qpos))[..., 0]
     changed = np.any(own != figure.model.qpos0[7:11], axis=1)
     assert np.all(flexion[changed] >= BENDS.least)
     assert np.all(np.abs(sideways) <= BENDS.sideways)
