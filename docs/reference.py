@@ -149,8 +149,6 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
     "[solve]": (
         table.SolveTable,
         {
-            "coordinates": 'whether rotations of the spline are relative to the world or to the parent; "auto" depends '
-            "on the kinds of joints",
             "ends": "the ends of the motion; default: see [ends](keyframes.md#ends)",
             "travel": "the displacement of the root in one cycle of a loop, in metres; default: x and y as in the "
             "keyframes",

@@ -436,7 +436,7 @@ KINDS = {
     for kind in (
         Kind("acceleration", (
             Part(
-                1.0, "angular acceleration of bodies; of hinges, and all joints if [solve] has coordinates = 'joint'",
+                1.0, "angular acceleration of bodies and of hinges",
                 lambda context, options: CovariantAcceleration(), "angular",
             ),
             Part(1.0, "acceleration of the root and of slides", lambda context, options: RootAcceleration(), "linear"),

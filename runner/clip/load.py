@@ -88,7 +88,7 @@ def scene_and_figure(
     figure = figure_file or table.figure if spec is None else spec
     try:
         scene, model = stage(figure, source.folder, obstacles(table.scene), joints, keys)
-        return scene, Figure(model, table.solve.coordinates)
+        return scene, Figure(model)
     except (UserError, FigureError, ValueError) as error:
         raise UserError(f"{source.where}: {error}") from None
 
@@ -127,10 +127,10 @@ def _unmet_error(lines: Sequence[str], *, is_file: bool) -> str:
     return "; ".join([*lines[:3], *more, *shows])
 
 
-def figure_of(scene: Scene, where: str, coordinates: str = "auto") -> Figure:
+def figure_of(scene: Scene, where: str) -> Figure:
     """Return the figure of a scene; raises UserError for a model that the solver does not support."""
     try:
-        return Figure(scene.model(), coordinates)
+        return Figure(scene.model())
     except (FigureError, ValueError) as error:
         raise UserError(f"{where}: {error}") from None
 
@@ -141,11 +141,7 @@ def _has_ground(clip: Clip, table: ClipTable) -> bool:
         return False
     old = table_of(clip.text, clip.context.where)
     named = {row.model_key for row in table.keyframe} - {None}
-    same = (
-        all(getattr(old, key) == getattr(table, key) for key in ("figure", "scene"))
-        and old.solve.coordinates == table.solve.coordinates
-    )
-    return same and named <= {row.model_key for row in old.keyframe}
+    return (old.figure, old.scene) == (table.figure, table.scene) and named <= {row.model_key for row in old.keyframe}
 
 
 def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | None, where: str) -> Clip:

@@ -254,7 +254,7 @@ def _recording_errors(table: ClipTable) -> Iterator[str]:
     """Yield a line for every table or key that only a clip without a recording can have."""
     if table.grasp:
         yield "[[grasp]] is for clips of keyframes; one that follows a recording has none"
-    if table.solve.model_fields_set - {"coordinates"}:
+    if table.solve.model_fields_set:
         yield f"solve.{sorted(table.solve.model_fields_set)[0]} is for clips of keyframes, not for one with [recording]"
     parts = [(kind, part) for kind in KINDS.values() for part in kind.parts]
     tracked = [kind.term(part) for kind, part in parts if part.tracking is not None and part.option is None]

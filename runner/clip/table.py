@@ -327,7 +327,6 @@ class StanceTable(Table):
 class SolveTable(Table):
     """End conditions of the spline and settings of the search; None: chosen automatically."""
 
-    coordinates: Literal["auto", "world", "joint"] = "auto"
     ends: Literal["free", "clamped", "clamped start", "clamped end", "periodic", "mirrored"] = "free"
     travel: Place | None = None
     turn: Annotated[Real, Field(ge=-360, le=360)] | None = None

@@ -177,6 +177,6 @@ def _defines_scene(saved: Saved) -> bool:
 
 
 def _solve_table(saved: Saved) -> SolveTable:
-    """Return the [solve] table of a motion's ends and coordinates."""
+    """Return the [solve] table of a motion's ends."""
     ends = {"ends": saved.timeline.ends} if saved.timeline.ends != "held" else {}
-    return SolveTable.without_checks(coordinates=saved.figure.coordinates, **ends, **around(saved).specified)
+    return SolveTable.without_checks(**ends, **around(saved).specified)

@@ -201,7 +201,7 @@ def check_alike(before: Clip | Saved, after: Clip | Saved) -> None:
     if one.coordinates != two.coordinates:
         raise UserError(
             f"'{before.name}' is in {one.coordinates} coordinates, '{after.name}' in {two.coordinates} coordinates; "
-            "solve both in the same"
+            "solve both again"
         )
     for a, b in zip(one.links[1:], two.links[1:], strict=True):
         same = a.kind is b.kind and a.parent == b.parent and a.qpos == b.qpos

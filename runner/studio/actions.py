@@ -74,8 +74,7 @@ class Actions:
         from ..clip.parse import table_of
         from .posing import Poser
 
-        scene, coordinates = pickle.loads(data)  # data of this program only
-        figure = Figure(scene.model(), coordinates)
+        figure = Figure(pickle.loads(data).model())  # data of this program only
         whole = [key["qpos"] for key in self.session.loaded.get("keys", ()) if all(key["fixed"])]
         table = table_of(self.session.document.text, self.session.document.place)
         return Poser(figure, table.penalty, np.reshape(np.array(whole, float), (-1, figure.width)))

@@ -149,7 +149,7 @@ class SolverLoop:
             known = Solution(clip.figure, clip.problem.objective, *cached)
         begin = self._initial_guess(clip, before, present) if known is None else known.timeline
         if before is None or clip.figure is not before.figure:
-            figure = pickle.dumps((clip.scene, clip.figure.coordinates))
+            figure = pickle.dumps(clip.scene)
             self.send({"is": "stage", "stage": stage(clip), "figure": figure})
         self._report(
             "loaded", id=id, revision=revision, notes=list(clip.notes), outline=outline(text, place),

@@ -28,7 +28,7 @@ class Session:
     Attributes:
         go: Whether edits are followed by a search.
         loaded: Keyframes, contacts and flights of the present text, as the solver loaded it.
-        figure: The pickled scene and coordinates; None before the clip is loaded.
+        figure: The pickled scene; None before the clip is loaded.
         offer: Unsaved work of an earlier session, until it is restored or discarded.
         settled: Called after every search.
     """

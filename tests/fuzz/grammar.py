@@ -142,7 +142,6 @@ class _Drawn:
 
     def _solve(self) -> dict[str, Callable[[], object]]:
         return {
-            "coordinates": lambda: self.draw.choice(["auto", "world", "joint"]),
             "ends": lambda: self.draw.choice(["free", "clamped"]),
             "variable": lambda: self.draw.randint(0, 3),
             "frames": lambda: self.draw.randint(0, 6),

@@ -264,27 +264,26 @@ _figures: Cache[Figure] = Cache(MOST)
 _staged: Cache[tuple[Scene, Figure]] = Cache(MOST)
 
 
-def shared_figure_of(scene: Scene, where: str, coordinates: str = "auto") -> Figure:
-    return _figures.get(_key(scene, coordinates), lambda: BUILT(scene, where, coordinates))
+def shared_figure_of(scene: Scene, where: str) -> Figure:
+    return _figures.get(_key(scene), lambda: BUILT(scene, where))
 
 
 def scene_and_figure(
     source: Parsed, figure_file: str | None = None, spec: mujoco.MjSpec | None = None
 ) -> tuple[Scene, Figure]:
     text = None if spec is not None else _self_contained(figure_file or source.table.figure, source.folder)
-    coordinates = source.table.solve.coordinates
     if text is None:
-        return _shared(*COMPOSED(source, figure_file, spec), coordinates)
-    key = text, repr(source.table.scene), frozenset(row.others for row in source.table.keyframe), coordinates
-    return _staged.get(key, lambda: _shared(*COMPOSED(source, figure_file), coordinates))
+        return _shared(*COMPOSED(source, figure_file, spec))
+    key = text, repr(source.table.scene), frozenset(row.others for row in source.table.keyframe)
+    return _staged.get(key, lambda: _shared(*COMPOSED(source, figure_file)))
 
 
-def _shared(scene: Scene, figure: Figure, coordinates: str) -> tuple[Scene, Figure]:
-    return scene, _figures.get(_key(scene, coordinates), lambda: figure)
+def _shared(scene: Scene, figure: Figure) -> tuple[Scene, Figure]:
+    return scene, _figures.get(_key(scene), lambda: figure)
 
 
-def _key(scene: Scene, coordinates: str) -> tuple[object, ...]:
-    return scene.mjcf, tuple(sorted(scene.assets.items())), coordinates
+def _key(scene: Scene) -> tuple[object, ...]:
+    return scene.mjcf, tuple(sorted(scene.assets.items()))
 
 
 def _self_contained(figure: str, folder: Path | None) -> str | None:

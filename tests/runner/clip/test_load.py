@@ -97,7 +97,6 @@ def test_hinges_are_degrees_and_slides_metres_and_only_free_and_ball_joints_are_
     assert problem.keys[1].is_key
     assert problem.figure.coordinates == "joint"
     assert loaded(tmp_path).figure.is_world
-    assert not loaded(tmp_path, changed("[solve]", '[solve]\ncoordinates = "joint"')).figure.is_world
 
 
 def by_name(problem: Clip) -> dict[str, tuple[object, float]]:
