@@ -62,14 +62,17 @@ def test_siblings_that_only_the_motion_puts_in_each_other_still_collide(tmp_path
 def test_the_base_of_an_arm_collides_as_the_model_has_it(tmp_path):
     """The base is around the first link, which its geoms are not to meet; a table that nothing hangs on is solid."""
     text = """<mujoco><worldbody><body name="base" pos="0 0 1"><geom size=".2" contype="2" conaffinity="4"/>
-      <body name="link" pos="0 0 .1"><joint name="turn" axis="0 1 0"/><geom size=".05" mass="1" pos="0 0 .02"/>
-        <body name="tip" pos="0 0 .05"><joint name="bend" axis="0 1 0"/><geom size=".05" mass="1" pos="0 0 .02"/></body>
+      <body name="link" pos="0 0 .1"><joint name="turn" axis="0 1 0"/>
+        <geom name="link" size=".05" mass="1" pos="0 0 .02" conaffinity="0" solref=".03 1"/>
+        <body name="tip" pos="0 0 .05"><joint name="bend" axis="0 1 0"/>
+          <geom size=".05" mass="1" pos="0 0 .02" conaffinity="0"/></body>
       </body></body><body name="table" pos="1 0 1"><geom name="table" size=".1"/></body></worldbody>
       <contact><exclude body1="base" body2="tip"/></contact></mujoco>"""
     simulation, tracking, _ = simulated(tmp_path, text, [[0, 0], [0.2, 0.4], [0, 0]])
     assert tracking.is_within
     assert simulation.model.nexclude >= 1
     assert (simulation.model.geom_contype[simulation.model.geom("table").id] & 1) == 1
+    np.testing.assert_allclose(simulation.model.geom("link").solref, [0.03, 1])
 
 
 def test_a_light_ball_joint_with_a_strong_spring_has_targets_within_half_a_turn(tmp_path):
