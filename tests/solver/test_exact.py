@@ -5,28 +5,21 @@ from functools import cache
 import numpy as np
 import pytest
 from exact_path import ExactPath, exact_path
-from figures import figure_of
+from figures import ONE_BALL, figure_of
 from scipy.spatial.transform import Rotation
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.quadrature import gauss_nodes
 from dynsplines.solver.curve.spline import Path
-from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import CovariantAcceleration, UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.solution import Solution
 
-ONE_BALL = '<mujoco><worldbody><body><joint type="ball"/><geom size=".1"/></body></worldbody></mujoco>'
 EVEN = np.arange(7.0)
 UNEVEN = np.cumsum([0, 1.0, 0.6, 1.5, 0.8, 1.2, 0.7])
 INTRINSIC = ((CovariantAcceleration(), 5 / 7), (UnitMagnitude(), 2 / 7))
-
-
-@cache
-def one_ball() -> Figure:
-    return figure_of(ONE_BALL)
 
 
 def orientations(seed: int) -> Array:
@@ -50,7 +43,7 @@ def motion(seed: int, variable: int, even: bool = True) -> Solution:
     times = EVEN if even else UNEVEN
     keys = [Frame.key(float(t), q) for t, q in zip(times, orientations(seed), strict=True)]
     settings = Settings(variable=variable, frames=0, tolerance=1e-10, max_evaluations=600)
-    return inbetween(Problem(one_ball(), keys, INTRINSIC, settings))
+    return inbetween(Problem(figure_of(ONE_BALL), keys, INTRINSIC, settings))
 
 
 def energy(path: Path) -> float:
