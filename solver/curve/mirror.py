@@ -99,7 +99,7 @@ class Mirror:
         free = [link.kind is JointKind.FREE for link in figure.links]
         states = _with_quaternions(figure, source, sign, partner, reflection, figure.tables.in_world)
         qpos = _with_quaternions(figure, source, sign, partner, reflection, free)
-        return cls(figure, states, qpos, shift, partner, reflection, rest.size, pairs)
+        return cls(figure, states, qpos, shift, partner, reflection, float(rest.size.max()), pairs)
 
     def states(self, states: Array) -> Array:
         """Return states (..., N) of the mirrored figure."""

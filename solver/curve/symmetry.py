@@ -66,7 +66,7 @@ class Rest:
         turn: Rotation matrices of the links' frames, (L, 3, 3).
         axis: Axes of hinges and slides, (L, 3).
         centre: The centre of mass of each link with its descendants, NaN without mass, (L, 3) [m].
-        size: The extent of the figure [m]; 1 for a single link.
+        size: The extent of each link's tree [m]; 1 for a single link, (L,).
     """
 
     figure: Figure
@@ -75,7 +75,7 @@ class Rest:
     turn: Array
     axis: Array
     centre: Array
-    size: float
+    size: Array
 
     @classmethod
     def of(cls, figure: Figure) -> Rest:
@@ -96,10 +96,10 @@ class Rest:
         descends = figure.tables.beyond
         with np.errstate(invalid="ignore"):
             centre = descends @ (mass[:, None] * centres) / (descends @ mass)[:, None]
-        spread = [np.ptp(np.vstack([place[root == r], centres[root == r]]), axis=0) for r in np.unique(root[1:])]
-        return cls(
-            figure, root, place, turn, axis, centre, max(float(np.linalg.norm(extent)) for extent in spread) or 1.0
-        )
+        size = np.ones(count)
+        for tree in (root == r for r in np.unique(root[1:])):
+            size[tree] = float(np.linalg.norm(np.ptp(np.vstack([place[tree], centres[tree]]), axis=0))) or 1.0
+        return cls(figure, root, place, turn, axis, centre, size)
 
     def sense(self, i: int, j: int, reflection: Array) -> float:
         """Return 1 if hinge or slide j moves in the direction of the mirrored i, or −1 if in the opposite one."""
@@ -119,7 +119,7 @@ class Rest:
                 return "axes"
             offset = self.place[j] - image @ self.place[i]
             offset = offset - self.axis[j] * (offset @ self.axis[j])
-        return "" if np.linalg.norm(offset) <= middle * self.size else "places"
+        return "" if np.linalg.norm(offset) <= middle * self.size[i] else "places"
 
     def unlike(self, i: int, j: int, image: Array) -> float:
         """Return the distance [m] of the centre of mass of link j's subtree from the image of that of link i's."""
@@ -157,7 +157,7 @@ def symmetric(figure: Figure, pairs: Sequence[tuple[str, str]], middle: float) -
         if np.array_equal(partner[links], links):
             planes = planes[:UPRIGHT_PLANES]  # others may exchange front and back
         fits = [_misfits(rest, links, partner, image, middle) for image in planes]
-        costs = [(len(misfits), round(off / rest.size, 3)) for misfits, off in fits]
+        costs = [(len(misfits), round(off / rest.size[links].max(), 3)) for misfits, off in fits]
         best = costs.index(min(costs))
         if fits[best][0]:
             raise MirrorError(fits[best][0][0])
@@ -215,7 +215,7 @@ def _misfits(rest: Rest, links: Index, partner: Index, image: Array, middle: flo
         off = 0.0 if is_object else rest.unlike(i, j, image)
         if misfit and i != j:
             pairs.append(MISFITS[misfit].format(one.name, two.name))
-        elif misfit or (i == j and (off > UNEVEN * rest.size or _has_image(rest, links, partner, i, image, middle))):
+        elif misfit or (i == j and (off > UNEVEN * rest.size[i] or _has_image(rest, links, partner, i, image, middle))):
             alone.append(i)
         total += off
     alone = [i for i in alone if figure.links[i].kind is not JointKind.FREE] or alone
@@ -227,6 +227,5 @@ def _has_image(rest: Rest, links: Index, partner: Index, i: int, image: Array, m
     """Return whether another link without a partner is more like the image of a link i than the link itself."""
     parent, off = rest.figure.links[i].parent, rest.unlike(i, i, image)
     others = [j for j in links.tolist() if partner[j] == j != i and rest.figure.links[j].parent == parent]
-    return any(
-        not rest.misfit(i, j, image, middle) and rest.unlike(i, j, image) < off - ROUNDING * rest.size for j in others
-    )
+    least = off - ROUNDING * rest.size[i]
+    return any(not rest.misfit(i, j, image, middle) and rest.unlike(i, j, image) < least for j in others)
