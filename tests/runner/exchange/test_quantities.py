@@ -146,12 +146,12 @@ def test_torques_include_every_passive_force_of_the_users_own_file_and_large_one
 @pytest.mark.parametrize(("kind", "unit"), [("slide", "N"), ("hinge", "N m")])
 def test_forces_of_limits_are_in_newtons_for_slides_and_named_by_number_for_joints_without_names(tmp_path, kind, unit):
     """Only a joint that is beyond its range has them, and only if they are more than a part of the torques."""
-    joint = '<joint type="{}" axis="1 0 0" range="-.1 .1"/><geom size=".1"/>'
-    text = f'<body>{joint.format("hinge")}</body><body pos="0 3 0">{joint.format(kind)}</body>'
+    joint = '<joint type="{}" axis="1 0 0" range="-.1 .1"/><geom size=".1" mass="{}"/>'
+    text = f'<body>{joint.format("hinge", 1e9)}</body><body pos="0 3 0">{joint.format(kind, 4)}</body>'
     compiler = '<compiler angle="radian" autolimits="true"/>'
     (tmp_path / "a.xml").write_text(f"<mujoco>{compiler}<worldbody>{text}</worldbody></mujoco>")
-    for far, count in ((0.3, 1), (0.05, 0)):
-        saved = motions.through(str(tmp_path / "a.xml"), 0.3 * np.arange(3), np.array([[0, 0], [0, far], [0, 0]]))
+    for heavy, far, count in ((0, 0.3, 1), (0, 0.05, 0), (0.05, 0.3, 0)):
+        saved = motions.through(str(tmp_path / "a.xml"), 0.3 * np.arange(3), np.array([[0, 0], [heavy, far], [0, 0]]))
         _, notes = quantities.table(Sampled.of(saved), ("torques",))
         assert sum(f" {unit} at joint1," in note for note in notes) == count, notes
 
