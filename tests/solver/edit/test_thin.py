@@ -101,6 +101,17 @@ def test_the_worst_is_reported_with_its_name_and_instant():
     assert 0 < instant < 29
 
 
+@pytest.mark.parametrize(("name", "tip"), [('name="arm"', "tip of arm"), ("", "tip of body 1")])
+def test_a_limb_without_a_site_is_measured_at_its_tip(name, tip):
+    geom = '<geom type="capsule" size=".1" fromto="0 0 0 0 0 -.9"/>'
+    figure = figure_of(f"<mujoco><worldbody><body {name}><joint axis='0 1 0'/>{geom}</body></worldbody></mujoco>")
+    times, angles = np.linspace(0, 1, 21), 0.3 * np.sin(np.pi * np.linspace(0, 1, 21))
+    recorded = Recorded(figure, times, angles[:, None], *WIDE)
+    (distance, instant, where), _ = recorded.worst(recorded.spline(recorded.frames([0, 20])))
+    assert (where, instant) == (tip, 10)
+    assert distance == pytest.approx(2 * np.sin(0.15))  # at 1 m, from the rest pose
+
+
 SWAY = """<mujoco><worldbody><body name="foot"><joint type="slide" axis="1 0 0"/><geom size=".02"/>
 <site name="sole" pos="0 0 -.02"/></body></worldbody></mujoco>"""
 
