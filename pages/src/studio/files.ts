@@ -30,9 +30,11 @@ const closing = (box: () => HTMLDialogElement, name: string, done: () => Promise
 
 /** Whether a file is being written, or has been; a refusal is shown. */
 const begun = (what: string, args: object): Promise<boolean> => {
-  const started = new Promise<boolean>((resolve) => model.on("task", () => { if (!$("task").hidden) resolve(true); }));
+  const started = new Promise<boolean>((resolve) => { starts = () => resolve(true); });
   return Promise.race([act(what, args as Record<string, unknown>).then(({ ok }) => ok), started]);
 };
+let starts = (): void => {}; // called when a file begins to be written
+model.on("task", () => { if (!$("task").hidden) starts(); });
 
 const base = (): string => (model.document?.name ?? "clip").replace(/[^\w.-]+/g, "_");
 

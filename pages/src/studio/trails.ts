@@ -26,7 +26,11 @@ export class Trails {
   }
 
   private draw(): void {
-    for (const line of [...this.lines.children]) { line.removeFromParent(); (line as THREE.Line).geometry.dispose(); }
+    for (const line of [...this.lines.children] as THREE.Line<THREE.BufferGeometry, THREE.Material>[]) {
+      line.removeFromParent();
+      line.geometry.dispose();
+      line.material.dispose();
+    }
     const { now, stage } = model;
     if (model.trails && now && stage && now.bodies === stage.bodies.length) {
       this.ends().forEach((end, i) => this.line(this.places(now, end), COLOURS[i % COLOURS.length]));
