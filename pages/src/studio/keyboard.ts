@@ -1,7 +1,7 @@
 // Every command in one table, with its keys and its button; `?` shows it.
 import { $, el, icon, PATHS, strokeOf } from "./dom";
 import { act, moveKeys } from "./link";
-import { model, type Which } from "./model";
+import { model } from "./model";
 import { toggleCurves } from "./curves";
 import type { Hands } from "./hands";
 import { showTab } from "./panels";
@@ -12,6 +12,12 @@ import { addKey, copy, paste, play, remove, save, step, toKey } from "./transpor
 type Command = [keys: string, label: string, done: () => void, button?: string];
 
 const click = (id: string) => () => $(id).click();
+/** Chooses the next one of the first entries of a menu. */
+const nextOf = (id: string, count: number): void => {
+  const choice = $<HTMLSelectElement>(id);
+  choice.selectedIndex = (choice.selectedIndex + 1) % count;
+  choice.dispatchEvent(new Event("change"));
+};
 const selected = (): number[] => (model.keys.size ? [...model.keys].sort((a, b) => a - b) : model.here === null ? [] : [model.here]);
 /** Moves the selected keyframes; repeats of a key are one edit. */
 const move = (change: (time: number, first: number) => number): void => {
@@ -38,14 +44,8 @@ export const commands = (stage: Stage, timeline: Timeline, hands: Hands): Comman
     const name = $<HTMLSelectElement>("views").value;
     stage.aim(name === "free" ? "quarter" : name, true);
   }],
-  ["B", "before, both, side by side, after", () => {
-    const all: Which[] = ["after", "before", "both", "side"];
-    const next = all[(all.indexOf(model.which) + 1) % all.length];
-    const which = $<HTMLSelectElement>("which");
-    which.value = next;
-    which.dispatchEvent(new Event("change"));
-  }],
-  ["H", "onion skin: the figure at every keyframe", click("ghosts")],
+  ["B", "before, both, side by side, after", () => nextOf("which", 4)],
+  ["H", "onion skin: none, keyframes, every 5, every 10 frames", () => nextOf("ghosts", 4)],
   ["T", "motion paths", click("trails")],
   ["C", "curves", toggleCurves, "show-curves"],
   ["U", "limb rows on the timeline", () => { timeline.unfolded = !timeline.unfolded; timeline.draw(); }],

@@ -65,7 +65,7 @@ class Model {
   loop = true;
   follow = true;
   which: Which = "after";
-  ghosts = false;
+  ghosts = ""; // onion skin: at keyframes ("keys"), every so many frames, or none
   trails = false;
   partial = false; // whether new keyframes specify only the dragged limb
   frames = 0; // paths that have come

@@ -180,20 +180,22 @@ export class Stage {
     this.haunt();
   }
 
-  /** Ghosts of the keyframes. */
+  /** Ghosts of the keyframes, or of every few frames. */
   private haunt(): void {
     for (const ghost of this.ghosts) ghost.root.visible = false;
     const { stage, document, now } = model;
     if (model.ghosts && stage && this.shapes && document && now) {
-      const every = Math.ceil(document.keys.length / (this.software ? MOST_GHOSTS / 2 : MOST_GHOSTS));
+      const every = Number(model.ghosts) / model.fps; // [s]
+      const times = model.ghosts === "keys" ? document.keys.map(({ time }) => time) : Array.from({ length: Math.floor((now.last - now.first) / every + 1e-6) + 1 }, (_, i) => now.first + i * every);
+      const step = Math.ceil(times.length / (this.software ? MOST_GHOSTS / 2 : MOST_GHOSTS));
       const moving = stage.pieces.filter((piece) => !piece.still);
-      document.keys.filter((_, i) => i % every === 0).forEach((key, i) => {
+      times.filter((_, i) => i % step === 0).forEach((time, i) => {
         if (!this.ghosts[i]) {
           this.ghosts[i] = new Figure(stage.bodies, moving, this.shapes!, veil(0x8fb4d9, 0.2, 0.08), this.software ? GHOSTLY : 0);
           this.around.scene.add(this.ghosts[i].root);
         }
         this.ghosts[i].root.visible = true;
-        this.ghosts[i].put(now.at(key.time));
+        this.ghosts[i].put(now.at(time));
       });
     }
     this.draw();

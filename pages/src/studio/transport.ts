@@ -59,11 +59,13 @@ export const transport = (stage: Stage): void => {
   const speed = $<HTMLSelectElement>("speed");
   for (const each of SPEEDS) speed.append(el("option", { value: each, text: `${each}×`, selected: each === 1 }));
   speed.addEventListener("change", () => { model.speed = Number(speed.value); });
-  for (const [id, name] of [["loop", "loop"], ["follow", "follow"], ["ghosts", "ghosts"], ["trails", "trails"], ["partial", "partial"]] as const) {
+  for (const [id, name] of [["loop", "loop"], ["follow", "follow"], ["trails", "trails"], ["partial", "partial"]] as const) {
     const box = $<HTMLInputElement>(id);
     box.checked = model[name];
     box.addEventListener("change", () => { model[name] = box.checked; model.tell("shown"); });
   }
+  const ghosts = $<HTMLSelectElement>("ghosts");
+  ghosts.addEventListener("change", () => { model.ghosts = ghosts.value; model.tell("shown"); });
   const which = $<HTMLSelectElement>("which");
   model.on("which", () => { $("sides").hidden = model.which !== "side"; });
   which.addEventListener("change", () => {

@@ -712,3 +712,35 @@ def test_it_fits_windows_of_any_size(tab):
         tab.page.set_viewport_size({"width": width, "height": height})
         assert tab.evaluate("document.documentElement.scrollWidth") <= width
         assert tab.page.locator("#play").is_visible()
+
+
+def test_onion_skins_show_the_figure_at_keyframes_or_every_few_frames(tab):
+    for count in (4, 7, 4, 0):  # at keyframes, every 5 frames, every 10, none
+        tab.press("h")
+        assert tab.evaluate("studio.stage.ghosts.filter(({ root }) => root.visible).length") == count
+
+
+BENT = """(() => { const { model } = studio, body = model.stage.bodies.indexOf('left_forearm');
+  const { rotation } = model.now.at(0.3), { quaternion } = studio.gizmo.handle;
+  const [arm, forearm] = [model.stage.parents[body], body].map((i) => quaternion.clone().fromArray(rotation, 4 * i));
+  return arm.angleTo(forearm) * 180 / Math.PI; })()"""
+
+
+def test_a_free_joint_shows_its_value_on_the_path_and_starts_from_it(tab):
+    tab.seek(0.3)
+    mode = tab.page.locator("[data-id='left_elbow'] select.mode")
+    elbow = tab.page.locator("[data-id='left_elbow'] input.number")
+    tab.press("g")
+    tab.changes(lambda: mode.select_option("free"))
+    tab.settled()
+    tab.drawn()
+    assert "loose" in elbow.get_attribute("class").split()
+    value = float(elbow.input_value())
+    assert abs(value) == pytest.approx(tab.evaluate(BENT), abs=0.2)
+    elbow.focus()
+    tab.changes(lambda: tab.press("ArrowUp"))
+    assert tab.evaluate("studio.model.document.keys[1].joints.left_elbow") == pytest.approx(value + 1)
+    for _ in range(2):
+        undo(tab)
+    for key in ("Escape", "g"):
+        tab.press(key)
