@@ -296,7 +296,8 @@ class SolverLoop:
         self._sent = time.monotonic()
         header = {"is": "path", "kind": kind, "revision": self.revision, **details}
         frames = [round(float(t), 5) for t in timeline.times]
-        data = paths.pack(self.clip.figure, timeline, {**header, "frames": frames})
+        key_times = [key.time for key in self.clip.authored_keys]
+        data = paths.pack(self.clip.figure, timeline, {**header, "frames": frames}, key_times)
         self.send({**header, "data": data, "timeline": pickle.dumps(_bare(timeline))})
 
     def _report(self, what: str, **details: Any) -> None:

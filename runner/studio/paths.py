@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import struct
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import mujoco
 import numpy as np
@@ -29,12 +29,13 @@ def rate_of(duration: float) -> float:
     return RATE if duration * RATE <= MOST_SAMPLES else MOST_SAMPLES / duration
 
 
-def pack(figure: Figure, timeline: Timeline, header: Mapping[str, object]) -> bytes:
-    """Return a timeline's motion with a header, to which start, rate and count of the samples are added."""
+def pack(figure: Figure, timeline: Timeline, header: Mapping[str, object], key_times: Sequence[float] = ()) -> bytes:
+    """Return a timeline's motion with a header, to which start, rate and count of the samples are added, and the poses
+    qpos at keyframes."""
     first, last = float(timeline.times[0]), float(timeline.times[-1])
     rate = rate_of(last - first)
     time = np.append(np.arange(first, last - 0.25 / rate, 1 / rate), last)
-    qpos = figure.to_qpos(path_of(timeline).at(time))
+    qpos = figure.to_qpos(path_of(timeline).at(np.append(time, np.clip(key_times, first, last))))
     full_header = {
         **header,
         "first": first,
@@ -42,8 +43,9 @@ def pack(figure: Figure, timeline: Timeline, header: Mapping[str, object]) -> by
         "rate": rate,
         "count": len(time),
         "bodies": figure.model.nbody,
+        "keys": qpos[len(time) :].round(6).tolist(),
     }
-    return join_bytes(full_header, *poses(figure, qpos))
+    return join_bytes(full_header, *poses(figure, qpos[: len(time)]))
 
 
 def join_bytes(header: Mapping[str, object], *arrays: Array | NDArray[np.float32]) -> bytes:

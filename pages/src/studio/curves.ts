@@ -59,7 +59,7 @@ export const onPlot = ({ time, value }: Dot): [number, number] => [plot!.valToPo
 /** Writes a dot that was dragged to its keyframe: the value, and then the time. */
 const drop = async (dot: Dot, from: Dot): Promise<void> => {
   const { key, joint, series, time, value } = dot, { revision } = model.document!, stroke = String(Math.random());
-  const now = values(joint, model.loaded!.keys[key].qpos), isLength = series.axis! < 3 && joint.kind === "free";
+  const now = values(joint, model.poseOf(key)), isLength = series.axis! < 3 && joint.kind === "free";
   if (!isLength) for (const each of present.filter((other) => other.joint === joint.name)) now[each.axis!] = valueAt(each, from.time); // beyond half a turn, too
   now[series.axis!] = Number(value.toFixed(3));
   if (value !== from.value) await setNumbers(key, joint, now, series.axis!, revision, stroke);

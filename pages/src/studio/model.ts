@@ -15,7 +15,7 @@ export interface Outline {
   figure: string; fps: number; keys: KeyframeRow[]; contacts: Bar[]; grasps: Bar[]; weights: Record<string, number>;
   obstacles: Obstacle[]; solve: Record<string, unknown>;
 }
-export interface KeyState { time: number; qpos: number[]; fixed: boolean[]; known: boolean[]; }
+export interface KeyState { time: number; qpos: number[]; fixed: boolean[]; }
 export interface Loaded {
   revision: number; keys: KeyState[]; stances: { point: string; from: number; to: number }[]; flights: [number, number][]; notes: string[];
   weights: Record<string, number>;
@@ -34,7 +34,7 @@ export interface Kind { kind: string; part: string; term: string; weight: number
 export interface Series { name: string; joint: string; axis: number | null; after: number[]; before?: number[]; }
 export interface Curves { time: number[]; groups: { name: string; unit: string; series: Series[] }[]; }
 export interface Mark { time: number; joint: string; text: string; }
-export interface Course { value?: number; parts?: Record<string, number>; frames: number[]; kind: string; }
+export interface Course { value?: number; parts?: Record<string, number>; frames: number[]; keys: number[][]; kind: string; }
 
 export type Which = "after" | "before" | "both" | "side" | "snapshot";
 export type Heard =
@@ -113,6 +113,13 @@ class Model {
   /** The keyframe at the present time, if one is there. */
   get here(): number | null {
     return this.at([this.time])[0] ?? null;
+  }
+
+  /** The pose of a keyframe, in which the path decides what is free. */
+  poseOf(key: number): number[] {
+    const { qpos, fixed } = this.loaded!.keys[key], keys = this.course?.keys ?? [];
+    const path = keys.length === this.loaded!.keys.length ? keys[key] : qpos;
+    return qpos.map((value, i) => (fixed[i] ? value : path[i] ?? value));
   }
 
   /** The joints of the limb that the chosen joint is on, with the points at which it can hold something. */

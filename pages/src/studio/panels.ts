@@ -48,7 +48,7 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
   const state = loaded!.keys[key], authored = document!.keys[key];
   const start = joint.kind === "free" ? joint.qpos + 3 : joint.qpos;
   const fixed = state.fixed[start];
-  const numbers = values(joint, state.qpos);
+  const numbers = values(joint, model.poseOf(key));
   const at = ["keyframe", key];
   const explicit = joint.kind === "free" || authored.joints?.[joint.name] !== undefined;
   const mode = fixed ? "pin" : "free";
@@ -70,7 +70,7 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
   const line = el("div", { class: "numbers" });
   /** Sets one of its numbers; the others are those of now, not of when the field was drawn. */
   const send = (i: number, value: number, stroke?: string): void => {
-    const present = model.loaded?.keys[key] ?? state, now = values(joint, present.qpos);
+    const now = values(joint, model.poseOf(key));
     now[i] = value;
     void setNumbers(key, joint, now, i, revision, stroke);
   };
@@ -264,7 +264,7 @@ export const beginPanels = (): void => {
       $(`tab-${next}`).focus();
     });
   }
-  model.on(["time", "joint", "loaded", "stage", "document", "poses"], panels.pose);
+  model.on(["time", "joint", "loaded", "stage", "document", "poses", "settled"], panels.pose);
   $("panel-pose").addEventListener("focusin", () => { if (model.playing) { model.playing = false; model.seek(time); } });
   model.on(["settled", "status", "loaded"], panels.problems);
   model.on(["kinds", "document", "loaded", "settled"], panels.weights);
