@@ -91,8 +91,8 @@ const send = (edit: Sent): void => {
 
 /** Edits the clip: the page shows it at once, and what the server makes of it later. Edits of one stroke are undone together. */
 export const edit = (name: string, given: Message, stroke?: string): Promise<Answer> => {
-  const args = { revision: model.document?.revision, ...given };
-  if (held && stroke && held.stroke === stroke) {
+  const args: Message = { revision: model.document?.revision, ...given };
+  if (held && stroke && held.stroke === stroke && held.name === name && String(held.args.at) === String(args.at)) {
     held.args = args;
     show();
     return held.done;

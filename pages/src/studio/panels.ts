@@ -224,7 +224,7 @@ const scene = (): void => {
   }));
   const rows = obstacles.map((obstacle) => {
     const selected = model.obstacle?.kind === obstacle.kind && model.obstacle.index === obstacle.index;
-    const title = `${obstacle.kind}${obstacle.name ? ` ‘${obstacle.name}’` : ""}`;
+    const title = obstacle.name ? `${obstacle.kind} ‘${obstacle.name}’` : `${obstacle.kind}${obstacle.kind === "step" ? "" : ` ${obstacle.index + 1}`}`;
     const row = el("div", { "data-id": `${obstacle.kind} ${obstacle.index}`, class: `joint${selected ? " selected" : ""}` },
       el("button", { type: "button", class: "name", text: title, title: "select it on the stage", onclick: () => model.pick(selected ? null : obstacle) }),
       el("button", { type: "button", class: "axis", text: "✕", "aria-label": `delete the ${title}`, onclick: () => { model.pick(null); void edit("remove", { at: addressOf(obstacle), revision }); } }));

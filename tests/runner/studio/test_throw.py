@@ -72,7 +72,7 @@ def throw(animator: Animator) -> None:
     page, pull = animator.page, animator.pull
     page.locator("#tab-scene").click()
     animator.edit(page.get_by_role("button", name="+ box").click)
-    animator.type("box size z [m]", 0.2)
+    animator.type("box 1 size z [m]", 0.2)
     animator.tab.press("p")
     animator.look("2")
     page.locator("[data-id='key1']").click()  # wound up
