@@ -210,8 +210,16 @@ class Tab:
     def middle(self, selector: str) -> tuple[float, float]:
         """[px] of an element's middle."""
         self.drawn()
-        box = self.page.locator(selector).bounding_box()
-        return box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+        x, y, width, height = self.box(selector)
+        return x + width / 2, y + height / 2
+
+    def box(self, selector: str) -> list[float]:
+        """[px] the left and upper edge of an element, its width and height; rows of the timeline may be made anew."""
+        return self.page.evaluate(
+            """(selector) => { const box = document.querySelector(selector).getBoundingClientRect();
+            return [box.x, box.y, box.width, box.height]; }""",
+            selector,
+        )
 
     def drag(self, begin: tuple[float, float], end: tuple[float, float], steps: int = 6) -> None:
         mouse = self.page.mouse

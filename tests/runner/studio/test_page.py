@@ -4,6 +4,7 @@ from pathlib import Path
 from time import monotonic, sleep
 
 import browser as browsers
+import numpy as np
 import psutil
 import pytest
 from browser import Tab
@@ -103,9 +104,9 @@ def test_an_animators_afternoon(tab):
     assert tab.evaluate(TIMES) == [0, 0.3, 0.6, 0.8, 1]
 
     # a contact, drawn over the timeline
-    row = page.locator("[data-point='left_toe']").bounding_box()
+    top = tab.box("[data-point='left_toe']")[1]
     begin, end = (tab.on_timeline(t) for t in (0.65, 0.85))
-    tab.changes(lambda: tab.drag((begin, row["y"] + 10), (end, row["y"] + 10)))
+    tab.changes(lambda: tab.drag((begin, top + 10), (end, top + 10)))
     (contact,) = tab.evaluate("studio.model.document.contacts")
     assert contact["point"] == "left_toe"
     assert contact["to"] - contact["from"] == pytest.approx(0.2, abs=0.05)
@@ -336,7 +337,8 @@ def test_playback_keeps_to_its_range_which_the_timeline_shows_and_changes(tab):
     tab.seek(0.3)
     tab.press("Control+Home")
     tab.drawn()
-    right, y = (lambda box: (box["x"] + box["width"] - 2, box["y"] + 3))(page.locator(".range").bounding_box())
+    left, top, width, _ = tab.box(".range")
+    right, y = left + width - 2, top + 3
     tab.drag((right, y), (tab.on_timeline(0.6), y))
     assert tab.evaluate(played) == [0.3, 0.6]
     tab.press("z")
@@ -559,6 +561,27 @@ def test_no_press_and_no_typed_number_is_lost_and_a_run_of_presses_is_one_undo(t
     assert tab.evaluate(hip) == before
 
 
+PRESS_IN_TWO = """(async () => {
+  const press = () => document.querySelector('[aria-label="left_hip x [degrees]"]')
+    .dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowUp' }));
+  studio.model.seek(0.3);
+  await new Promise((done) => setTimeout(done, 300));
+  press(); press(); press();
+  studio.model.seek(0.6);
+  await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+  press(); })()"""
+
+
+def test_presses_at_the_next_keyframe_do_not_replace_those_before(tab):
+    hips = "studio.model.document.keys.map((key) => key.joints.left_hip.rotvec[0])"
+    before, step = tab.evaluate(hips), tab.evaluate("studio.model.document.undo")
+    tab.evaluate(PRESS_IN_TWO)
+    tab.until(CONFIRMED)
+    assert np.subtract(tab.evaluate(hips), before).tolist() == [0, 3, 1, 0]
+    while tab.evaluate("studio.model.document.undo") != step:
+        undo(tab)
+
+
 SECOND_TAB = """new Promise((done) => {
   window.second = new WebSocket(sockets.at(-1).url.replace(/tab=[^&]*/, 'tab=second') + '&take');
   second.onopen = () => { second.send(JSON.stringify({ do: 'key', id: 1, time: 0.8 })); done(null); };
@@ -685,9 +708,9 @@ def test_a_grasp_is_drawn_for_the_hand_of_the_arm_that_is_chosen(tab):
     row.wait_for()
     row.scroll_into_view_if_needed()
     tab.drawn()
-    box = row.bounding_box()
+    top = tab.box("[data-hand='left_hand']")[1]
     begin, end = (tab.on_timeline(t) for t in (0.65, 0.9))
-    tab.drag((begin, box["y"] + 8), (end, box["y"] + 8))
+    tab.drag((begin, top + 8), (end, top + 8))
     menu = page.locator("dialog.menu")
     menu.wait_for()
     names = menu.locator("button").all_inner_texts()
@@ -696,9 +719,9 @@ def test_a_grasp_is_drawn_for_the_hand_of_the_arm_that_is_chosen(tab):
     (grasp,) = tab.evaluate("studio.model.document.grasps")
     assert (grasp["hand"], grasp["body"]) == ("left_hand", names[0])
     assert (grasp["from"], grasp["to"]) == (pytest.approx(0.65, abs=0.04), pytest.approx(0.9, abs=0.04))
-    bar = page.locator("[data-bar='grasp']").bounding_box()
-    end = bar["x"] + bar["width"] - 3
-    tab.changes(lambda: tab.drag((end, bar["y"] + 8), (tab.on_timeline(0.8), bar["y"] + 8)))  # released earlier
+    left, top, width, _ = tab.box("[data-bar='grasp']")
+    end = left + width - 3, top + 8
+    tab.changes(lambda: tab.drag(end, (tab.on_timeline(0.8), end[1])))  # released earlier
     (released,) = tab.evaluate("studio.model.document.grasps")
     assert released == {**grasp, "to": pytest.approx(0.8, abs=0.001)}
     undo(tab)
