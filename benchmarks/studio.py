@@ -14,9 +14,8 @@ from pathlib import Path
 from typing import Any
 
 from bench import Effort, Section, Target, median, peer, worst
-from studio_random import growth, served, until, work
+from studio_random import FLAGS, growth, served, until, work
 
-FLAGS = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 SIZE = {"width": 1280, "height": 800}
 SEEN = "window.studio !== undefined && studio.model.stage !== null && studio.model.now !== null"
 READY = f"{SEEN} && studio.model.document !== null"
@@ -43,6 +42,7 @@ DRAG = """async ([body, count, share]) => {
 RELEASE = """async ([name, entries]) => {
   const { model } = studio, began = performance.now();
   let path = null, better = null, done = false, frames = model.frames;
+  model.on('settled', () => { done = true; });
   model.on('path', () => {
     if (done || model.frames === frames) return; // of the raw spline
     path ??= performance.now() - began;
@@ -50,10 +50,7 @@ RELEASE = """async ([name, entries]) => {
   });
   const answer = await studio.ask(name, entries);
   if (!answer.ok) throw new Error(answer.words);
-  const revision = model.document.revision;
-  const isDone = () => model.status.state === 'settled' && model.loaded.revision === revision;
-  while (!isDone()) await new Promise((r) => setTimeout(r, 5));
-  done = true;
+  while (!done) await new Promise((r) => setTimeout(r, 5));
   return [path, better, performance.now() - began];
 }"""
 STILL = """async (seconds) => {

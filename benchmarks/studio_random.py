@@ -144,7 +144,10 @@ class Person:
         deed = list(self.deeds)[self.random.choice(len(weights), p=weights / weights.sum())]
         name, before = deed.__name__, self.page.evaluate("refusals.length")
         self.result.deeds[name] += 1
-        fault = deed()
+        try:
+            fault = deed()
+        except (peer("playwright.sync_api").Error, TimeoutError) as error:
+            fault = " ".join(str(error).split())[:300]
         if self.random.random() < 0.8 or fault is not None:
             self.quiet()
         refusals = self.page.evaluate(f"refusals.slice({before if before <= self.refusals() else 0})")
@@ -389,7 +392,7 @@ class Person:
         self.quiet()
         file = self.folder / "run.toml"
         text = models.clip_text("run_and_step").replace("fps = 30", f"fps = {self.integer(24, 61)}")
-        file.write_text(self.one_of([text, "broken = ["]), encoding="utf-8")
+        file.write_text(self.one_of([f"{text}# {time.time()}\n", f"broken = [ # {time.time()}\n"]), encoding="utf-8")
         until(self.page, "!document.getElementById('outside').hidden", 20)
         reload = self.page.locator("#outside-reload")
         (reload if reload.is_visible() and self.random.random() < 0.5 else self.page.locator("#outside-keep")).click()
@@ -436,13 +439,13 @@ class Person:
 
     def choose(self) -> None:
         """An entry of a menu of the page, or a box that is ticked."""
-        selector = self.one_of(["#which", "#views", "#speed", "select.mode", "#ghosts", "#trails", "#loop", "#follow"])
+        selector = self.one_of(["#which", "#views", "#speed", "#ghosts", "select.mode", "#trails", "#loop", "#follow"])
         element = self.page.locator(selector)
         seen = [i for i in range(element.count()) if element.nth(i).is_visible()]
         if not seen:
             return
         one = element.nth(self.one_of(seen))
-        if selector in ("#ghosts", "#trails", "#loop", "#follow"):
+        if selector in ("#trails", "#loop", "#follow"):
             one.click()
         else:
             values = one.locator("option:not([hidden])").evaluate_all("(all) => all.map((each) => each.value)")
