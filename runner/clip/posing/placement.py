@@ -8,6 +8,7 @@ specifies them.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -38,6 +39,7 @@ from ..table import BodyTable, KeyframeTable
 from .places import Places, root_links
 from .standing_feet import Stander, balance_of
 
+RISES = 10  # [1] most attempts to raise the root until soles are out of the ground
 ALIKE = 0.5  # [1] largest deviation of a foot's displacement from the mean, relative to the mean
 
 
@@ -81,13 +83,7 @@ def _target(position: Sequence[float | str], where: str, what: str) -> Array:
 
 
 def with_pose(
-    figure: Figure,
-    keys: Sequence[Frame],
-    k: int,
-    goals: Sequence[Goal],
-    soles: Sequence[Point],
-    stander: Stander,
-    where: str,
+    stander: Stander, keys: Sequence[Frame], k: int, goals: Sequence[Goal], soles: Sequence[Point], where: str
 ) -> tuple[Frame, Posed]:
     """Return keyframe k posed for its goals, with the joints on which they depend fixed, and the pose with its errors.
 
@@ -98,27 +94,73 @@ def with_pose(
         path, also = stander.feet_goals(keys, k, goals)
     except TimelineError as error:
         raise UserError(f"{where}: {error}") from None
-    key = keys[k]
+    figure, key = stander.figure, keys[k]
     home = np.where(key.fixed, key.state, figure.to_qpos(path.states[k]))
     for columns in figure.tables.quaternion_columns.T:
         home[columns] = quat.normalise(home[columns])
     also += _kept_headings(figure, keys[k - 1], goals) if k else []
     home = _root_above_feet(figure, home, ~key.fixed, goals, soles)
     ground = stander.surfaces if _is_slow(figure, path, k) else ()
-    best = None
-    for chosen in ([*goals, *also], goals) if also else (goals,):
-        best = find_pose(figure, home, ~key.fixed, chosen, stander.bends)
-        if best.is_met:
-            if preferred := _unmet_balance(figure, best.qpos, chosen, soles, ground):
-                other = find_pose(figure, home, ~key.fixed, chosen, stander.bends, preferred=preferred)
-                best = other if other.is_met else best
-            best = _level_feet(figure, key, best, soles, stander, chosen)
-            best = _raise_root(figure, key, best, soles, stander, chosen)
-            break
-    assert best is not None, "there are goals"
+    best = _Request(stander, key, [*goals, *also], soles).pose(home, ground)
+    if also and not best.is_met:
+        best = _Request(stander, key, goals, soles).pose(home, ground)
     pose = in_winding(figure, best.qpos, path.states[k - 1] if k else home, ~key.fixed)
     posed_key = Frame.key(key.time, np.where(key.fixed, key.state, pose), key.fixed | entries_of(figure, goals))
     return posed_key, best
+
+
+@dataclass(frozen=True, eq=False)
+class _Request:
+    """A request for a pose of a keyframe that meets goals, with the sole points of the figure."""
+
+    stander: Stander
+    key: Frame
+    goals: Sequence[Goal]
+    soles: Sequence[Point]
+
+    def pose(self, home: Array, ground: Sequence[Surface]) -> Posed:
+        """Return the pose nearest to `home` (nq,), if possible in balance on `ground`, with soles out of surfaces."""
+        best, figure = self._find(home), self.stander.figure
+        if best.is_met and (preferred := _unmet_balance(figure, best.qpos, self.goals, self.soles, ground)):
+            other = self._find(home, preferred=preferred)
+            best = other if other.is_met else best
+        if not best.is_met or not self.soles or not self.stander.surfaces:
+            return best
+        level = self._level_feet(best)
+        best = self._shallower(best, best.qpos, level) if level else best
+        height = None if figure.root is None else figure.links[figure.root.link].qpos + 2
+        for _ in range(RISES):
+            if height is None or self.key.fixed[height] or not self._is_deep(best).any():
+                break
+            raised = np.array(best.qpos)
+            raised[height] += self._depths(best).max()
+            best = self._shallower(best, raised)
+        return best
+
+    def _find(self, home: Array, more: Sequence[Goal] = (), preferred: Sequence[tuple[float, Goal]] = ()) -> Posed:
+        goals, free = [*self.goals, *more], ~self.key.fixed
+        return find_pose(self.stander.figure, home, free, goals, self.stander.bends, preferred=preferred)
+
+    def _shallower(self, best: Posed, home: Array, more: Sequence[Goal] = ()) -> Posed:
+        """Return the pose nearest to `home` (nq,), or the best one so far if its soles are less deep in the ground."""
+        other = self._find(home, more)
+        return other if other.is_met and self._depths(other).max() < self._depths(best).max() else best
+
+    def _level_feet(self, pose: Posed) -> list[Goal]:
+        """Return goals that level feet with goals of positions alone whose soles would be in the ground."""
+        figure = self.stander.figure
+        deep = {figure.links[self.soles[i].link].body for i in np.flatnonzero(self._is_deep(pose))}
+        turned = {goal.bodies(figure.model)[0] for goal in self.goals if isinstance(goal, BodyGoal)}
+        feet = deep & {goal.bodies(figure.model)[0] for goal in self.goals} - turned
+        return [BodyGoal(str(figure.model.body(foot).name), index=foot) for foot in sorted(feet)]
+
+    def _is_deep(self, pose: Posed) -> Mask:
+        """Return which soles are in the ground, (n,)."""
+        return np.asarray(self._depths(pose) > Thresholds.of(self.stander.figure).tiny)
+
+    def _depths(self, pose: Posed) -> Array:
+        """Return the depths of the soles in the ground, (n,) [m]."""
+        return _depths(self.stander.figure, pose.qpos, self.soles, self.stander.surfaces)
 
 
 def _root_above_feet(figure: Figure, home: Array, free: Mask, goals: Sequence[Goal], soles: Sequence[Point]) -> Array:
@@ -152,52 +194,6 @@ def _root_above_feet(figure: Figure, home: Array, free: Mask, goals: Sequence[Go
     moved = np.array(home)
     moved[across] += move
     return moved
-
-
-def _level_feet(
-    figure: Figure, key: Frame, best: Posed, soles: Sequence[Point], stander: Stander, goals: Sequence[Goal]
-) -> Posed:
-    """Return a pose for the same goals in which feet are level whose soles would be in the ground, if there is one.
-
-    These are feet with goals of positions alone.
-    """
-    if not soles or not stander.surfaces:
-        return best
-    depth, limit = _depths(figure, best.qpos, soles, stander.surfaces), Thresholds.of(figure).tiny
-    deep = {figure.links[point.link].body for point, down in zip(soles, depth, strict=True) if down > limit}
-    turned = {goal.bodies(figure.model)[0] for goal in goals if isinstance(goal, BodyGoal)}
-    feet = deep & {goal.bodies(figure.model)[0] for goal in goals} - turned
-    level = [BodyGoal(str(figure.model.body(foot).name), index=foot) for foot in sorted(feet)]
-    if not level:
-        return best
-    other = find_pose(figure, best.qpos, ~key.fixed, [*goals, *level], stander.bends)
-    is_better = other.is_met and _depths(figure, other.qpos, soles, stander.surfaces).max() < depth.max()
-    return other if is_better else best
-
-
-def _raise_root(
-    figure: Figure, key: Frame, best: Posed, soles: Sequence[Point], stander: Stander, goals: Sequence[Goal]
-) -> Posed:
-    """Return a pose for the same goals with the soles out of the ground, if the keyframe leaves the root's height free
-    and there is one."""
-    root, surfaces, limit = figure.root, stander.surfaces, Thresholds.of(figure).tiny
-    if root is None or not soles or not surfaces:
-        return best
-    column = figure.links[root.link].qpos + 2
-    if key.fixed[column]:
-        return best
-    depth = float(_depths(figure, best.qpos, soles, surfaces).max())
-    for _ in range(10):
-        if depth <= limit:
-            break
-        home = np.array(best.qpos)
-        home[column] += depth
-        other = find_pose(figure, home, ~key.fixed, goals, stander.bends)
-        deep = float(_depths(figure, other.qpos, soles, surfaces).max())
-        if not other.is_met or deep >= depth:
-            break
-        best, depth = other, deep
-    return best
 
 
 def _depths(figure: Figure, qpos: Array, points: Sequence[Point], surfaces: Sequence[Surface]) -> Array:
