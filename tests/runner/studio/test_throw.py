@@ -1,5 +1,6 @@
 """An animator's job in a browser, by mouse and keyboard: from an empty clip to a throw with a step on to a box."""
 
+import os
 from time import monotonic
 
 import browser as browsers
@@ -140,7 +141,8 @@ def test_a_throw_is_posed_retimed_compared_saved_exported_and_opened_again(tmp_p
             again.settled()
             after = np.array(again.evaluate(PATH))
             again.page.close()
-    seconds = monotonic() - begin
+    programs = max(1.0, os.getloadavg()[0] / (os.cpu_count() or 1))  # that share a processor
+    seconds = (monotonic() - begin) / programs
     print(f"{animator.edits} edits, {seconds:.0f} s, {seconds + THINKING * animator.edits:.0f} s as a person")
     assert [*errors, *again.errors] == []
     assert steps == "move a keyframe"  # nothing was undone
