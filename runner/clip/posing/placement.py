@@ -149,7 +149,7 @@ class _Request:
     def _level_feet(self, pose: Posed) -> list[Goal]:
         """Return goals that level feet with goals of positions alone whose soles would be in the ground."""
         figure = self.stander.figure
-        deep = {figure.links[self.soles[i].link].body for i in np.flatnonzero(self._is_deep(pose))}
+        deep = {figure.links[self.soles[i].link].body for i in np.flatnonzero(self._is_deep(pose)).tolist()}
         turned = {goal.bodies(figure.model)[0] for goal in self.goals if isinstance(goal, BodyGoal)}
         feet = deep & {goal.bodies(figure.model)[0] for goal in self.goals} - turned
         return [BodyGoal(str(figure.model.body(foot).name), index=foot) for foot in sorted(feet)]
