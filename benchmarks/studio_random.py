@@ -129,6 +129,9 @@ class Person:
     def __init__(self, page: Any, folder: Path, seed: int, result: Result) -> None:
         self.page, self.folder, self.result = page, folder, result
         self.random = np.random.default_rng(seed)
+        playwright = peer("playwright.sync_api")
+        assert playwright is not None
+        self.errors = playwright.Error, TimeoutError
         self.deeds: dict[Callable[[], str | None], float] = {
             self.press_key: 20, self.drag_body: 12, self.type_number: 12, self.press_arrows: 5, self.undo: 8,
             self.redo: 4, self.drag_diamond: 6, self.click_timeline: 6, self.draw_bar: 3, self.drag_bar: 2,
@@ -146,7 +149,7 @@ class Person:
         self.result.deeds[name] += 1
         try:
             fault = deed()
-        except (peer("playwright.sync_api").Error, TimeoutError) as error:
+        except self.errors as error:
             fault = " ".join(str(error).split())[:300]
         if self.random.random() < 0.8 or fault is not None:
             self.quiet()
