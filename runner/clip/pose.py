@@ -55,7 +55,7 @@ def pose(source: Parsed, figure: Figure, base: Callable[[float], Array] | None =
             if goals:
                 among, index = (keys, k) if base is None else ([_later(keys[k], base, by) for by in (-1, 0, 1)], 1)
                 unposed = among[index]
-                keys[k], nearest = with_pose(stander, among, index, goals, soles_of(figure, among), here)
+                keys[k], nearest, goals = with_pose(stander, among, index, goals, soles_of(figure, among), here)
                 if not nearest.is_met:
                     missed.append(f"{source.labels[k]}: {notes.on_unmet(figure, unposed, row, goals, nearest)}")
                 keys[k] = _base_on(keys[k], base)

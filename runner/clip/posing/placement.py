@@ -84,8 +84,9 @@ def _target(position: Sequence[float | str], where: str, what: str) -> Array:
 
 def with_pose(
     stander: Stander, keys: Sequence[Frame], k: int, goals: Sequence[Goal], soles: Sequence[Point], where: str
-) -> tuple[Frame, Posed]:
-    """Return keyframe k posed for its goals, with the joints on which they depend fixed, and the pose with its errors.
+) -> tuple[Frame, Posed, list[Goal]]:
+    """Return keyframe k posed for its goals, with the joints on which they depend fixed; the pose with its errors; and
+    the goals, with those of the headings of feet that are flat where they were in the keyframe before.
 
     The pose is the nearest one to the spline through the other keyframes, if possible with feet in their stances. If
     all feet are to move alike, the root moves with them first.
@@ -98,7 +99,7 @@ def with_pose(
     home = np.where(key.fixed, key.state, figure.to_qpos(path.states[k]))
     for columns in figure.tables.quaternion_columns.T:
         home[columns] = quat.normalise(home[columns])
-    also += _kept_headings(figure, keys[k - 1], goals) if k else []
+    goals = [*goals, *_kept_headings(figure, keys[k - 1], goals)] if k else [*goals]
     home = _root_above_feet(figure, home, ~key.fixed, goals, soles)
     ground = stander.surfaces if _is_slow(figure, path, k) else ()
     best = _Request(stander, key, [*goals, *also], soles).pose(home, ground)
@@ -106,7 +107,7 @@ def with_pose(
         best = _Request(stander, key, goals, soles).pose(home, ground)
     pose = in_winding(figure, best.qpos, path.states[k - 1] if k else home, ~key.fixed)
     posed_key = Frame.key(key.time, np.where(key.fixed, key.state, pose), key.fixed | entries_of(figure, goals))
-    return posed_key, best
+    return posed_key, best, goals
 
 
 @dataclass(frozen=True, eq=False)

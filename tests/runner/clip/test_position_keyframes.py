@@ -213,6 +213,17 @@ def test_a_flat_foot_keeps_its_heading_where_it_stays_in_its_position():
     assert heading(lunge, "left") == pytest.approx(20, abs=1e-4)
 
 
+def test_a_flat_foot_that_stays_in_its_position_is_not_turned_to_reach_it():
+    """The nearest pose turned both feet by 117 degrees about their toes."""
+    far = "root.position = [0.55, 0, 0.85]\n"
+    feet = (
+        f"sites.{side}_toe = [0.17, {y}, 0]\nbodies.{side}_foot = {{flat = true}}\n"
+        for side, y in (("left", 0.09), ("right", -0.09))
+    )
+    with pytest.raises(UserError, match=r"_toe' at .* m off in the nearest pose, .* and body '.*_foot' turned as"):
+        read(second(far + "".join(feet)))
+
+
 def test_a_free_height_lifts_the_other_foot_out_of_the_floor():
     raised = """root.position = [0, 0.66, "free"]
 sites.left_heel = [-0.055, 0.65, 0]
