@@ -4,7 +4,7 @@ Torques and wrench are MuJoCo's `mj_inverse` of qpos, qvel and qacc without cont
 dampers, friction loss, gravity compensation, fluid, tendons and constraints. The ground reactions are those of the soft
 constraint `support`: forces within friction cones at the points in contact that supply as much of the root's wrench as
 possible. Feet also push outside their stances while they touch the ground and are slow, as in steps of a gait cycle.
-Where neither contacts nor a flight determine them, they and the torques that depend on them are nan.
+Where neither contacts nor a flight determine them, as on a chair, they and the torques that depend on them are nan.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from dynsplines.solver.figure.model import set_qpos
 from dynsplines.solver.penalty import Support
 from dynsplines.solver.penalty.ground.support import Reactions
 from dynsplines.solver.surface import static_surfaces
-from dynsplines.solver.surface.heights import height_over
+from dynsplines.solver.surface.heights import height_over, heights
 from dynsplines.solver.surface.points import body_points, hanging, places_of
 
 from ..clip import load as clip
@@ -66,12 +66,14 @@ class Forces:
         samples: The same times of its spline.
         support: The contacts that may exert forces on the figure; None without a free root.
         model: The motion's model, or one with the same joints whose forces are evaluated.
+        touches_elsewhere: Whether another part of the body than those in contact touches the surroundings, (T,).
     """
 
     sampled: Sampled
     samples: Samples
     support: Support | None
     model: mujoco.MjModel
+    touches_elsewhere: Mask
 
     @classmethod
     def of(cls, sampled: Sampled, model: mujoco.MjModel | None = None) -> Forces:
@@ -80,15 +82,17 @@ class Forces:
         support, samples = context.support, samples_at(sampled.figure, path, sampled.time)
         if support is not None and not context.is_tracking:
             support = replace(support, footings=(*support.footings, *_landings(context, support, path)))
-        stiff = None if support is None else support.stiff
-        return cls(sampled, samples, stiff, sampled.model if model is None else model)
+        stiff, elsewhere = None if support is None else support.stiff, np.zeros(samples.count, bool)
+        if support is not None:
+            elsewhere = _touches_elsewhere(context, support, samples)
+        return cls(sampled, samples, stiff, sampled.model if model is None else model, elsewhere)
 
     @cached_property
     def has_known_support(self) -> Mask:
-        """(T,) whether the forces that carry the figure are known: while feet stand, in flights, and where there is no
-        ground or no gravity."""
+        """(T,) whether the forces that carry the figure are known: while feet stand and no other part of the body
+        touches the surroundings, in flights, and where there is no ground or no gravity."""
         if self.support is not None and self.support.has_intervals:
-            return self.support.is_known(self.samples.t)
+            return np.asarray(self.support.is_known(self.samples.t) & ~self.touches_elsewhere)
         is_carried = self.support is not None and self.sampled.figure.gravity.any() and static_surfaces(self.model)
         return np.full(self.samples.count, not is_carried)
 
@@ -195,13 +199,25 @@ def _landings(context: Context, support: Support, path: Path) -> list[Contact]:
     points = hanging(figure, support.root, points)
     samples = samples_at(figure, path, t)
     centres, radii = places_of(points, samples)
-    heights, up = height_over(context.surfaces, centres, radii)
+    above, up = height_over(context.surfaces, centres, radii)
     speeds = np.linalg.norm(np.gradient(centres, t, axis=2), axis=0)
-    touches = (np.abs(heights) < limits.near_surface) & (speeds < limits.fast)
+    touches = (np.abs(above) < limits.near_surface) & (speeds < limits.fast)
     for i, point in enumerate(points):
         stances = [(each.first, each.last) for each in support.footings if each.point.link == point.link]
         touches[i] &= ~within((*stances, *support.flights), t)
     return touching(samples, points, touches, up)
+
+
+def _touches_elsewhere(context: Context, support: Support, samples: Samples) -> Mask:
+    """Return whether a part of the body other than feet touches the surroundings outside its contacts, (T,)."""
+    feet = {point.link for point in context.points}
+    points = hanging(context.figure, support.root, [p for p in body_points(context.figure) if p.link not in feet])
+    centres, radii = places_of(points, samples)
+    near = heights(context.surfaces, centres, radii)[0] < Thresholds.of(context.figure).near_surface
+    for i, point in enumerate(points):
+        contacts = [(each.first, each.last) for each in support.footings if each.point.link == point.link]
+        near[i] &= ~within(contacts, samples.t)
+    return np.asarray(near.any(axis=0))
 
 
 def motor_torques(model: mujoco.MjModel, qpos: Array, torques: Array) -> Array:

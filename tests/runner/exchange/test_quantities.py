@@ -106,6 +106,14 @@ def test_what_is_unknown_is_not_a_number_and_is_reported(tmp_path):
     np.testing.assert_array_equal(np.isnan(column), ~forces.has_known_support)
 
 
+def test_forces_of_a_figure_on_a_seat_are_unknown():
+    """The feet would otherwise carry the whole weight, and a moment would be missing."""
+    forces = Forces.of(Sampled.of(shipped.unsolved("sit_down")))
+    seated, standing = forces.sampled.time > 1.2, forces.sampled.time < 0.5
+    assert np.isnan(forces.torques[seated]).all() and not any(foot.has_contact[seated].any() for foot in forces.feet)
+    assert np.isfinite(forces.torques[standing]).all() and all(foot.has_contact[standing].all() for foot in forces.feet)
+
+
 def test_a_figure_without_a_root_has_torques_but_no_wrench(tmp_path):
     (tmp_path / "arm.xml").write_text(
         '<mujoco><worldbody><body><joint name="turn"/><geom size=".1" pos=".3 0 0"/>'
