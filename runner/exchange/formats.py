@@ -17,9 +17,11 @@ from ..system.output import Replacement, check_target
 from ..system.quantity import positive
 from . import layouts
 from .array_reader import names_in
+from .gaps import median_step
 from .recording import Recording
 
 OF_MOTIONS = {"format_version", "frame_state"}  # names of arrays that only this program's motions have
+SAME_RATE = 0.01  # [1] deviation of a given rate from that of the times of a file that states them
 CONVERTIBLE = (".glb", ".gltf", ".vrm", ".fbx", ".usd", ".usda", ".usdc")  # animations that Blender converts to BVH
 
 
@@ -219,6 +221,9 @@ def recording(
         raise UserError(f"{source}: lengths of the format '{form.name}' are metres; --scale does not apply")
     unit = {} if scale is None else {"scale": scale}
     result = _module(form).read(source, model, fps, **unit)
+    step = median_step(result.time)
+    if fps is not None and step and abs(step * fps - 1) > SAME_RATE:
+        raise UserError(f"{source}: it has its own times, {1 / step:.4g} samples per second; --fps does not apply")
     if model is not None:
         layouts.check_radians(model, result.qpos, source)
     if kind is None and by_ending(source) is None:

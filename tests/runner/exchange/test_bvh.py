@@ -405,6 +405,8 @@ def test_the_unit_is_guessed_told_and_may_be_said(tmp_path, cartwheel):
     assert any("the longest limb reaches 0.90 m" in text for text in said)
     small = Sampled.of(import_recording(path, scale=0.001))
     np.testing.assert_allclose(np.ptp(small.qpos[:, 0]), 0.1 * np.ptp(cartwheel.qpos[:, 0]), atol=1e-6)
+    with pytest.raises(UserError, match="it has its own times, 120 samples per second; --fps does not apply"):
+        import_recording(good, fps=200)
     with pytest.raises(UserError, match="--scale does not apply"):
         formats.recording(Path(formats.export(cartwheel.motion, "csv", tmp_path / "a.csv")), scale=0.1)
 
