@@ -21,7 +21,6 @@ from .gaps import median_step
 from .recording import Recording
 
 OF_MOTIONS = {"format_version", "frame_state"}  # names of arrays that only this program's motions have
-SAME_RATE = 0.01  # [1] deviation of a given rate from that of the times of a file that states them
 CONVERTIBLE = (".glb", ".gltf", ".vrm", ".fbx", ".usd", ".usda", ".usdc")  # animations that Blender converts to BVH
 
 
@@ -222,7 +221,7 @@ def recording(
     unit = {} if scale is None else {"scale": scale}
     result = _module(form).read(source, model, fps, **unit)
     step = median_step(result.time)
-    if fps is not None and step and abs(step * fps - 1) > SAME_RATE:
+    if fps is not None and step and round(1 / step) != round(fps):
         raise UserError(f"{source}: it has its own times, {1 / step:.4g} samples per second; --fps does not apply")
     if model is not None:
         layouts.check_radians(model, result.qpos, source)
