@@ -185,7 +185,7 @@ Ghosts = Annotated[
     bool,
     flag(
         "--ghosts",
-        "Draw one picture with the figure at all keyframes (darkest), inserted frames, and times between (lightest)",
+        "In a picture, draw the figure at keyframes (darkest), inserted frames and between; in a video, keyframes, too",
     ),
 ]
 AsJson = Annotated[bool, flag("--json", "Print numbers and violations as JSON")]
