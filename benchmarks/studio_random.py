@@ -437,6 +437,7 @@ class Person:
             delete.nth(self.integer(0, delete.count())).click()
         else:
             add = self.page.locator("#panel-scene .buttons button:enabled")
+            add.first.wait_for()
             add.nth(self.integer(0, add.count())).click()
         return self.until_changed(before, "an obstacle was neither added nor deleted")
 
