@@ -278,8 +278,8 @@ def _order(test: str, path: str, seconds: dict[str, float]) -> tuple[bool, float
 
 def tests_of(path: str, line: int, most: float) -> list[list[str]]:
     """The tests that run a line, those of its folder and the fastest first, then the others of the folder and those
-    beside them, which share fixtures and caches that may have run it; as many as take `most` [s] together: a few, and
-    the others."""
+    of neighbouring folders, which share fixtures and caches that may have run it; as many as take `most` [s] together:
+    a few, and the others."""
     seconds = recorded()["seconds"]
     of_file = recorded()["lines"].get(path, {})
     of_line = of_file.get(str(line)) or itertools.chain.from_iterable(of_file.values())  # a line that imports run

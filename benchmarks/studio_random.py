@@ -256,7 +256,7 @@ class Person:
 
     def press_arrows(self) -> str | None:
         self.quiet()
-        fields = [each for each in self.page.evaluate(FIELDS) if "degrees" in each]
+        fields = [entry for entry in self.page.evaluate(FIELDS) if "degrees" in entry]
         if not fields:
             return None
         label, count = self.one_of(fields), self.integer(2, 40)
@@ -445,10 +445,10 @@ class Person:
         """An entry of a menu of the page, or a box that is ticked."""
         selector = self.one_of(["#which", "#views", "#speed", "#ghosts", "select.mode", "#trails", "#loop", "#follow"])
         element = self.page.locator(selector)
-        seen = [i for i in range(element.count()) if element.nth(i).is_visible()]
-        if not seen:
+        visible = [i for i in range(element.count()) if element.nth(i).is_visible()]
+        if not visible:
             return
-        one = element.nth(self.one_of(seen))
+        one = element.nth(self.one_of(visible))
         if selector in ("#trails", "#loop", "#follow"):
             one.click()
         else:
@@ -463,7 +463,7 @@ def _difference(before: str, after: str) -> str:
 
 
 def restored(page: Any, folder: Path) -> None:
-    """The clip as it was in the beginning, by its file; what has been undone is forgotten."""
+    """The initial clip, by its file; what has been undone is forgotten."""
     file = folder / "run.toml"
     page.keyboard.press("Escape")
     until(page, QUIET)
@@ -481,7 +481,7 @@ def restored(page: Any, folder: Path) -> None:
 
 
 def work(browser: Any, folder: Path, minutes: float, seed: int, report: Callable[[str], object] = print) -> Result:
-    """Random work for so long; memory is measured every minute, with the clip as it was in the beginning."""
+    """Random work for so long; memory is measured every minute, with the initial clip."""
     result = Result()
     with served(folder) as (running, address):
         page = browser.new_page(viewport=SIZE)
@@ -492,12 +492,12 @@ def work(browser: Any, folder: Path, minutes: float, seed: int, report: Callable
         person = Person(page, folder, seed, result)
         end = time.monotonic() + 60 * minutes
         while time.monotonic() < end:
-            round_end, known = min(end, time.monotonic() + 60), len(result.faults)
+            round_end, reported = min(end, time.monotonic() + 60), len(result.faults)
             while time.monotonic() < round_end:
                 person.act()
-                for fault in result.faults[known:]:
+                for fault in result.faults[reported:]:
                     report(f"fault: {fault}")
-                known = len(result.faults)
+                reported = len(result.faults)
             restored(page, folder)
             result.memory.append(memory(running, page))
             sizes = " ".join(f"{size:.1f}" for size in result.memory[-1])

@@ -230,13 +230,13 @@ def _by_state(figure: Figure, known: Mask) -> Array:
 
 def depth(context: Context, path: Path, times: Array) -> Array:
     """Return the largest depth (T,) [m] of body and soles at times (T,)."""
-    body, found = bunches((*context.body_above_soles, *context.points)), list[Array]()
+    body, result = bunches((*context.body_above_soles, *context.points)), list[Array]()
     for samples in sample_runs(context.figure, path, times):
-        found.append(np.zeros(samples.count))
+        result.append(np.zeros(samples.count))
         for surface in context.surfaces:
             for _, at, deep in depths(body, surface, samples):
-                found[-1][at] = np.maximum(found[-1][at], deep.max(axis=0))
-    return np.concatenate(found)
+                result[-1][at] = np.maximum(result[-1][at], deep.max(axis=0))
+    return np.concatenate(result)
 
 
 def missed_edge_times(context: Context, path: Path, frames: Array) -> Array:

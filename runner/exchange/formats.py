@@ -34,7 +34,7 @@ class Format:
 
     containers  extensions of other files with the same content, only read
     options     what else the format takes: "columns", groups of columns that the writer adds; "scale", the unit of
-                length [m] of the reader; "assets", files of the figure that are written beside it
+                length [m] of the reader; "assets", files of the figure in its folder
     """
 
     name: str

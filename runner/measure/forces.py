@@ -203,7 +203,7 @@ def _landings(context: Context, support: Support, path: Path) -> list[Contact]:
     speeds = np.linalg.norm(np.gradient(centres, t, axis=2), axis=0)
     touches = (np.abs(above) < limits.near_surface) & (speeds < limits.fast)
     for i, point in enumerate(points):
-        stances = [(each.first, each.last) for each in support.footings if each.point.link == point.link]
+        stances = [(footing.first, footing.last) for footing in support.footings if footing.point.link == point.link]
         touches[i] &= ~within((*stances, *support.flights), t)
     return touching(samples, points, touches, up)
 
@@ -215,7 +215,7 @@ def _touches_elsewhere(context: Context, support: Support, samples: Samples) -> 
     centres, radii = places_of(points, samples)
     near = heights(context.surfaces, centres, radii)[0] < Thresholds.of(context.figure).near_surface
     for i, point in enumerate(points):
-        contacts = [(each.first, each.last) for each in support.footings if each.point.link == point.link]
+        contacts = [(footing.first, footing.last) for footing in support.footings if footing.point.link == point.link]
         near[i] &= ~within(contacts, samples.t)
     return np.asarray(near.any(axis=0))
 

@@ -95,7 +95,9 @@ def _sliding(motion: Measurement, samples: Samples) -> Iterator[Violation]:
     speeds = np.linalg.norm(_velocities(samples, links, positions)[:2], axis=0)
     centres, radii = places_of(points, samples)
     height, _ = heights(context.surfaces, centres, radii)
-    stances = [(sphere_at(figure, each.point), each) for contacts in motion.targets.values() for each in contacts]
+    stances = [
+        (sphere_at(figure, contact.point), contact) for contacts in motion.targets.values() for contact in contacts
+    ]
     rests = np.array(
         [
             within(tuple((one.first, one.last) for at, one in stances if at.coincides(point)), samples.t)

@@ -163,7 +163,7 @@ def _drifts(motion: Measurement) -> Iterator[Violation]:
     worst: dict[tuple[str, int, int], tuple[float, Row, float]] = {}
     feet = feet_of(motion.clip.figure, motion.clip.context.points)
     pieces = [
-        (kind, piece) for kind, contacts in motion.targets.items() for each in contacts for piece in each.pieces()
+        (kind, piece) for kind, contacts in motion.targets.items() for target in contacts for piece in target.pieces()
     ]
     for kind, contact in pieces:
         assert contact.places is not None

@@ -397,7 +397,7 @@ class Motion:
 
         Args:
             path: Output file.
-            overwrite: Only for .toml. The scene of a clip is written to a second file beside it. If such a file
+            overwrite: Only for .toml. The scene of a clip is written to a second file in its folder. If such a file
                 exists with other content, it is overwritten, or, if False, UserError is raised. The file at `path`
                 is always overwritten.
 

@@ -42,7 +42,7 @@ def first_wrong(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[int, s
             is_unit = np.linalg.norm(qpos[:, columns], axis=1) >= SINGLE
         checks.append((is_unit, f"the quaternion of '{model.joint(joint).name or f'joint {joint}'}' is zero"))
     wrong = [(int(np.argmin(well)), problem) for well, problem in checks if not well.all()]
-    return min(wrong, key=lambda each: each[0], default=None)
+    return min(wrong, key=lambda fault: fault[0], default=None)
 
 
 def unlike_joints(model: mujoco.MjModel, names: Sequence[str]) -> str | None:

@@ -130,7 +130,7 @@ class Footing:
         return np.where(levels < levels.max() - length / 2, levels.max(), levels)
 
     def land(self, foot: Spheres, data: mujoco.MjData, by: ArrayLike) -> PointGoal:
-        """Return the goal that puts a foot on the ground, free to slide, where it is after it has moved by (3,) [m]."""
+        """Return the goal that puts a foot on the ground, free to slide, after a displacement by (3,) [m]."""
         outermost = foot.outermost(data)
         positions = np.full((len(outermost.radii), 3), np.nan)
         positions[:, 2] = self.levels(outermost, data, by) + outermost.radii

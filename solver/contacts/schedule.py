@@ -38,7 +38,7 @@ class ContactSchedule:
         specified_flights: The intervals [s] in which nothing supports the figure; None: inferred from keyframes.
         has_cycle: Whether the keyframes form a gait cycle; None: inferred, true only if a cycle is unambiguous.
         period: The period of a gait cycle [s]; None: the likeliest one.
-        is_recording: Whether the frames are those of a recording, so that `on_ground` contains all that supports it.
+        is_recording: Whether the frames are those of a recording, so that `on_ground` contains every support.
     """
 
     figure: Figure
@@ -223,4 +223,4 @@ class ContactSchedule:
     @property
     def _carriers(self) -> tuple[Contact, ...]:
         """Those in the kinematic tree of `root`."""
-        return tuple(each for each in self._standing if self.figure.tables.path[each.point.link, self.root])
+        return tuple(contact for contact in self._standing if self.figure.tables.path[contact.point.link, self.root])

@@ -217,9 +217,9 @@ class Grounding:
         return Frame(key.time, state, fixed, posed)
 
 
-def _beside(told: Mask, k: int, *, loop: bool) -> list[int]:
+def _beside(sets_height: Mask, k: int, *, loop: bool) -> list[int]:
     """Return the nearest keyframes before and after keyframe k in a mask (K,), in a loop across its end."""
-    at = np.flatnonzero(told)
+    at = np.flatnonzero(sets_height)
     before, after = at[at < k], at[at > k]
     if loop and at.size:
         return [int(before[-1] if before.size else at[-1]), int(after[0] if after.size else at[0])]
