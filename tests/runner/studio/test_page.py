@@ -314,7 +314,7 @@ def test_views_fit_and_what_lies_at_the_pointer_is_named_and_selected(tab):
     assert page.locator("#hover").inner_text() == "left_forearm"
     page.mouse.click(*tab.on_screen_at([1.2, 0.6, 0.2]))
     tab.until("studio.model.obstacle?.kind === 'step'")
-    assert page.locator("#panel-scene").get_by_label("step height [m]").is_visible()
+    page.locator("#panel-scene").get_by_label("step height [m]").wait_for()
     tab.press("Escape")
     tab.press("p")
 
