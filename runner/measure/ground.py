@@ -56,11 +56,13 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
         if not is_object or root in (contact.point.link, contact.on)
     ]
     carrying = [(contact.first, contact.last) for contact in contacts]
+    sets_height = [key.fixed[figure.links[root].columns][2] for key in motion.clip.keys]
+    numbers = np.where(sets_height, motion.numbers, 0)
     name, lowest = figure.links[root].name, int(height.round(3).argmin())
     if BOUNDS["aloft"].most < height[lowest] < FAR and not schedule.flights and not carrying:
         text = f"the figure never comes down: lowest point {height[lowest]:.2f} m above the floor"
         key = np.flatnonzero(motion.key_at == at[lowest])
-        number = int(motion.numbers[key[0]]) if key.size else 0
+        number = int(numbers[key[0]]) if key.size else 0
         yield row_of("aloft", name, text).violation(float(height[lowest]), float(samples.t[lowest]), number)
         return
     limits = Thresholds.of(figure)
@@ -75,7 +77,7 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
         keys = np.flatnonzero(np.isin(motion.key_at, at[run[carried[run] >= CARRIED]]))
         if keys.size:
             key = int(keys[height[np.searchsorted(at, motion.key_at[keys])].argmax()])
-            top, number = int(np.searchsorted(at, motion.key_at[key])), int(motion.numbers[key])
+            top, number = int(np.searchsorted(at, motion.key_at[key])), int(numbers[key])
         what = name if is_object else "the figure"
         text = f"{what} floats {{}} above the ground, for {np.ptp(t):.2f} s, and is not in free fall"
         yield row_of("float", name, text).violation(float(height[top]), float(samples.t[top]), number)
