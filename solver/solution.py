@@ -42,7 +42,7 @@ class Improvement:
         return path_of(self.build())
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Solution:
     """The result of in-betweening.
 
@@ -63,6 +63,10 @@ class Solution:
     trace: tuple[tuple[int, int, float, dict[str, float]], ...] = ()
     evaluations: int = 0
     stop: Stop = Stop.CONVERGED
+
+    def __repr__(self) -> str:
+        first, last = self.path.span
+        return f"<Solution: {first:g} to {last:g} s, {self.evaluations} evaluations, {self.stop.name.lower()}>"
 
     @property
     def path(self) -> Path:

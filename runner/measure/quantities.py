@@ -103,7 +103,7 @@ def _torque(samples: Samples) -> Entry:
         "root mean square": float(np.sqrt(np.mean(joints**2))),
         "peak of one joint": peaks.get(strongest, 0.0),
         "joint": strongest,
-        "peak root force": float(max(root, default=0.0)),
+        "peak root force, N": float(max(root, default=0.0)),
     }
 
 

@@ -136,9 +136,10 @@ def tables(data: dict[str, Any]) -> Group:
     gain = f"; {about} of the objective is left to gain" if data["left to gain"] else ""
     took = f" in {data['seconds']:.2f} s" if "seconds" in data else ""
     evaluations = f"{data['evaluations']} evaluations{took}; " if data["evaluations"] else ""
+    partial = f" ({data['partial keyframes']} partial)" if data["partial keyframes"] else ""
     head = (
-        f"{data['clip']}: {data['duration, s']:.2f} s, {data['keyframes']} keyframes "
-        f"({data['partial keyframes']} partial), {data['variable frames']} variable frames; "
+        f"{data['clip']}: {data['duration, s']:.2f} s, {data['keyframes']} keyframes{partial}, "
+        f"{data['variable frames']} variable frames; "
         f"{evaluations}{data['stopped because']}"
         f"{gain}{_cycle_words(data)}"
     )

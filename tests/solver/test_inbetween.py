@@ -81,7 +81,7 @@ def test_a_stop_after_any_number_of_evaluations_gives_a_path_no_worse_than_the_r
             raise error
 
     motion = inbetween(Problem(figure, keys, PENALTIES, Settings(optimiser=method)), improved=stop)
-    assert motion.stop is Stop.INTERRUPTED
+    assert motion.stop is Stop.INTERRUPTED and "interrupted" in repr(motion) and len(repr(motion)) < 100
     assert motion.evaluations == told[-1].evaluation >= evaluations
     assert solved(motion) <= raw(motion) * (1 + 1e-9)
     np.testing.assert_array_equal(motion.timeline.rows, told[-1].path.rows)

@@ -140,7 +140,7 @@ def test_torques_are_those_of_mujocos_inverse_dynamics(solved: Solved):
     assert found["root mean square"] == pytest.approx(np.sqrt(np.mean(joints**2)), rel=1e-6)
     assert found["peak of one joint"] == pytest.approx(joints.max(), rel=1e-6)
     assert found["joint"] == "left_knee"
-    assert found["peak root force"] == pytest.approx(np.linalg.norm(forces[:, :3], axis=1).max(), rel=1e-6)
+    assert found["peak root force, N"] == pytest.approx(np.linalg.norm(forces[:, :3], axis=1).max(), rel=1e-6)
 
 
 @pytest.mark.slow
