@@ -19,6 +19,7 @@ from typing import Literal
 
 TRIAL_SECONDS = 60.0  # [s] time limit of the trial
 _SWITCHED_OFF = ("disable", "disabled", "off", "false", "0")
+_INITIAL = {"MUJOCO_GL": value} if (value := os.environ.get("MUJOCO_GL")) is not None else {}
 
 # a lit sphere in front of a black background, which detects contexts that draw nothing
 _TRIAL = """
@@ -78,6 +79,11 @@ def do_without() -> None:
     """Disable graphics for a process that draws nothing: its `import mujoco` is then faster and cannot fail."""
     if "mujoco" not in sys.modules:
         os.environ["MUJOCO_GL"] = _SWITCHED_OFF[0]
+
+
+def drawing_environment() -> dict[str, str]:
+    """Return the environment of a child process that draws, without the effect of `do_without` on this one."""
+    return {name: value for name, value in os.environ.items() if name != "MUJOCO_GL"} | _INITIAL
 
 
 @functools.cache

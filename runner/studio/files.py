@@ -12,6 +12,7 @@ from tempfile import TemporaryDirectory
 from dynsplines import models
 
 from ..errors import UserError
+from ..picture.graphics import drawing_environment
 from .document import FILMS, MODELS, Document, inside
 from .session import Session
 
@@ -116,7 +117,9 @@ class Files:
                 raise UserError("another file is being written; wait for it, or stop it")
             command = [sys.executable, "-c", COMMAND, what, str(motion), *options]
             pipe = asyncio.subprocess.PIPE
-            self._running = await asyncio.create_subprocess_exec(*command, stdout=pipe, stderr=pipe, cwd=self.folder)
+            self._running = await asyncio.create_subprocess_exec(
+                *command, stdout=pipe, stderr=pipe, cwd=self.folder, env=drawing_environment()
+            )
             try:
                 last = await self._followed(self._running, what)
                 code = await self._running.wait()

@@ -45,6 +45,13 @@ def test_drawing_without_opengl_can_be_selected_and_after_the_import_of_mujoco_o
     assert choose_in_a_fresh_process(code, MUJOCO_GL="disable")[0] == "software"
 
 
+@pytest.mark.parametrize("settings", [{}, {"MUJOCO_GL": "osmesa"}])
+def test_a_child_process_of_one_that_draws_nothing_may_draw(settings: dict[str, str]):
+    code = "import os\nfrom dynsplines.picture import graphics\ngraphics.do_without()\nprint(os.environ['MUJOCO_GL'])\n"
+    code += "print(graphics.drawing_environment().get('MUJOCO_GL'))"
+    assert choose_in_a_fresh_process(code, **settings) == ["disable", str(settings.get("MUJOCO_GL"))]
+
+
 @pytest.mark.parametrize(
     "trial", ["import os; print('drawn', flush=True); os.abort()", "print('blank')", "import time; time.sleep(60)"]
 )

@@ -14,6 +14,7 @@ with warnings.catch_warnings():  # of one version's preference for another clien
 from starlette.websockets import WebSocketDisconnect
 
 from dynsplines.errors import UserError
+from dynsplines.picture import graphics
 from dynsplines.studio import files, launch
 from dynsplines.studio.actions import Actions
 from dynsplines.studio.document import Document
@@ -223,6 +224,18 @@ def test_a_video_or_an_export_replaces_a_file_only_after_a_confirmation(client, 
     assert ran == []
     assert answers(client, asked | {"overwrite": True})[0]["ok"]
     assert ran == [asked["do"] == "export"]
+
+
+def test_a_video_is_drawn_by_the_renderer_that_the_command_selects(client, monkeypatch):
+    async def save_motion(self, file):
+        file.touch()
+
+    monkeypatch.setattr(Session, "save_motion", save_motion)
+    monkeypatch.setattr(files, "COMMAND", "import os; exit(f\"drawn with {os.environ.get('MUJOCO_GL')}\")")
+    monkeypatch.setenv("MUJOCO_GL", "disable")  # by do_without, in the process of the server
+    monkeypatch.setattr(graphics, "_INITIAL", {"MUJOCO_GL": "osmesa"})
+    (told,) = answers(client, {"do": "render", "name": "walk.mp4"})
+    assert told["words"] == "drawn with osmesa"
 
 
 def test_what_the_studio_does_not_know_is_answered_in_words(client):
