@@ -8,7 +8,7 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from dynsplines import models
 
@@ -22,7 +22,25 @@ if TYPE_CHECKING:
 MODELS = (".xml", ".mjcf", ".urdf")
 PLAIN = re.compile(r"[^/\\\0:*?\"<>|]+")
 FILMS = (".mp4", ".webm", ".gif", ".png")  # extensions of rendered files
-Step = tuple[str, str]  # description of an edit, and the text before or after it
+
+
+class Step(NamedTuple):
+    """An edit that undo or redo changes: a part of the present text becomes another one."""
+
+    words: str
+    begin: int
+    end: int
+    part: str
+
+    @classmethod
+    def to(cls, text: str, present: str, words: str) -> Step:
+        """Return the step from the present text to another one."""
+        begin = _equal(present, text)
+        rest = _equal(present[begin:][::-1], text[begin:][::-1])
+        return cls(words, begin, len(present) - rest, text[begin : len(text) - rest])
+
+    def apply(self, present: str) -> str:
+        return present[: self.begin] + self.part + present[self.end :]
 
 
 @lru_cache(maxsize=8)
@@ -135,7 +153,7 @@ class Document:
             "file": self.file.name if self.file else None,
             "dirty": self.is_dirty,
             "revision": self.revision,
-            **{verb: steps[-1][0] if steps else None for verb, steps in self.steps.items()},
+            **{verb: steps[-1].words if steps else None for verb, steps in self.steps.items()},
         }
 
     def tree(self) -> Blocks:
@@ -152,12 +170,13 @@ class Document:
         """Set the present text; `words` describe the edit. Consecutive edits of one stroke are undone together."""
         if text == self.text:
             return
-        undo = self.steps["undo"]
-        if stroke is None or stroke != self._stroke:
-            undo.append((words, self.text))
-        elif undo[-1][1] == text:  # the stroke has returned to its beginning
-            undo.pop()
+        undo, before = self.steps["undo"], self.text
+        if stroke is not None and stroke == self._stroke:
+            words, before = undo[-1].words, undo.pop().apply(self.text)
+        if before == text:  # the stroke has returned to its beginning
             stroke = None
+        else:
+            undo.append(Step.to(before, text, words))
         self._stroke = stroke
         self.steps["redo"].clear()
         self._put(text)
@@ -165,8 +184,9 @@ class Document:
     def step(self, verb: str) -> None:
         """Undo or redo an edit."""
         self._stroke = None
-        words, text = self.steps[verb].pop()
-        self.steps["redo" if verb == "undo" else "undo"].append((words, self.text))
+        step = self.steps[verb].pop()
+        text = step.apply(self.text)
+        self.steps["redo" if verb == "undo" else "undo"].append(Step.to(self.text, text, step.words))
         self._put(text)
 
     def save(self, file: Path) -> None:
@@ -254,6 +274,12 @@ class Document:
         if _counts(text) != _counts(self.text):
             self.numbered_since = self.revision
         self.text = text
+
+
+def _equal(one: str, other: str) -> int:
+    """Return the number of characters up to the first different one."""
+    pairs = enumerate(zip(one, other, strict=False))
+    return next((i for i, (a, b) in pairs if a != b), min(len(one), len(other)))
 
 
 def _counts(text: str) -> dict[str, int]:

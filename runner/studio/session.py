@@ -158,10 +158,10 @@ class Session:
         self.check_offer()
         if not self.document.steps[verb]:
             raise UserError(f"nothing to {verb}")
-        words, text = self.document.steps[verb][-1]
-        loaded = await self._validate(text)
+        step = self.document.steps[verb][-1]
+        loaded = await self._validate(step.apply(self.document.text))
         self.document.step(verb)
-        return self._accept_change(loaded, f"{verb}: {words}")
+        return self._accept_change(loaded, f"{verb}: {step.words}")
 
     def check_offer(self) -> None:
         """Raise UserError while unsaved work is offered: it would be replaced."""

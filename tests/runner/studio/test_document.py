@@ -97,10 +97,22 @@ def test_a_stroke_of_edits_is_undone_at_once_unless_something_comes_between():
     found = Document("clip", "x = 0", Path())
     for value, stroke in ((1, "a"), (2, "a"), (3, None), (4, "b"), (5, "b"), (3, "b"), (6, "c")):
         found.commit(f"x = {value}", f"to {value}", stroke)
-    assert found.steps["undo"] == [("to 1", "x = 0"), ("to 3", "x = 2"), ("to 6", "x = 3")]
+    assert [step.words for step in found.steps["undo"]] == ["to 1", "to 3", "to 6"]
     found.step("undo")
+    assert found.text == "x = 3"
     found.commit("x = 7", "to 7", "c")
-    assert [words for words, _ in found.steps["undo"]] == ["to 1", "to 3", "to 7"]
+    assert [step.words for step in found.steps["undo"]] == ["to 1", "to 3", "to 7"]
+    for before in ("x = 3", "x = 2", "x = 0"):
+        found.step("undo")
+        assert found.text == before
+
+
+def test_undo_stores_only_the_part_that_an_edit_changes():
+    found, rest = Document("clip", "x = 0\n" + "# a comment\n" * 1000, Path()), "\n" + "# a comment\n" * 1000
+    for value in range(1, 100):
+        found.commit(f"x = {value}{rest}", "to", str(value // 2))
+    found.step("undo")
+    assert sum(len(step.part) for step in [*found.steps["undo"], *found.steps["redo"]]) < 200
 
 
 def test_comments_and_order_stay():
