@@ -57,6 +57,8 @@ PLACE = """(body) => { const { stage, model } = studio, box = stage.canvas.getBo
 HIT = "([clientX, clientY]) => studio.hands.hit({ clientX, clientY })?.body ?? null"
 FIELDS = """() => [...document.querySelectorAll('aside input.number')].filter((each) => each.offsetParent)
   .map((each) => each.getAttribute('aria-label'))"""
+LOCKED = "studio.model.locked"
+IMAGES_PER_PIXEL = "studio.model.fps * (studio.timeline.end - studio.timeline.begin) / studio.timeline.width"
 VALUE = '(label) => document.querySelector(`aside input.number[aria-label="${label}"]`)?.value ?? null'
 KEPT = "JSON.stringify(({ revision, undo, redo, is, ...rest } = studio.model.document, rest))"
 WORDS = re.compile(r"Traceback|internal error|Error\b|undefined|\[object|the request failed")
@@ -153,6 +155,7 @@ class Person:
             fault = " ".join(str(error).split())[:300]
         if self.random.random() < 0.8 or fault is not None:
             self.quiet()
+        self.dismiss()
         refusals = self.page.evaluate(f"refusals.slice({before if before <= self.refusals() else 0})")
         self.result.refused += len(refusals)
         self.result.faults += [f"{name}: refused: {words!r}" for words in refusals if not words or WORDS.search(words)]
@@ -214,7 +217,7 @@ class Person:
         self.quiet()
         body = self.integer(1, self.page.evaluate("studio.model.stage.bodies.length"))
         place = self.page.evaluate(PLACE, body)
-        if not self.on_stage(place) or self.page.evaluate(HIT, place) is None:
+        if not self.on_stage(place) or self.page.evaluate(HIT, place) in (None, *self.page.evaluate(LOCKED)):
             return None
         before, modifier = self.revision, self.one_of([None, None, None, "Alt", "Control"])
         self.page.mouse.move(*place)
@@ -312,12 +315,15 @@ class Person:
         by = float(self.random.normal(scale=40))
         self.drag((at["x"], at["y"]), (at["x"] + by, at["y"] + 3))
         self.quiet()
-        return None if abs(by) < 25 else self.until_changed(before, f"a diamond dragged by {by:.0f} px stayed")
+        is_short = abs(by) < max(25, 2 / self.page.evaluate(IMAGES_PER_PIXEL))
+        if is_short or (by < 0 and self.page.evaluate("studio.model.time") == 0):
+            return None
+        return self.until_changed(before, f"a diamond dragged by {by:.0f} px stayed")
 
     def dismiss(self) -> None:
         if self.page.evaluate("document.querySelector('dialog[open]') !== null"):
             self.page.keyboard.press("Escape")
-        until(self.page, "document.querySelector('dialog') === null", 10)
+        until(self.page, "document.querySelector('dialog') === null")
 
     def click_timeline(self) -> None:
         box = self.page.locator("#timeline").bounding_box()
@@ -396,10 +402,10 @@ class Person:
         file = self.folder / "run.toml"
         text = models.clip_text("run_and_step").replace("fps = 30", f"fps = {self.integer(24, 61)}")
         file.write_text(self.one_of([f"{text}# {time.time()}\n", f"broken = [ # {time.time()}\n"]), encoding="utf-8")
-        until(self.page, "!document.getElementById('outside').hidden", 20)
+        until(self.page, "!document.getElementById('outside').hidden")
         reload = self.page.locator("#outside-reload")
         (reload if reload.is_visible() and self.random.random() < 0.5 else self.page.locator("#outside-keep")).click()
-        until(self.page, "document.getElementById('outside').hidden", 20)
+        until(self.page, "document.getElementById('outside').hidden")
         return None
 
     def reload(self) -> str | None:
@@ -413,7 +419,7 @@ class Person:
 
     def pose(self) -> str | None:
         self.quiet()
-        self.page.keyboard.press("p")
+        self.page.locator("#tab-pose").click()
         buttons = self.page.locator("#panel-pose button.pose")
         names = buttons.count()
         if names < 4 and self.random.random() < 0.5:
@@ -421,8 +427,8 @@ class Person:
             name = f"pose {self.integer(0, 10**6)}"
             self.page.get_by_label("name of the pose").fill(name)
             self.page.keyboard.press("Enter")
-            until(self.page, f"studio.model.poses.includes({name!r})", 20)
-            until(self.page, "document.querySelector('dialog') === null", 20)
+            until(self.page, f"studio.model.poses.includes({name!r})")
+            until(self.page, "document.querySelector('dialog') === null")
             return None
         buttons.nth(self.integer(0, names)).click()
         self.quiet()
@@ -468,9 +474,9 @@ def restored(page: Any, folder: Path) -> None:
     page.keyboard.press("Escape")
     until(page, QUIET)
     file.write_text(f"{models.clip_text('run_and_step')}# {time.time()}\n", encoding="utf-8")
-    until(page, "!document.getElementById('outside').hidden", 20)
+    until(page, "!document.getElementById('outside').hidden")
     page.locator("#outside-reload").click()
-    until(page, "document.getElementById('outside').hidden", 20)
+    until(page, "document.getElementById('outside').hidden")
     if not page.evaluate("studio.model.status.go"):
         page.keyboard.press("g")
     page.evaluate("void (studio.model.playing = false, document.activeElement?.blur())")
