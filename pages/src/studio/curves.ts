@@ -34,8 +34,8 @@ export const toggleCurves = (): void => {
 
 const style = (name: string): string => getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 
-/** The series of the selected joint. */
-const own = (found: Group): Series[] => found.series.filter(({ joint }) => joint === model.joint);
+/** The series of the selected joints. */
+const own = (found: Group): Series[] => found.series.filter(({ joint }) => model.joints.includes(joint));
 
 /** A series at a time [s]. */
 const valueAt = ({ after }: Series, time: number): number => {
@@ -62,7 +62,7 @@ const drop = async (dot: Dot, from: Dot): Promise<void> => {
   const now = values(joint, model.poseOf(key)), isLength = series.axis! < 3 && joint.kind === "free";
   if (!isLength) for (const each of present.filter((other) => other.joint === joint.name)) now[each.axis!] = valueAt(each, from.time); // beyond half a turn, too
   now[series.axis!] = Number(value.toFixed(3));
-  if (value !== from.value) await setNumbers(key, joint, now, series.axis!, revision, stroke);
+  if (value !== from.value) await setNumbers(key, [[joint, now]], series.axis!, revision, stroke);
   if (time !== from.time) await moveKeys([[key, time]], model.document!.revision, stroke);
 };
 

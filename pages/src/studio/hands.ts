@@ -50,16 +50,17 @@ export class Hands {
     new THREE.SphereGeometry(0.022, 16, 12),
     new THREE.MeshBasicMaterial({ color: 0xffb454, depthTest: false, transparent: true, opacity: 0.95 }),
   );
-  private readonly padlocks = new THREE.Group();
-  private readonly paint = new THREE.SpriteMaterial({ map: padlock(), depthTest: false, sizeAttenuation: false });
+  private readonly signs = new THREE.Group(); // on locked bodies, and on joints that are selected together
+  private readonly lockPaint = new THREE.SpriteMaterial({ map: padlock(), depthTest: false, sizeAttenuation: false });
+  private readonly jointPaint = new THREE.SpriteMaterial({ color: 0xffb454, rotation: Math.PI / 4, depthTest: false, sizeAttenuation: false });
   private over: number | null = null; // the body at the pointer
 
   constructor(private readonly stage: Stage) {
     const { canvas } = stage;
     this.mark.visible = false;
     this.mark.renderOrder = 10;
-    stage.extra.add(this.mark, this.padlocks);
-    stage.sights.push(() => this.showLocks());
+    stage.extra.add(this.mark, this.signs);
+    stage.sights.push(() => this.showSigns());
     canvas.addEventListener("pointermove", (event) => this.move(event));
     canvas.addEventListener("pointerdown", (event) => this.down(event), true);
     window.addEventListener("pointerup", (event) => void this.up(event));
@@ -87,12 +88,17 @@ export class Hands {
     this.stage.draw();
   }
 
-  /** Locks or unlocks a body. */
-  lock(body = this.over ?? model.stage?.joints.find((joint) => joint.name === model.joint)?.body): void {
-    const name = model.stage?.bodies[body ?? -1];
-    if (!name || model.stage!.still[body!]) { toast("point at a body, or select a joint", "note"); return; }
-    if (!model.locks.delete(name)) model.locks.add(name);
-    toast(`${name} is ${model.locks.has(name) ? "locked" : "not locked any more"}`);
+  /** The selected joints. */
+  private get chosen(): Joint[] { return model.stage?.joints.filter(({ name }) => model.joints.includes(name)) ?? []; }
+
+  /** Locks or unlocks a body, or if it is selected, or there is none, those of the selected joints. */
+  lock(body = this.over): void {
+    const chosen = this.chosen.map((joint) => joint.body), bodies = body === null || chosen.includes(body) ? chosen : [body];
+    const names = bodies.filter((each) => !model.stage!.still[each]).map((each) => model.stage!.bodies[each]);
+    if (!names.length) { toast("point at a body, or select a joint", "note"); return; }
+    const locks = names.some((name) => !model.locks.has(name));
+    for (const name of names) locks ? model.locks.add(name) : model.locks.delete(name);
+    toast(`${names.join(", ")}: ${locks ? "locked" : "not locked any more"}`);
     this.stage.draw();
   }
 
@@ -151,20 +157,19 @@ export class Hands {
     if (near) model.seek(near.time);
   }
 
-  /** A padlock on every locked body. */
-  private showLocks(): void {
-    const { locked } = model;
-    while (this.padlocks.children.length < locked.length) {
-      const sprite = new THREE.Sprite(this.paint);
-      sprite.scale.setScalar(0.03);
+  /** A padlock on every locked body, and a mark on every joint if several are selected. */
+  private showSigns(): void {
+    const { locked } = model, { chosen, stage } = this;
+    const locks = locked.map((body) => ({ body, offset: model.stage!.sites.findLast((site) => site.body === body)?.offset ?? [0, 0, 0], paint: this.lockPaint, size: 0.03 }));
+    const joints = chosen.length < 2 ? [] : chosen.map(({ body, anchor }) => ({ body, offset: anchor, paint: this.jointPaint, size: 0.012 }));
+    this.signs.clear();
+    for (const { body, offset, paint, size } of [...locks, ...joints]) {
+      const sprite = new THREE.Sprite(paint);
+      sprite.scale.setScalar(size);
       sprite.renderOrder = 12;
-      this.padlocks.add(sprite);
+      sprite.position.copy(stage.placeOf(body, offset));
+      this.signs.add(sprite);
     }
-    this.padlocks.children.forEach((sprite, i) => {
-      sprite.visible = i < locked.length;
-      const site = model.stage!.sites.findLast(({ body }) => body === locked[i]);
-      if (sprite.visible) sprite.position.copy(this.stage.placeOf(locked[i], site?.offset ?? [0, 0, 0]));
-    });
   }
 
   /** The body at a point of the page, or near it. */
@@ -183,8 +188,9 @@ export class Hands {
     return null;
   }
 
-  /** Selects the nearest obstacle at a point of the page, or nothing. */
+  /** Selects the nearest obstacle at a point of the page, or nothing; with Shift, one more joint. */
   private choose(event: PointerEvent): void {
+    if (event.shiftKey) { model.choose(this.jointOf(this.hit(event)?.body ?? 0)?.name ?? null, true); return; }
     const ray = this.stage.through(event), away = (obstacle: Obstacle) => meets(this.stage, obstacle, ray)?.distanceTo(ray.origin) ?? Infinity;
     const found = (model.document?.obstacles ?? []).map((obstacle) => ({ obstacle, far: away(obstacle) })).filter(({ far }) => far < Infinity)
       .sort((a, b) => a.far - b.far)[0]?.obstacle;
@@ -288,9 +294,7 @@ export class Hands {
     this.stage.canvas.style.cursor = "";
     this.mark.visible = false;
     if (!held.moved) {
-      model.joint = model.stage?.joints.find((joint) => joint.body === held.body)?.name ?? null;
-      model.tell("joint");
-      this.stage.draw();
+      model.choose(this.jointOf(held.body)?.name ?? null);
       return;
     }
     this.pull(held);

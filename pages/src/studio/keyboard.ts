@@ -71,21 +71,20 @@ export const commands = (stage: Stage, timeline: Timeline, hands: Hands): Comman
   ...([["P", "pose"], ["O", "problems"], ["W", "weights"], ["S", "scene"]] as const).map(([keys, name]): Command => [keys, `panel: ${name}`, () => { showTab(name); $(`tab-${name}`).focus(); }]),
   ["J", "next joint, with rotation rings", () => {
     const joints = model.stage?.joints.map((joint) => joint.name) ?? [];
-    model.joint = joints[(joints.indexOf(model.joint ?? "") + 1) % joints.length] ?? null;
-    model.tell("joint");
+    model.choose(joints[(joints.indexOf(model.joint ?? "") + 1) % joints.length] ?? null);
   }],
   ["R", "arrows of an obstacle: move or resize it", () => { model.resizes = !model.resizes; model.tell("joint"); }],
-  ["X", "lock or unlock the body at the pointer, or of the selected joint", () => hands.lock()],
+  ["X", "lock or unlock the body at the pointer, or those of the selected joints", () => hands.lock()],
   ["Escape", "cancel a drag; deselect", () => {
     if (hands.busy) { void hands.cancel(); return; }
-    if (model.joint !== null || model.obstacle !== null) { model.joint = model.obstacle = null; model.tell("joint"); } else model.select([]);
+    if (model.joint !== null || model.obstacle !== null) model.pick(null); else model.select([]);
   }],
   ["?", "this list", () => help(stage, timeline, hands), "help"],
 ];
 
 const MOUSE: [string, string][] = [
   ["drag the figure", "pose it: the limb bends, then the whole figure follows; planted soles stay (Alt: they may move; Ctrl: nearer or farther)"],
-  ["click the figure", "select a joint and rotate it by its rings"],
+  ["click the figure", "select a joint and rotate it by its rings; Shift: select more, of which numbers, modes and locks change together"],
   ["select an obstacle in the panel Scene", "arrows move it, or resize it (R)"],
   ["right button on the figure", "lock a body: it stays where it is while others are posed; plant a foot; drag a limb by its joints (FK)"],
   ["drag the background", "orbit; right button or Shift: pan; wheel: zoom"],

@@ -71,7 +71,7 @@ class Model {
   frames = 0; // paths that have come
   keys = new Set<number>();
   bar: { kind: "contact" | "grasp"; index: number } | null = null;
-  joint: string | null = null;
+  joints: string[] = []; // that are selected; fields and rings show the last one
   obstacle: { kind: string; index: number } | null = null;
   resizes = false; // whether the arrows of an obstacle resize it
   readonly fk = new Set<string>(); // names of limbs whose joints a drag rotates
@@ -85,6 +85,8 @@ class Model {
   tell(what: Heard): void {
     for (const ear of this.ears.get(what) ?? []) ear();
   }
+
+  get joint(): string | null { return this.joints.at(-1) ?? null; }
 
   /** Numbers of the locked bodies. */
   get locked(): number[] { return (this.stage?.bodies ?? []).flatMap((name, body) => (this.locks.has(name) ? [body] : [])); }
@@ -142,14 +144,21 @@ class Model {
   visit(time: number | null, joint: string): void {
     this.playing = false;
     if (time !== null) this.seek(time);
-    this.joint = this.stage?.joints.find(({ name }) => name === joint)?.name ?? this.joint;
+    this.choose(this.stage?.joints.find(({ name }) => name === joint)?.name ?? this.joint);
+  }
+
+  /** Selects a joint, or with `adds` adds it to the selected ones, or removes it. */
+  choose(joint: string | null, adds = false): void {
+    const others = adds ? this.joints.filter((name) => name !== joint) : [];
+    this.joints = joint === null || (adds && this.joints.includes(joint)) ? others : [...others, joint];
+    this.obstacle = null;
     this.tell("joint");
   }
 
-  /** Selects an obstacle instead of a joint; null selects nothing. */
+  /** Selects an obstacle instead of joints; null selects nothing. */
   pick(obstacle: { kind: string; index: number } | null): void {
     this.obstacle = obstacle && { kind: obstacle.kind, index: obstacle.index };
-    this.joint = null;
+    this.joints = [];
     this.tell("joint");
   }
 

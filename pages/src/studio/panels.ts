@@ -35,10 +35,15 @@ export const values = (joint: Joint, qpos: number[]): number[] => {
 const isRoot = (joint: Joint): boolean => joint === model.stage!.joints.find((each) => each.kind === "free"); // or another free body
 const rooted = (joint: Joint, part: object): object => (isRoot(joint) ? { root: part } : { roots: { [joint.name]: part } });
 
-/** Sets one of a joint's numbers in a keyframe. Feet on the ground and locked bodies stay where they are. */
-export const setNumbers = (key: number, joint: Joint, now: number[], i: number, revision: number, stroke?: string): Promise<unknown> => {
+/** The selected joints of a kind, if a joint is one of them; else it alone. */
+const together = (joint: Joint, isMeant = (_: Joint): boolean => true): Joint[] => [joint, ...model.stage!.joints.filter((each) =>
+  each !== joint && [joint, each].every(({ kind, name }) => kind !== "free" && model.joints.includes(name)) && isMeant(each))];
+
+/** Sets one of the numbers of joints of one kind in a keyframe. Feet on the ground and locked bodies stay where they are. */
+export const setNumbers = (key: number, sets: [Joint, number[]][], i: number, revision: number, stroke?: string): Promise<unknown> => {
+  const [[joint, now]] = sets;
   const isFree = (k: number): boolean => k !== i && !model.loaded!.keys[key].fixed[joint.qpos + k];
-  let entries: object = { joints: { [joint.name]: joint.kind === "ball" ? { rotvec: now } : now[i] } };
+  let entries: object = { joints: Object.fromEntries(sets.map(([each, to]) => [each.name, each.kind === "ball" ? { rotvec: to } : to[i]])) };
   if (joint.kind === "free") entries = rooted(joint, i >= 3 ? { rotation: { rotvec: now.slice(3) } } : { position: now.slice(0, 3).map((each, k) => (isFree(k) ? "free" : each)) });
   return edit("change", { at: ["keyframe", key], entries, revision, plant: isRoot(joint), locks: model.locked }, stroke);
 };
@@ -56,23 +61,26 @@ const poseRow = (key: number, joint: Joint): HTMLElement => {
     class: "mode", "aria-label": `${joint.name}: pinned, free, or by the keyframe's rule for other joints`,
     title: "pinned: fixed at this value; free: chosen by the optimiser; others: by the keyframe's rule for other joints",
     onchange: ({ currentTarget }) => {
-      const { value } = currentTarget as HTMLSelectElement;
-      if (value === "none") void change(at, { joints: { [joint.name]: null } }, revision);
-      else void act(value, { key, revision, joints: [joint.name] });
+      const { value } = currentTarget as HTMLSelectElement, joints = together(joint).map(({ name }) => name);
+      if (value === "none") void change(at, { joints: Object.fromEntries(joints.map((name) => [name, null])) }, revision);
+      else void act(value, { key, revision, joints });
     },
   });
   for (const [value, text] of [["pin", "pinned"], ["free", "free"], ...(joint.kind === "free" ? [] : [["none", `others (${authored.others})`]])]) {
     choice.append(el("option", { value, text, selected: value === (explicit ? mode : "none") }));
   }
-  const row = el("div", { "data-id": joint.name, class: `joint${model.joint === joint.name ? " selected" : ""}${fixed ? "" : " free"}` },
-    el("button", { type: "button", class: "name", text: joint.name, title: joint.range ? `range ${joint.range.map((x) => short(x, 1)).join(" to ")}` : joint.kind, onclick: () => { model.joint = model.joint === joint.name ? null : joint.name; model.tell("joint"); } }),
+  const row = el("div", { "data-id": joint.name, class: `joint${model.joints.includes(joint.name) ? " selected" : ""}${fixed ? "" : " free"}` },
+    el("button", { type: "button", class: "name", text: joint.name, title: joint.range ? `range ${joint.range.map((x) => short(x, 1)).join(" to ")}` : joint.kind, onclick: (event) => { const { shiftKey } = event as MouseEvent; model.choose(!shiftKey && String(model.joints) === joint.name ? null : joint.name, shiftKey); } }),
     choice);
   const line = el("div", { class: "numbers" });
-  /** Sets one of its numbers; the others are those of now, not of when the field was drawn. */
+  /** Sets one of its numbers; the others are those of now, not of when the field was drawn. Other selected joints get what is typed, or change as much. */
   const send = (i: number, value: number, stroke?: string): void => {
-    const now = values(joint, model.poseOf(key));
-    now[i] = value;
-    void setNumbers(key, joint, now, i, revision, stroke);
+    const before = model.poseOf(key), by = value - values(joint, before)[i];
+    void setNumbers(key, together(joint, ({ kind }) => kind === joint.kind).map((each) => {
+      const now = values(each, before);
+      now[i] = each === joint || !stroke ? value : now[i] + by;
+      return [each, now];
+    }), i, revision, stroke);
   };
   const names = joint.kind === "free" ? ["x", "y", "z", "turn x", "turn y", "turn z"] : joint.kind === "ball" ? ["x", "y", "z"] : [""];
   const pins: HTMLElement[] = [];

@@ -73,7 +73,7 @@ export class Stage {
     this.caster.layers.enable(UNSEEN);
     model.on("stage", () => this.build());
     model.on("path", () => this.arrived());
-    model.on(["time", "which", "selection", "document"], () => this.draw());
+    model.on(["time", "which", "selection", "document", "joint"], () => this.draw());
     model.on("loaded", () => this.haunt());
     model.on("shown", () => this.haunt());
     model.on("theme", () => {

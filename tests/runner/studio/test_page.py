@@ -405,7 +405,7 @@ DOT = """(() => { const dot = studio.dots().find(({ key, series }) => key === 1 
 
 def test_keyframes_are_dragged_in_time_and_value_on_the_curves_of_an_axis(tab):
     tab.seek(0.3)
-    tab.evaluate("void (studio.model.joint = 'left_hip', studio.model.tell('joint'))")
+    tab.evaluate("studio.model.choose('left_hip')")
     tab.press("c")
     tab.until("document.querySelector('#curve-names label') !== null")
     names = tab.page.locator("#curve-names label").all_inner_texts()
@@ -561,6 +561,46 @@ def test_no_press_and_no_typed_number_is_lost_and_a_run_of_presses_is_one_undo(t
     assert tab.evaluate(hip) == before
 
 
+def test_joints_that_are_selected_together_change_together(tab):
+    joints = "[0, 1].map((i) => studio.model.document.keys[2].joints[['left_elbow', 'left_knee'][i]])"
+    tab.seek(0.6)
+    tab.press("3")
+    tab.shown()
+    before, step = tab.evaluate(joints), tab.evaluate("studio.model.document.undo")
+    tab.page.mouse.click(*tab.grip("left_forearm"))
+    tab.page.keyboard.down("Shift")
+    tab.page.mouse.click(*tab.grip("left_shin"))
+    tab.page.keyboard.up("Shift")
+    assert tab.evaluate("studio.model.joints") == ["left_elbow", "left_knee"]
+
+    field = tab.page.get_by_label("left_elbow [degrees]")
+    field.focus()
+    for _ in range(3):
+        tab.press("ArrowUp")
+    tab.until(CONFIRMED)
+    assert tab.evaluate(joints) == pytest.approx(np.add(before, 3))
+    undo(tab)
+    assert tab.evaluate(f"[{joints}, studio.model.document.undo]") == [before, step]
+    field.fill("31")
+    tab.changes(lambda: tab.press("Enter"))
+    assert tab.evaluate(joints) == [31, 31]
+    undo(tab)
+    mode = tab.page.get_by_label("left_knee: pinned")
+    tab.changes(lambda: mode.select_option("free"))
+    assert tab.evaluate(joints) == ["free", "free"]
+    undo(tab)
+    mode.evaluate("(each) => each.blur()")
+
+    tab.press("x")
+    assert set(tab.evaluate("[...studio.model.locks]")) == {"left_forearm", "left_shin"}
+    tab.press("x")
+    assert tab.evaluate("studio.model.locks.size") == 0
+    tab.page.locator("[data-id='left_elbow'] .name").click(modifiers=["Shift"])
+    assert tab.evaluate("studio.model.joints") == ["left_knee"]
+    tab.press("Escape")
+    assert tab.evaluate("studio.model.joints") == []
+
+
 PRESS_IN_TWO = """(async () => {
   const press = () => document.querySelector('[aria-label="left_hip x [degrees]"]')
     .dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowUp' }));
@@ -634,7 +674,7 @@ def ring(tab):
 def test_a_turn_is_let_go_by_escape_and_the_camera_and_the_next_one_go_on(tab):
     tab.seek(0.3)
     tab.press("2")
-    choose = "void (studio.model.joint = 'left_hip', studio.model.tell('joint'))"
+    choose = "studio.model.choose('left_hip')"
     tab.evaluate(choose)
     x, y = ring(tab)
     tab.page.mouse.down()
@@ -703,7 +743,7 @@ def test_a_partial_keyframe_specifies_only_the_dragged_limb(tab):
 def test_a_grasp_is_drawn_for_the_hand_of_the_arm_that_is_chosen(tab):
     page = tab.page
     assert page.locator("[data-hand]").count() == 0
-    tab.evaluate("void (studio.model.joint = 'left_elbow', studio.model.tell('joint'))")
+    tab.evaluate("studio.model.choose('left_elbow')")
     row = page.locator("[data-hand='left_hand']")
     row.wait_for()
     row.scroll_into_view_if_needed()
