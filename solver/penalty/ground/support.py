@@ -103,14 +103,13 @@ class Support(Penalty):
 
     def is_known(self, t: Array) -> Mask:
         """Return whether it is known what carries the figure at times t (S,), (S,)."""
-        return within(self.flights, t) | (self._active(t).any(axis=0) if self.footings else np.zeros(t.size, bool))
+        return within(self.flights, t) | self._active(t).any(axis=0)
 
     def rest(self, samples: Samples, wrench: RootWrench | None = None) -> Array:
         """Return the unsupplied force and moment (6, S) in units of weight and weight times height; wrench: at the
         root."""
         out, at = np.zeros((6, samples.count)), np.flatnonzero(self.is_known(samples.t))
-        if at.size:
-            out[:, at] = self._evaluate(samples, at, wrench).unsupplied.rest
+        out[:, at] = self._evaluate(samples, at, wrench).unsupplied.rest
         return out
 
     def reactions(self, samples: Samples, wrench: RootWrench | None = None) -> Reactions:
@@ -118,9 +117,6 @@ class Support(Penalty):
         root."""
         supported = np.flatnonzero(self.is_known(samples.t))
         which, _, _ = self._pairs(samples.t[supported])
-        if not which.size:
-            none = np.zeros(0, np.intp)
-            return Reactions(none, none, np.zeros((3, 0)), np.zeros((3, 0)))
         pushes = self._evaluate(samples, supported, wrench).pushes
         x, _ = samples.links.poses(pushes.link * samples.count + pushes.at)
         return Reactions(pushes.at, which, x + pushes.offset, pushes.force)
@@ -163,9 +159,9 @@ class Support(Penalty):
         pyramid = np.zeros((6, int(slot.max(initial=0)) + 1, EDGES, known.size))
         pyramid[:3, slot, :, at] = edges_at.transpose(1, 0, 2)
         pyramid[3:, slot, :, at] = cross(lever[:, :, None], edges_at).transpose(1, 0, 2)
-        pyramid = pyramid.reshape(6, -1, known.size)
+        pyramid = pyramid.reshape(6, pyramid.shape[1] * EDGES, known.size)
         unsupplied_part = split_off_cone(w, pyramid, self.softness)
-        shares = unsupplied_part.shares.reshape(-1, EDGES, known.size)[slot, :, at]
+        shares = unsupplied_part.shares.reshape(pyramid.shape[1] // EDGES, EDGES, known.size)[slot, :, at]
         force = self.unit * np.einsum("ipe,pe->ip", edges_at, shares)
         return _Evaluation(wrench, unsupplied_part, Pushes(sample, link, offset, force), pyramid)
 
@@ -176,9 +172,6 @@ class Support(Penalty):
 
     def _pairs(self, t: Array) -> tuple[Index, Index, Index]:
         """Return pairs of a footing and a sample within it, by sample, and the rank of each pair in its sample."""
-        if not self.footings:
-            none = np.zeros(0, np.intp)
-            return none, none, none
         at, which = np.nonzero(self._active(t).T)
         begin = np.searchsorted(at, np.arange(t.size))
         return which, at, np.arange(at.size) - begin[at]
