@@ -207,7 +207,7 @@ class Context:
         if schedule.root is None or schedule.has_cycle is False or schedule.gait_cycle is not None or not self.points:
             return []
         feet = sorted({point.link for point in self.points if self.figure.tables.path[point.link, schedule.root]})
-        places = Samples.still(self.figure, keys.states).links.x[:2, feet]
+        places = Samples.still(self.figure, keys.states).links.x[:, feet]
         moves = displacements(places).min(axis=0, initial=np.inf)
         gaps, whole = np.diff(keys.times), keys.fixed.all(axis=1)
         stands = whole & schedule.is_low

@@ -71,7 +71,7 @@ class Grounding:
             nearest = np.where(standing, 0.0, low)[beside if between else sets_height | standing]
             if sets_height[k] or not (standing[k] or self._stands(timeline, k, nearest, between=between)):
                 continue
-            levels = [np.max(bottom[beside] - low[beside])] if beside else [bottom[k], bottom[k] + self._length]
+            levels = [np.max(bottom[beside])] if beside else [bottom[k], bottom[k] + self._length]
             above = [np.array([0.0, 0.0, level + DEEP - bottom[k]]) for level in levels]
             down = self._shallowest(centres[..., k], radii, self._drops(centres[..., k], radii, above))
             if down is None:

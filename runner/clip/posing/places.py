@@ -272,7 +272,7 @@ def _feet(figure: Figure, root: Root, points: Sequence[Point], poses: Array) -> 
 def _feet_in(figure: Figure, root: int, points: Sequence[Point], places: Array, radii: Array) -> list[Point]:
     """Return the feet in one pose, with points at positions (3, n) [m]; none if the trunk is as low."""
     links, bottom = arrays_of(points)[0], places[2] - radii
-    height = float((places[2] + radii).max() - bottom.min())
+    height = float(np.ptp(places[2]))
     feet: list[Point] = []
     for foot in np.unique(links):
         members = np.flatnonzero(links == foot)
