@@ -99,18 +99,15 @@ def _bones(
 
 
 def _lines(captured: CapturedSkeleton, joint: int, role: str) -> list[tuple[Array, Array]]:
-    """Return the ends (3,) of the bones of a joint. At pelvis and chest, bones lead to the midpoint between the limbs,
-    and from left to right."""
+    """Return the ends (3,) of the bones of a joint; of the chest, to the midpoint between the limbs, and from left to
+    right."""
     below = captured.children(joint)
     origin, tips = np.zeros(3), [captured.offset[child] for child in below]
-    if role in ("pelvis", "chest"):
-        sides = [
-            [tip for child, tip in zip(below, tips, strict=True) if _begins(captured, child) == side] for side in SIDES
-        ]
-        if len(sides[0]) == len(sides[1]) == 1:
-            left, right = sides[0][0], sides[1][0]
-            rest = [(origin, tip) for tip in tips if tip is not left and tip is not right]
-            return [(origin, 0.5 * (left + right)), (0.8 * left + 0.2 * right, 0.2 * left + 0.8 * right), *rest]
+    sides = [_begins(captured, child) for child in below]
+    if role == "chest" and sorted(filter(None, sides)) == list(SIDES):
+        left, right = (tips[sides.index(side)] for side in SIDES)
+        rest = [(origin, tip) for tip, side in zip(tips, sides, strict=True) if not side]
+        return [(origin, 0.5 * (left + right)), (0.8 * left + 0.2 * right, 0.2 * left + 0.8 * right), *rest]
     tips += [captured.ends[joint]] if joint in captured.ends else []
     return [(origin, tip) for tip in tips]
 

@@ -128,6 +128,10 @@ def test_without_a_figure_the_mean_shape_is_one(tmp_path):
     offset = {name: model.body(names[name]).pos for name in SMPL}  # x forward, y left, z up; SMPL's are y, z, x
     assert offset["left_knee"] == pytest.approx([-0.007, 0.036, -0.379])
     assert offset["right_elbow"] == pytest.approx([-0.024, -0.257, -0.013])
+    for name in ("spine1", "neck"):
+        bones = np.flatnonzero(model.geom_bodyid == model.body(name).parentid)
+        ends = 2 * model.geom_pos[bones]  # of capsules that begin at the joint
+        assert np.linalg.norm(ends - model.body(name).pos, axis=1).min() < 1e-6
     for row in (0, 20):
         data = kinematics(model, recording.qpos[row])
         turn, place = {}, {}
