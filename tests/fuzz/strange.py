@@ -18,10 +18,10 @@ import motions
 import mujoco
 import numpy as np
 import problems
-from fuzz import grammar
 from fuzz.mangle import Rng, mangled_arrays, mangled_bytes, mangled_text, mangled_tree
 from processes import quiet
 from rekeyed import with_keys
+from texts import read_data
 
 from dynsplines import motion, recordings, solving
 from dynsplines.clip import load as clips
@@ -61,9 +61,10 @@ class Kind:
     beside: tuple[tuple[str, str], ...] = ()
 
 
+MODEL, CLIP = read_data("rich.xml"), read_data("every_table.toml")
 RATES = {"human": 50.0}  # [1/s] of what is written, of three frames
 FIGURES = (
-    ("rich.xml", grammar.MODEL), ("tiny.xml", problems.FIGURE), ("hinge.xml", problems.HINGE.format(keys="")),
+    ("rich.xml", MODEL), ("tiny.xml", problems.FIGURE), ("hinge.xml", problems.HINGE.format(keys="")),
     ("robot.xml", motions.ROBOT),
 )  # fmt: skip
 
@@ -72,9 +73,9 @@ FIGURES = (
 def _saved(figure: str) -> Saved:
     """A motion of a few frames, good to be written in any format."""
     if figure == "tiny":
-        return solving.raw_spline(recordings.from_text(problems.CLIP, name="tiny", spec=grammar.spec())).measure(
-            quiet()
-        )
+        return solving.raw_spline(
+            recordings.from_text(problems.CLIP, name="tiny", spec=mujoco.MjSpec.from_string(problems.FIGURE))
+        ).measure(quiet())
     saved = motions.motion_of("human") if figure == "human" else motions.through(figure, *_robot_keys())
     clip = clips.of_motion(saved)
     return solving.raw_spline(with_keys(clip, list(clip.keys)[:3])).motion
@@ -201,9 +202,14 @@ def _kind_of(name: str, figure: str | None, make: Callable[[Callable[[], bytes],
     return Kind(f"{name}{ending}", source, partial(make, source), partial(_import, name, figure), long, 3, FIGURES)
 
 
+def _clip_source(rng: Rng) -> bytes:
+    short = problems.changed("evaluations = 8", "evaluations = 2")
+    return mangled_text((short, short, CLIP)[int(rng.integers(3))], rng)
+
+
 def _mjcf_source(rng: Rng) -> bytes:
     text = (
-        grammar.MODEL,
+        MODEL,
         problems.HINGE.format(keys='<keyframe><key qpos="0 0"/><key time="1" qpos="1 1"/></keyframe>'),
     )
     return mangled_text(text[int(rng.integers(len(text)))], rng)
@@ -212,11 +218,10 @@ def _mjcf_source(rng: Rng) -> bytes:
 KINDS = {
     each.name: each
     for each in (
-        Kind("clip.toml", grammar.CLIP.encode, grammar.mangled_clip, _read_clip, 80_000, 8, FIGURES),
-        Kind("table.toml", grammar.CLIP.encode, grammar.random_clip, _read_clip, 20_000, 30, FIGURES),
-        Kind("solve.toml", grammar.CLIP.encode, grammar.solvable_clip, _solve, 6_000, 2, FIGURES),
+        Kind("clip.toml", CLIP.encode, _clip_source, _read_clip, 100_000, 12, FIGURES),
+        Kind("solve.toml", CLIP.encode, _clip_source, _solve, 6_000, 4, FIGURES),
         Kind("motion.npz", _motion_file, partial(_of_arrays, _motion_file), _read_motion, 4_000, 4),
-        Kind("model.xml", grammar.MODEL.encode, _mjcf_source, _read_mjcf, 3_000, 4),
+        Kind("model.xml", MODEL.encode, _mjcf_source, _read_mjcf, 3_000, 4),
         _kind_of("csv", "robot.xml", _of_text, 2_000),
         _kind_of("npz", None, _of_arrays, 2_000),
         _kind_of("mjcf", None, _of_text, 2_000),
