@@ -180,6 +180,13 @@ def test_a_search_within_an_interval_moves_only_what_it_affects_and_reports_e_of
         assert sum(each.parts.values()) == pytest.approx(each.value)
 
 
+@pytest.mark.parametrize("frames", [12, 24])
+def test_edits_add_as_many_frames_as_the_budget_has_for_their_segments(frames):
+    """Of twelve segments with a frame each, the search sees five and moves three."""
+    _, begin, found, _ = resumed_between((2.0, 2.5), frames=frames, variable=1, threshold=0.0, batch=1.0)
+    assert found.timeline.variable_count - begin.variable_count == 5 * frames // 12 - 3
+
+
 TWO_SLIDES = """<mujoco><worldbody><body><joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/>
 <geom size=".02"/></body></worldbody></mujoco>"""
 

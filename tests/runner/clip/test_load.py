@@ -29,9 +29,6 @@ from dynsplines.solver.penalty import Bend, Flight, HoverPenalty, Support
 KNEE = "joints.left_knee = {rotvec = [0, 0, 0]}"
 
 
-TWO_KEYS = '<keyframe><key time="0" qpos="0 0"/><key time="0.5" qpos="0.1 0.2"/></keyframe>'
-
-
 def loaded(folder: Path, text: str = CLIP) -> Clip:
     return recordings.load(str(written(folder, text)))
 

@@ -12,10 +12,12 @@ import numpy as np
 import pytest
 from oracles import kinematics
 
+from dynsplines import models
 from dynsplines.exchange import formats
 from dynsplines.exchange.format import html
 from dynsplines.motion import Sampled
 
+HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))
 SOURCES = Path(__file__).parents[3] / "pages" / "src"
 
 
@@ -72,6 +74,12 @@ def test_its_pieces_are_the_visible_geoms_where_mujoco_has_them(take, content):
     assert {piece["name"] for piece in content["pieces"] if piece["still"]} >= {"hills", "pillar", "floor"}
     bag = content["meshes"][names["bag"]["mesh"]]
     assert numbers(bag["faces"], 3, "<u4").max() < len(numbers(bag["points"], 3))
+
+
+def test_the_floor_reaches_beyond_a_motion_far_away():
+    far = motions.through("human", np.arange(2.0), np.array([[x, *HUMAN.qpos0[1:]] for x in (100, 101)]))
+    (floor,) = [piece for piece in html.content(Sampled.of(far, 5.0))["pieces"] if piece["kind"] == "plane"]
+    assert min(floor["size"][:2]) > 101 + 30
 
 
 def test_before_is_there_only_where_it_differs(saved, content):

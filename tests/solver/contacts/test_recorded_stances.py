@@ -14,7 +14,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.ground_alignment import LOWEST, align_to_ground, move_to_ground
-from dynsplines.solver.contacts.recorded_stances import infer_stances
+from dynsplines.solver.contacts.recorded_stances import infer_stances, position_noise
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.figure.kinematics import Samples
@@ -99,6 +99,15 @@ def test_a_stance_lasts_from_when_the_point_has_come_to_rest_until_it_leaves(bef
     assert len(found) == 1
     assert found[0].first == pytest.approx(before / FPS, abs=1.01 / FPS)
     assert found[0].last == pytest.approx((before + 40) / FPS, abs=1.01 / FPS)
+
+
+def test_noise_is_that_of_the_known_samples():
+    rng, known = np.random.default_rng(3), np.ones(900)
+    places = rng.normal(size=(3, 2, 900)) * [[0.001], [0.004]]
+    known[100:600] = 0
+    places[..., 100:600] = 0
+    np.testing.assert_allclose(position_noise(places, known), [0.001, 0.004], rtol=0.2)
+    np.testing.assert_array_equal(position_noise(places, 0 * known), [0, 0])
 
 
 def heights(take: Take, ground: Context) -> np.ndarray:

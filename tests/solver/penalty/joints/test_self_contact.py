@@ -74,6 +74,10 @@ def test_shapes_that_overlap_at_rest_are_left_out_though_they_lie_far_from_their
     lowered[2] = -4.0  # the elbow is where the toe was
     y = figure.to_state(np.array([rest, shifted, lowered]))
     np.testing.assert_allclose(penalty.evaluate(Samples(figure, y, 0 * y, 0 * y)), [0, 0.1**2, 0.1**2], atol=1e-12)
+    shifted[0] = 1.0  # the toe is where the heel is, and moves out in some direction
+    samples = Samples.still(figure, figure.to_state(shifted)[None])
+    penalty.evaluate(samples, into := Cotangent(samples))
+    assert np.linalg.norm(into.gradients()[0][:, :3]) > 0.1
 
 
 def test_a_figure_at_rest_costs_nothing_and_nothing_to_meet_has_no_sides(figure, rng):
