@@ -119,7 +119,7 @@ class HeightField:
         sideways = np.hypot(*beside)
         walled = (gap <= 0) & (sideways > TINY)
         below = (gap <= 0) & ~walled
-        reach = np.where(below, -gap, np.minimum(np.hypot(gap, sideways), within + TINY))
+        reach = np.where(below, -gap, np.minimum(np.hypot(gap, sideways), within))
         away = self._from_triangles(local, np.where(walled, 0.0, reach))
         size = lengths(away)
         sign = np.where(below, -1.0, 1.0)

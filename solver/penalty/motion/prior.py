@@ -220,7 +220,7 @@ class Prior(Penalty):
     def _at(self, t: Array) -> tuple[Array, Array]:
         """Return predicted entries and their weights at times t (S,) [s], (S, p + 4 n) each."""
         segment, last = segments_at(self.times, t), self.predicted.shape[1] - 1
-        place = ((t - self.times[segment]) / np.diff(self.times)[segment] * last).clip(0, last)
+        place = (t - self.times[segment]) / np.diff(self.times)[segment] * last
         first = np.minimum(place.astype(int), last - 1)
         share, before, after = place - first, self.predicted[segment, first], self.predicted[segment, first + 1]
         return before + share[:, None] * (after - before), self.weights[segment]
