@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 import shipped
 from figures import TINY, figure_of
-from gradients import taylor_slope
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import nnls
@@ -135,20 +134,6 @@ def test_it_is_the_least_squares_over_shares_that_are_not_negative(rng, points, 
         np.testing.assert_allclose(found.value[s], size**2, atol=1e-12)
         np.testing.assert_allclose(found.rest[:, s], w[:, s] - edges[:, :, s] @ shares, atol=1e-7)
         np.testing.assert_allclose(found.shares[:, s], shares, atol=1e-5)
-
-
-def test_the_rest_and_the_shares_are_the_gradient(rng):
-    edges, w = pyramids(rng, 4, 30), rng.normal(size=(6, 30))
-    found = split_off_cone(w, edges, 1e-3)
-    by_edges = -2 * found.rest[:, None] * found.shares[None]
-    assert found.shares.any()
-
-    def value(point: Array) -> float:
-        return float(split_off_cone(point[:, 0], point[:, 1:], 1e-3).value.sum())
-
-    point = np.concatenate([w[:, None], edges], axis=1)
-    gradient = np.concatenate([2 * found.rest[:, None], by_edges], axis=1)
-    assert taylor_slope(value, point, gradient, rng) > 1.9
 
 
 def test_the_projection_is_how_the_rest_moves_with_the_vector(rng):
