@@ -65,22 +65,6 @@ def test_a_model_made_of_few_spans_at_once_is_the_same(rng, ends, monkeypatch):
         np.testing.assert_allclose(promised_again, promised, rtol=1e-9)
 
 
-@pytest.mark.parametrize("ends", ["free", "periodic"])
-def test_damping_adds_the_flat_energy_of_the_step(rng, ends):
-    figure = figure_of(TINY)
-    problem, x = gradients.smooth_problem(gradients.tiny_clip(rng, ends, "world"), figure, rng)
-    gradient, flat = problem(x).gradient, gradients.flat_energy(problem)
-    hessian, model = gradients.dense_hessian(problem, gradients.SMOOTH, x), QuadraticModel(Layout(problem), x, gradient)
-    promises = [np.inf]
-    for damping in np.array([0.0, 0.01, 0.1, 1, 10]) * model.scale:
-        step, promised, _ = model.minimise(damping)
-        expected = -np.linalg.solve(hessian + damping * flat, gradient)
-        assert np.linalg.norm(step - expected) < 1e-3 * np.linalg.norm(expected)
-        np.testing.assert_allclose(promised, -0.5 * gradient @ expected, rtol=1e-3)
-        assert 0 < promised < promises[-1]
-        promises.append(promised)
-
-
 def test_a_model_that_has_no_minimum_promises_nothing(rng):
     figure = figure_of(TINY)
     problem, x = gradients.smooth_problem(gradients.tiny_clip(rng, "free", "world"), figure, rng)
