@@ -130,6 +130,10 @@ def test_a_figure_of_its_own_has_every_joint_where_the_file_has_it(cartwheel, tm
     np.testing.assert_allclose(after - lift(after, before), before, atol=TENTH)
     sites = {back.model.site(i).name for i in range(back.model.nsite)}
     assert sites == {"left_heel", "left_toe", "right_heel", "right_toe"}
+    ours, theirs = kinematics(cartwheel.model, cartwheel.qpos[0]), kinematics(back.model, back.qpos[0])
+    shift = lift(after, before)
+    for site in sites:
+        np.testing.assert_allclose(theirs.site(site).xpos - shift, ours.site(site).xpos, atol=0.04)
     assert 20 < back.model.body_subtreemass[1] < 120
     assert {int(kind) for kind in back.model.jnt_type} == {0, 1}
 
