@@ -447,8 +447,6 @@ def clean(
     fps: option.Fps = None,
     scale: option.Scale = None,
     scene: option.Scene = None,
-    contacts: option.Contacts = None,
-    within: option.Within = None,
     speed_limit: option.Speed = None,
     overwrite: option.Overwrite = False,
     allow_outside: option.Outside = False,
@@ -456,8 +454,8 @@ def clean(
     """Remove foot skate, penetration and jitter from a recording.
     The result stays close to the recording."""
     place = maps.map_of(map_file)
-    recording = clean_command.Source(source, figure, kind, fps, scale, scene, contacts, place, False, speed_limit)
-    _clean(recording, output, within, overwrite)
+    recording = clean_command.Source(source, figure, kind, fps, scale, scene, place, False, speed_limit)
+    _clean(recording, output, overwrite)
 
 
 @app.command(rich_help_panel="Recordings")
@@ -470,8 +468,6 @@ def retarget(
     fps: option.Fps = None,
     scale: option.Scale = None,
     scene: option.Scene = None,
-    contacts: option.Contacts = None,
-    within: option.Within = None,
     speed_limit: option.Speed = None,
     overwrite: option.Overwrite = False,
     allow_outside: option.Outside = False,
@@ -480,8 +476,8 @@ def retarget(
     The result respects joint ranges, and its limbs do not penetrate each other."""
     target = output or Path(f"{formats.stem(source)}.{Path(to).stem}.npz")
     place = maps.map_of(map_file)
-    recording = clean_command.Source(source, to, kind, fps, scale, scene, contacts, place, True, speed_limit)
-    _clean(recording, target, within, overwrite)
+    recording = clean_command.Source(source, to, kind, fps, scale, scene, place, True, speed_limit)
+    _clean(recording, target, overwrite)
 
 
 @app.command(rich_help_panel="Batch")
@@ -503,17 +499,14 @@ def batch(
     map_file: option.Map = None,
     kind: option.Format = None,
     scene: option.Scene = None,
-    within: option.Within = None,
     allow_outside: option.Outside = False,
 ) -> None:
     """Solve many clips in parallel.
     It uses all cores or a Dask cluster. To resume an interrupted batch, repeat the command."""
     cleaning = option.cleaning_source(
-        clean=clean_all, robot=onto, figure=figure, map_file=map_file, kind=kind, scene=scene, max_displacement=within
+        clean=clean_all, robot=onto, figure=figure, map_file=map_file, kind=kind, scene=scene
     )
-    options = batches.BatchOptions(
-        listed, workers, cluster, to, fps, limit_time, measure, retry_failed, cleaning, within
-    )
+    options = batches.BatchOptions(listed, workers, cluster, to, fps, limit_time, measure, retry_failed, cleaning)
     with terminal.Progress() as progress:
         tally = batches.run(clips or [], output, progress, options)
     if tally.failed:
@@ -528,9 +521,9 @@ def _edit(edit: Any, *arguments: object, output: Path | None, overwrite: bool) -
         _conclude(progress, target, violations, target)
 
 
-def _clean(recording: "clean_command.Source", target: Path | None, within: float | None, overwrite: bool) -> None:
+def _clean(recording: "clean_command.Source", target: Path | None, overwrite: bool) -> None:
     with terminal.Progress() as progress:
-        clean_command.run(recording, target, max_displacement=within, overwrite=overwrite, progress=progress)
+        clean_command.run(recording, target, overwrite=overwrite, progress=progress)
 
 
 def _target(output: Path | None, name: str, kind: str, overwrite: bool = True) -> Path:

@@ -73,15 +73,11 @@ def size(text: str) -> tuple[int, int]:
     return width, height
 
 
-def quantity(kind: str, help: str, *names: str) -> Any:
-    """Return an option of a length or a speed with its unit."""
+def parsed_speed(text: str) -> float:
+    """Return a speed [rad/s] from text such as "1200deg/s"."""
+    from .system.quantity import speed  # on first use
 
-    def parsed(text: str) -> float:
-        from .system import quantity  # on first use
-
-        return getattr(quantity, kind)(text, names[0])
-
-    return value(kind.upper(), help, "none", *names, parser=parsed)
+    return speed(text, "--speed-limit")
 
 
 def _print_version(is_requested: bool) -> None:
@@ -122,7 +118,6 @@ def cleaning_source(
     map_file: Path | None,
     kind: str | None,
     scene: Path | None,
-    max_displacement: float | None,
 ) -> "Cleaning | None":
     """Return the recording to clean, but for its file; None for clips. Raises UserError for contradicting options."""
     from dynsplines import models
@@ -134,7 +129,7 @@ def cleaning_source(
         raise UserError("--clean and --retarget: give one of them; --retarget also cleans")
     files = {"--scene": scene, "--map": map_file}
     more = {"--figure": figure, "--map": map_file, "--from": kind, "--scene": scene}
-    options = [name for name, value in (more | {"--max-displacement": max_displacement}).items() if value is not None]
+    options = [name for name, value in more.items() if value is not None]
     if not clean and robot is None:
         if options:
             raise UserError(f"{' and '.join(options)}: of recordings; give --clean or --retarget MODEL, too")
@@ -207,21 +202,16 @@ Scale = Annotated[
     float | None, number("METRES", "Length unit of the recording in metres, e.g. 0.01 for cm", 1e-6, 10**6, "inferred")
 ]
 Scene = Annotated[
-    Path | None, value("FILE", "TOML file with a [scene] table: obstacles in the recording", "a flat floor")
-]
-Within = Annotated[
-    float | None,
-    quantity(
-        "length",
-        "Keep pelvis, hands and feet within this distance of the recording, e.g. 3cm; feet that stand may exceed it",
-        "--max-displacement",
-        "--within",
+    Path | None,
+    value(
+        "FILE",
+        "TOML file with a [scene] table, obstacles in the recording, or [[contact]] tables, when feet or hands rest",
+        "a flat floor, detected contacts",
     ),
 ]
-Speed = Annotated[float | None, quantity("speed", "Largest joint speed, e.g. 20rad/s or 1200deg/s", "--speed-limit")]
-Contacts = Annotated[
-    Path | None,
-    value("FILE", "TOML file with [[contact]] tables: when feet or hands are at rest on the ground", "detected"),
+Speed = Annotated[
+    float | None,
+    value("SPEED", "Largest joint speed, e.g. 20rad/s or 1200deg/s", "none", "--speed-limit", parser=parsed_speed),
 ]
 Edited = Annotated[
     Path | None, output("name of the first input with the suffix _mirrored, _retimed, _trimmed or _joined")

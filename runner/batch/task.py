@@ -43,7 +43,6 @@ class BatchOptions:
     report: bool = False
     retry_failed: bool = False
     cleaning: Recording | None = None
-    max_displacement: float | None = None
 
     def __post_init__(self) -> None:
         if self.workers is not None and self.cluster is not None:
@@ -87,7 +86,7 @@ class Task:
     def digest(self) -> str:
         """A hash of everything on which the output depends."""
         options = self.options
-        kinds = (options.to, options.fps, options.report, options.cleaning, options.max_displacement)
+        kinds = (options.to, options.fps, options.report, options.cleaning)
         digest = hashlib.sha256(repr((self.clip, *sorted(self.others.items()), self.program, *kinds)).encode())
         for name, data in sorted(self.files.items()):
             digest.update(f"\n{name}\n{len(data)}\n".encode() + data)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from dynsplines.solver.array import Array, Mask, runs
+from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.ground_alignment import align_to_ground, move_to_ground
 from dynsplines.solver.contacts.recorded_stances import infer_stances, largest_noise
@@ -16,18 +16,17 @@ from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.curve.spline import Path, natural_spline, path_of
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.inbetween import continue_from, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import TrackingPenalty, UnitMagnitude
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.solution import Improvement, Solution
-from dynsplines.solver.surface.points import places_of
 
 from ..clip.context import Context
 from ..clip.kinds import Options
-from ..clip.tracking.problem import LONGEST_PANEL, NEXT_TO, POINTS, loose_frames, tracking_problem
+from ..clip.tracking.problem import loose_frames, tracking_problem
 from ..measure.depths import bunches, depths
 from ..measure.measurement import RATE
-from ..motion import even_times, sample_runs, samples_at
+from ..motion import even_times, sample_runs
 from .repairs import Repaired
 
 SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # factors of all weights but the recording's, in first and later searches
@@ -36,11 +35,6 @@ FAITHFUL = 1.0  # detail that a segment may lose in a recording without noise, s
 FAR, CLOSE = 0.02, 0.01  # [s] largest distance of the ends of a stance from a frame, with and without noise
 SHARE = 0.25  # largest share of a stance at either end that is not sure
 OUTSIDE = 0.04  # [s] time from the end of a stance to another frame, outside of the stance
-ABOUT, AT_ONCE = 0.15, 2.0  # [s] interval around a new frame that is searched again, and longest such interval
-LONG = 60.0  # [s] shortest recording that is searched again in parts only
-SLIP, DEPTH = 0.005, 0.002  # [m] largest slip in a stance and depth in a surface, of a motion near its recording
-DEEP = 0.001  # [m] least depth that a search should prevent
-SHALLOW = LONGEST_PANEL / POINTS  # [s] between samples of a search, which so evaluates longer penetrations
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,38 +105,7 @@ def clean(
         tracking = problem_of(rests, near.times(FAITHFUL), far=CLOSE)
     if is_noisy or _is_deep(context, recorded):
         tracking = _with_soft_start(tracking, near, SOFTER, improved)
-    tracking, solution = _out_of_edges(context, tracking, inbetween(tracking, improved=improved), improved)
-    return Cleaned(context, before, recorded, rests, raised, tracking, solution)
-
-
-def _out_of_edges(
-    context: Context, problem: Problem, solution: Solution, improved: Callable[[Improvement], None] | None
-) -> tuple[Problem, Solution]:
-    """Continue the search with more frames where a point passed through an edge between two samples. A long recording
-    is searched only around these frames: another search of all of it would double the time."""
-    for _ in range(3):
-        path, times = path_of(solution.timeline), solution.timeline.times
-        more = missed_edge_times(context, path, times)
-        if not more.size:
-            break
-        times = np.union1d(times, more)
-        problem = replace(problem, keys=loose_frames(problem.figure, times, path.at(times)))
-        if times[-1] - times[0] < LONG:
-            solution = inbetween(problem, improved=improved)
-        else:
-            solution = continue_from(problem, problem.raw, between=list(_stretches(more)), improved=improved)
-    return problem, solution
-
-
-def _stretches(times: Array) -> Iterator[tuple[float, float]]:
-    """Yield intervals [s] around rising times, of which close ones are merged up to the size of a window."""
-    first = last = float(times[0])
-    for time in times[1:].tolist():
-        if time - last > 4 * ABOUT or time - first > AT_ONCE:
-            yield first - ABOUT, last + ABOUT
-            first = time
-        last = time
-    yield first - ABOUT, last + ABOUT
+    return Cleaned(context, before, recorded, rests, raised, tracking, inbetween(tracking, improved=improved))
 
 
 def _is_deep(context: Context, recorded: Track) -> bool:
@@ -239,39 +202,9 @@ def depth(context: Context, path: Path, times: Array) -> Array:
     return np.concatenate(result)
 
 
-def missed_edge_times(context: Context, path: Path, frames: Array) -> Array:
-    """Return times (k,) [s] for more frames beyond those at `frames` (M,) [s], where a foot passes through an edge
-    unseen."""
-    times = even_times(path.span, RATE)
-    deep = depth(context, path, times)
-    missed_times = list[float]()
-    for first, end in runs(deep > DEEP):
-        if (end - first) / RATE > SHALLOW:
-            continue
-        worst = float(times[first + deep[first:end].argmax()])
-        after = int(np.clip(np.searchsorted(frames, worst), 1, frames.size - 1))
-        about = frames[max(0, after - 2) : after + 2]
-        wanted = [worst] if np.abs(frames - worst).min() > NEXT_TO else (0.5 * (about[1:] + about[:-1])).tolist()
-        missed_times += [t for t in wanted if np.abs(frames - t).min() > NEXT_TO]
-    return np.unique(missed_times)
-
-
-@dataclass(frozen=True)
-class Displacement:
-    """The 95th percentile and the maximum of a body's distance from the recording [m], with the latter's time [s]."""
-
-    name: str
-    percentile_95: float
-    maximum: float
-    time: float
-
-    @property
-    def line(self) -> str:
-        return f"{self.name} is up to {1000 * self.maximum:.0f} mm off the recording at {self.time:.2f} s"
-
-
-def displacements(cleaned: Cleaned) -> tuple[Displacement, ...]:
-    """Return the displacements of free roots and of the ends of limbs, largest first."""
+def displacements(cleaned: Cleaned) -> tuple[Array, dict[str, Array]]:
+    """Return times (T,) [s], and how far free roots and the ends of limbs are then from the recording, by the names of
+    their bodies, (T,) [m] each."""
     figure, times = cleaned.figure, even_times(cleaned.after.span, RATE)
     parents = figure.tables.parents
     ends = [i for i in range(1, len(figure.links)) if not np.any(parents[1:] == i)]
@@ -280,55 +213,10 @@ def displacements(cleaned: Cleaned) -> tuple[Displacement, ...]:
     runs = [
         np.linalg.norm(_centres(one, links) - _centres(other, links), axis=0) for one, other in zip(*sides, strict=True)
     ]
-    rows = zip(links, np.concatenate(runs, axis=1), strict=True)
-    every = [
-        Displacement(
-            figure.body_name(link), float(np.percentile(row, 95)), float(row.max()), float(times[row.argmax()])
-        )
-        for link, row in rows
-    ]
-    return tuple(sorted(every, key=lambda one: -one.maximum))
+    return times, dict(zip(map(figure.body_name, links), np.concatenate(runs, axis=1), strict=True))
 
 
 def _centres(samples: Samples, links: list[int]) -> Array:
     """Return the centres of mass (3, n, T) [m] of links."""
     centres = np.array([samples.figure.links[i].centre for i in links]).T
     return samples.links.points(np.array(links), centres)[0]
-
-
-def closer(cleaned: Cleaned, max_displacement: float, improved: Callable[[Improvement], None] | None = None) -> Cleaned:
-    """Return a motion that is displaced by at most `max_displacement` [m] from its recording, as far as possible.
-
-    The recording's weight is doubled up to seven times while nothing slips or penetrates.
-    """
-    problem, best = cleaned.problem, cleaned
-    for _ in range(7):
-        largest = displacements(best)[0].maximum
-        if largest <= max_displacement:
-            break
-        weights = [(p, 2 * w if isinstance(p, TrackingPenalty) else w) for p, w in problem.penalties]
-        problem = replace(problem, penalties=tuple(weights))
-        tried = replace(cleaned, solution=inbetween(start_on(problem, best.after), improved=improved))
-        if not is_sound(tried):
-            break
-        if displacements(tried)[0].maximum < largest:
-            best = tried
-    return best
-
-
-def is_sound(cleaned: Cleaned) -> bool:
-    """Return whether nothing slips or penetrates."""
-    figure, path = cleaned.figure, cleaned.after
-    slips = (slip(figure, path, rest) for rest in cleaned.rests)
-    return max(slips, default=0.0) <= SLIP and depth(cleaned.context, path, even_times(path.span, RATE)).max() <= DEPTH
-
-
-def slip(figure: Figure, path: Path, rest: Contact) -> float:
-    """Return the largest distance [m] of a resting point from its mean position, without the part of rolling."""
-    samples = samples_at(
-        figure, path, np.linspace(rest.first, rest.last, max(2, round((rest.last - rest.first) * RATE)))
-    )
-    rotation = samples.links.Q[:, rest.point.link]
-    rolling = replace(rest, start=rotation[:, samples.count // 2])
-    places = places_of((rest.point,), samples)[0][:, 0] - rolling.roll(rotation)
-    return float(np.linalg.norm(places - places.mean(axis=1, keepdims=True), axis=0).max())

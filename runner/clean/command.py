@@ -31,7 +31,7 @@ from ..scene import file_access
 from ..solving import Solved
 from ..system.output import check_target
 from ..system.progress import Progress, silent
-from .cleaning import Cleaned, clean, closer, displacements
+from .cleaning import Cleaned, clean, displacements
 from .repairs import repair
 
 SLOWER = 0.95  # [1] factor on the speed limit of joints, because soft constraints are exceeded a little
@@ -44,7 +44,6 @@ class Source:
 
     figure, kind, fps, scale  as for `import`
     scene     a TOML file with [scene], the surroundings, and [[contact]], the stances
-    contacts  a TOML file with [[contact]]
     map       a TOML file with the bone map
     avoids_self_collision  whether limbs must not penetrate each other
     speed     [rad/s] largest speed of joints
@@ -56,7 +55,6 @@ class Source:
     fps: float | None = None
     scale: float | None = None
     scene: Path | None = None
-    contacts: Path | None = None
     map: Path | None = None
     avoids_self_collision: bool = False
     speed: float | None = None
@@ -75,7 +73,6 @@ def run(
     source: Source,
     target: Path | None,
     *,
-    max_displacement: float | None = None,
     overwrite: bool = False,
     progress: Progress,
 ) -> Path:
@@ -91,7 +88,7 @@ def run(
     if target.exists() and source.file.exists() and target.samefile(source.file):
         raise UserError(f"'{target}' is what is read; give another -o")
     check_target(target, overwrite=overwrite)
-    saved = clean_recording(source, max_displacement, progress)[1]
+    saved = clean_recording(source, progress)[1]
     if form is None:
         motion.save(saved, target)
     else:
@@ -125,19 +122,19 @@ def _moving(file: Path, figure: str, scene: str, _state: tuple[int, int], _allow
     """Cached while the file is unchanged: editing a clip reads it repeatedly."""
     around, progress = SurroundingsTable(scene=SceneTable.model_validate_json(scene)), silent()
     recording = _read(Source(file, figure), around, progress)
-    return _clean(recording, around, None, progress)[1]
+    return _clean(recording, around, progress)[1]
 
 
-def clean_recording(source: Source, max_displacement: float | None, progress: Progress) -> tuple[Cleaned, Saved]:
-    """Return a cleaned recording, and its motion; max_displacement [m] as in `closer`. Raises UserError."""
-    around = _around(source)
+def clean_recording(source: Source, progress: Progress) -> tuple[Cleaned, Saved]:
+    """Return a cleaned recording, and its motion. Raises UserError."""
+    around = SurroundingsTable() if source.scene is None else file_of(source.scene, SurroundingsTable)
     recording = _read(source, around, progress)
-    return _clean(recording, around, max_displacement, progress, source)
+    return _clean(recording, around, progress, source)
 
 
-def clean_motion(saved: Saved, max_displacement: float | None, progress: Progress) -> Saved:
-    """Return a motion of this program, cleaned; max_displacement [m] as in `closer`."""
-    return _clean(_of_motion(saved), SurroundingsTable(), max_displacement, progress)[1]
+def clean_motion(saved: Saved, progress: Progress) -> Saved:
+    """Return a motion of this program, cleaned."""
+    return _clean(_of_motion(saved), SurroundingsTable(), progress)[1]
 
 
 def _of_motion(saved: Saved) -> ImportedMotion:
@@ -151,16 +148,6 @@ def _target(source: Source) -> Path:
     form = formats.by_ending(source.file)
     ending = form.ending if form is not None and form.writes else ".npz"
     return Path(f"{formats.stem(source.file)}.clean{ending}")
-
-
-def _around(source: Source) -> SurroundingsTable:
-    """Return the scene and the contacts of the two files; each may contain either."""
-    tables = [file_of(path, SurroundingsTable) for path in (source.scene, source.contacts) if path is not None]
-    scenes = [table.scene for table in tables if table.scene.model_fields_set]
-    if len(scenes) > 1:
-        raise UserError(f"'{source.scene}' and '{source.contacts}' both hold a [scene]")
-    contact = [each for table in tables for each in table.contact]
-    return SurroundingsTable(scene=scenes[0] if scenes else SceneTable(), contact=contact)
 
 
 def _read(source: Source, around: SurroundingsTable, progress: Progress) -> ImportedMotion:
@@ -185,7 +172,6 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> Impo
 def _clean(
     recording: ImportedMotion,
     around: SurroundingsTable,
-    max_displacement: float | None,
     progress: Progress,
     source: Source | None = None,
 ) -> tuple[Cleaned, Saved]:
@@ -202,14 +188,12 @@ def _clean(
         progress.step("cleaning", None, f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}")
 
     result = clean(context, options, repaired, requested, improved=improved)
-    if max_displacement is not None:
-        result = closer(result, max_displacement, improved)
-    for line in _notes(result, max_displacement):
+    for line in _notes(result):
         progress.report(line)
     return result, _save(result, recording)
 
 
-def _notes(result: Cleaned, max_displacement: float | None) -> Iterator[str]:
+def _notes(result: Cleaned) -> Iterator[str]:
     """Yield the stances of every point, first those of soles, and notes on stances and displacements to check."""
     if not result.rests:
         yield "note: no stance was detected, so feet may slip"
@@ -222,19 +206,13 @@ def _notes(result: Cleaned, max_displacement: float | None) -> Iterator[str]:
     for name, rest in longest.items():
         yield (
             f"note: {name} rests above the ground at {rest.first:.2f}-{rest.last:.2f} s, which is not a stance; if it "
-            "is one, give the surface by --scene or the stances by --contacts"
+            "is one, give the surface or the stances by --scene"
         )
-    every = displacements(result)
-    for one in every:
-        if max_displacement is not None and one.maximum > max_displacement:
-            held = sorted({rest.point.name for rest in result.rests if rest.first <= one.time <= rest.last})
-            why = f" while {' and '.join(held)} stand" + ("s" if len(held) == 1 else "") if held else ""
-            yield f"note: {one.line}{why}"
-    far = max(every, key=lambda one: one.percentile_95)
-    if max_displacement is None and far.percentile_95 > FAR:
-        yield f"note: {far.line}; if a stance above is wrong, give the stances by --contacts"
-    elif max_displacement is None:
-        yield every[0].line
+    times, displaced = displacements(result)
+    name, distance = max(displaced.items(), key=lambda item: float(item[1].max()))
+    line = f"{name} is up to {1000 * distance.max():.0f} mm off the recording at {times[distance.argmax()]:.2f} s"
+    is_far = max(np.percentile(each, 95) for each in displaced.values()) > FAR
+    yield f"note: {line}; if a stance above is wrong, give the stances by --scene" if is_far else line
 
 
 def _save(result: Cleaned, recording: ImportedMotion) -> Saved:

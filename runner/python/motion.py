@@ -34,7 +34,7 @@ from ..solving import Solved
 from ..system.mujoco_warnings import as_python_warnings
 from ..system.output import check_target
 from ..system.progress import Progress, silent
-from ..system.quantity import length, positive
+from ..system.quantity import positive
 
 
 class Report(dict[str, Any]):
@@ -537,30 +537,25 @@ class Motion:
         return Motion(edits.join(self.saved, other.saved, transition, silent()))
 
     @as_python_warnings()
-    def cleaned(self, max_displacement: str | float | None = None) -> Motion:
+    def cleaned(self) -> Motion:
         """Return a cleaned recording: repaired, smoothed as much as its estimated noise requires, with planted feet.
-
-        Args:
-            max_displacement: Maximum displacement of hands, feet and pelvis from the recording: "3cm", "30mm", or
-                metres. Feet that stand may be displaced further.
 
         Returns:
             The cleaned motion. In its report and in `render`, "before" is the recording.
 
         Raises:
-            UserError: For a motion that cannot be cleaned, or an invalid length.
+            UserError: For a motion that cannot be cleaned.
 
         Examples:
             >>> from dynsplines import import_motion, inbetween
             >>> recording = import_motion(inbetween("tumble").export("recording.csv"), figure="spinner")
-            >>> clean = recording.cleaned("1cm")
+            >>> clean = recording.cleaned()
             >>> clean.difference(recording).distance < 0.01
             True
         """
         from ..clean.command import clean_motion
 
-        bound = None if max_displacement is None else length(max_displacement, "max_displacement")
-        return Motion(clean_motion(self.saved, bound, silent()))
+        return Motion(clean_motion(self.saved, silent()))
 
     @as_python_warnings()
     def thinned(self, max_error: float | str = 0.02, *, max_angle: float = 5.0, solve: bool = False) -> Motion:

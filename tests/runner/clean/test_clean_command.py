@@ -9,7 +9,7 @@ from motions import kneeling, uncleaned
 from oracles import kinematics
 from texts import read_cases
 
-from dynsplines import UserError, load_motion, motion
+from dynsplines import load_motion, motion
 from dynsplines.clean import command as clean_command
 from dynsplines.clip import load as clips
 from dynsplines.exchange import formats
@@ -97,7 +97,7 @@ def test_stances_are_those_of_a_file_and_how_far_what_moved_is_told(command, squ
     spans = [("right_shin", 0.2, 0.3), ("right_toe_sole", 0.2, 0.8), ("left_heel", 0.3, 0.9), ("right_shin", 0.7, 0.9)]
     tables = [f'[[contact]]\npoint = "{point}"\nfrom = {first}\nto = {last}\n' for point, first, last in spans]
     (tmp_path / "c.toml").write_text("".join(tables), encoding="utf-8")
-    done = command("clean", squats / "bobs.npz", "--contacts", "c.toml", "-o", "a.npz", "--within", "1mm")
+    done = command("clean", squats / "bobs.npz", "--scene", "c.toml", "-o", "a.npz")
     assert done.code == 0, done.err
     assert "mm off the recording at" in done.err
     assert "above the ground" not in done.err
@@ -106,7 +106,7 @@ def test_stances_are_those_of_a_file_and_how_far_what_moved_is_told(command, squ
         "right_shin stands 0.20-0.30, 0.70-0.90 s",
         "right_toe_sole stands 0.20-0.80 s",
     ]
-    assert np.ptp(soles(tmp_path / "a.npz")[42:103, :2], axis=0).max() < 0.01  # what it gives way by for --within
+    assert np.ptp(soles(tmp_path / "a.npz")[42:103, :2], axis=0).max() < 0.005
     saved = motion.load(tmp_path / "a.npz")
     run, model = motion.Sampled.of(saved, 120), saved.figure.model
     during = (run.time >= 0.25) & (run.time <= 0.75)
@@ -146,9 +146,7 @@ def test_what_cannot_be_cleaned_is_told_and_nothing_is_written(command, squats, 
 
 @pytest.mark.slow
 def test_from_python_a_motion_is_cleaned_by_a_method(squats):
-    found = load_motion(squats / "bobs.npz").cleaned(max_displacement="5cm")
+    found = load_motion(squats / "bobs.npz").cleaned()
     model = found.clip.figure.model
     heel = [kinematics(model, found.at(t)).site("left_heel").xpos for t in np.linspace(0, TIMES[-1], 40)]
     assert np.ptp(heel, axis=0).max() < 0.01
-    with pytest.raises(UserError, match="max_displacement 3: the unit is missing"):
-        load_motion(squats / "bobs.npz").cleaned(max_displacement="3")
