@@ -31,6 +31,7 @@ from dynsplines.clip import load as clips
 from dynsplines.clip.context import Context
 from dynsplines.clip.posing.places import sole_points
 from dynsplines.clip.tracking.problem import tracking_context
+from dynsplines.exchange.recording import Recording
 from dynsplines.motion import Sampled, samples_at
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
@@ -167,9 +168,9 @@ def scored(truth: Truth, rng: np.random.Generator, *, straight: bool) -> Score:
     figure = truth.figure
     when, bad = faulty(truth, rng, straight=straight)
     begin = time.perf_counter()
-    mended = repair(figure, when, bad.copy(), truth.name)
+    mended, known = repair(figure, Recording(when, bad.copy(), name=truth.name))
     ground = tracking_context(figure, mended.time, figure.to_state(mended.qpos), truth.name)
-    result = clean(ground, {}, mended)
+    result = clean(ground, {}, mended, known)
     spent = time.perf_counter() - begin
     marks = marked(ground, mended.qpos)
     assert [point.name for point in marks.points] == [point.name for point in ground.points]

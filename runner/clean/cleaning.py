@@ -24,10 +24,10 @@ from dynsplines.solver.solution import Improvement, Solution
 from ..clip.context import Context
 from ..clip.kinds import Options
 from ..clip.tracking.problem import loose_frames, tracking_problem
+from ..exchange.recording import Recording
 from ..measure.depths import bunches, depths
 from ..measure.measurement import RATE
 from ..motion import even_times, sample_runs
-from .repairs import Repaired
 
 SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # factors of all weights but the recording's, in first and later searches
 ROUGHLY = 0.1  # relative progress of E at which a search with reduced weights ends
@@ -68,7 +68,8 @@ class Cleaned:
 def clean(
     context: Context,
     options: Mapping[str, Options],
-    repaired: Repaired,
+    repaired: Recording,
+    known: Mask,
     specified: Sequence[Contact] | None = None,
     *,
     improved: Callable[[Improvement], None] | None = None,
@@ -77,9 +78,10 @@ def clean(
 
     Args:
         options: The options of the soft constraints by kind, where they differ from the defaults.
+        known: The entries of qpos that were recorded, (T, nq).
     """
     figure = context.figure
-    recorded = Track.of(figure, repaired.time, repaired.qpos, _by_state(figure, repaired.known))
+    recorded = Track.of(figure, repaired.time, repaired.qpos, _by_state(figure, known))
     before = natural_spline(recorded.times, np.where(recorded.known > 0, recorded.states, recorded.bridged))
     recorded = move_to_ground(recorded, context.points, context.surfaces)
     rests, raised = tuple(specified or ()), tuple[Contact, ...]()

@@ -21,13 +21,15 @@ from ..clip.table import MapTable, SceneTable, SurroundingsTable
 from ..clip.tracking.problem import rests_of, tracking_context
 from ..errors import UserError, list_names
 from ..exchange import formats, gaps
-from ..exchange.motion_import import ImportedMotion, read_recording
+from ..exchange.motion_import import read_recording
+from ..exchange.recording import Recording
 from ..exchange.skeleton import maps
 from ..measure import violation
 from ..measure.measurement import Measurement
 from ..measure.report import compare
 from ..motion import Saved
 from ..scene import file_access
+from ..scene.assets import Scene
 from ..solving import Solved
 from ..system.output import check_target
 from ..system.progress import Progress, silent
@@ -137,10 +139,10 @@ def clean_motion(saved: Saved, progress: Progress) -> Saved:
     return _clean(_of_motion(saved), SurroundingsTable(), progress)[1]
 
 
-def _of_motion(saved: Saved) -> ImportedMotion:
+def _of_motion(saved: Saved) -> Recording:
     """Return a motion of this program at its rate."""
     samples = motion.Sampled.of(saved)
-    return ImportedMotion(saved.name, saved.scene, samples.time, samples.qpos, saved.fps)
+    return Recording(samples.time, samples.qpos, saved.scene, saved.fps, name=saved.name)
 
 
 def _target(source: Source) -> Path:
@@ -150,7 +152,7 @@ def _target(source: Source) -> Path:
     return Path(f"{formats.stem(source.file)}.clean{ending}")
 
 
-def _read(source: Source, around: SurroundingsTable, progress: Progress) -> ImportedMotion:
+def _read(source: Source, around: SurroundingsTable, progress: Progress) -> Recording:
     is_specified = source.figure is not None or source.kind is not None
     if not is_specified and motion.is_motion(str(source.file)) and not formats.is_foreign(source.file):
         if around.scene.model_fields_set:
@@ -170,13 +172,14 @@ def _read(source: Source, around: SurroundingsTable, progress: Progress) -> Impo
 
 
 def _clean(
-    recording: ImportedMotion,
+    recording: Recording,
     around: SurroundingsTable,
     progress: Progress,
     source: Source | None = None,
 ) -> tuple[Cleaned, Saved]:
+    assert recording.scene is not None
     figure = figure_of(recording.scene, recording.name)
-    repaired = repair(figure, recording.time, recording.qpos, recording.name)
+    repaired, known = repair(figure, recording)
     for note in repaired.notes:
         progress.report(f"note: {note}")
     context = tracking_context(figure, repaired.time, figure.to_state(repaired.qpos), recording.name)
@@ -187,10 +190,10 @@ def _clean(
     def improved(improvement: Improvement) -> None:
         progress.step("cleaning", None, f"evaluation {improvement.evaluation}, objective {improvement.value:.4g}")
 
-    result = clean(context, options, repaired, requested, improved=improved)
+    result = clean(context, options, repaired, known, requested, improved=improved)
     for line in _notes(result):
         progress.report(line)
-    return result, _save(result, recording)
+    return result, _save(result, recording.name, recording.scene, recording.rate)
 
 
 def _notes(result: Cleaned) -> Iterator[str]:
@@ -215,7 +218,7 @@ def _notes(result: Cleaned) -> Iterator[str]:
     yield f"note: {line}; if a stance above is wrong, give the stances by --scene" if is_far else line
 
 
-def _save(result: Cleaned, recording: ImportedMotion) -> Saved:
+def _save(result: Cleaned, name: str, scene: Scene, fps: float) -> Saved:
     """Return the motion with every frame as a keyframe; raw is the recording."""
     figure, timeline = result.figure, result.solution.timeline
     everything = np.ones(timeline.states.shape, bool)
@@ -224,4 +227,4 @@ def _save(result: Cleaned, recording: ImportedMotion) -> Saved:
     recorded = figure.to_qpos(result.before.at(times))
     raw = raw_timeline(figure, Frame.many(times, recorded, np.ones(recorded.shape, bool)))
     keys = tuple(Frame.many(timeline.times, figure.to_qpos(timeline.states), everything))
-    return Saved(recording.name, "", recording.scene, figure, recording.fps, keys, exact, raw, [], {})
+    return Saved(name, "", scene, figure, fps, keys, exact, raw, [], {})

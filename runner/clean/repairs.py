@@ -5,7 +5,7 @@ An implausible sample is discarded, and the motion there is interpolated from th
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import replace
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from dynsplines.solver.figure.figure import Figure
 
 from ..errors import UserError, list_names
 from ..exchange import gaps
+from ..exchange.recording import Recording, median_step
 
 FEWEST = 5  # least number of samples of a motion
 LONGEST_GAP = 2.0  # [s] longest gap that is interpolated
@@ -23,25 +24,14 @@ TURN, WAY = np.radians(10), 0.04  # [rad], [m] least deviation of a jump
 BESIDE = 0.5  # largest distance between the neighbours of a jump, relative to its deviation
 
 
-@dataclass(frozen=True, eq=False)
-class Repaired:
-    """time (T,) [s], rising with equal steps except for irregular recordings; qpos (T, nq); notes on all repairs.
+def repair(figure: Figure, recording: Recording) -> tuple[Recording, Mask]:
+    """Return a recording, some of whose entries are not finite, with repaired samples.
 
-    known (T, nq) whether an entry was recorded and is plausible
+    Their times rise with equal steps except for irregular recordings. Notes name all repairs. The mask (T, nq) contains
+    the entries that were recorded and are plausible. Raises UserError for too few samples, decreasing times, and gaps
+    that are too long.
     """
-
-    time: Array
-    qpos: Array
-    known: Mask
-    notes: tuple[str, ...]
-
-
-def repair(figure: Figure, time: Array, qpos: Array, where: str) -> Repaired:
-    """Return repaired samples at times (T,) [s], qpos (T, nq), some entries not finite; where: label in errors.
-
-    Raises UserError for too few samples, decreasing times, and gaps that are too long.
-    """
-    notes: list[str] = []
+    time, qpos, where, notes = recording.time, recording.qpos, recording.name, list[str]()
     if time.size < FEWEST:
         raise UserError(f"{where}: {time.size} sample{'s' * (time.size != 1)}; a motion to clean has {FEWEST} at least")
     if np.any(np.diff(time) < 0):
@@ -60,7 +50,7 @@ def repair(figure: Figure, time: Array, qpos: Array, where: str) -> Repaired:
     lost = [_name(figure, columns) for columns in groups(figure) if known[:, columns].all(axis=1).sum() < FEWEST]
     if lost:
         raise UserError(f"{where}: too few samples of {', '.join(lost)}")
-    return Repaired(time, qpos, known, tuple(notes))
+    return replace(recording, time=time, qpos=qpos, notes=tuple(notes)), known
 
 
 def _name(figure: Figure, columns: Index) -> str:
@@ -70,7 +60,7 @@ def _name(figure: Figure, columns: Index) -> str:
 
 
 def _without_duplicates(time: Array, qpos: Array, notes: list[str]) -> tuple[Array, Array]:
-    twice = np.append(False, np.diff(time) <= 0.1 * gaps.median_step(time))  # one instant
+    twice = np.append(False, np.diff(time) <= 0.1 * median_step(time))  # one instant
     if twice.any():
         first, count = float(time[twice][0]), int(twice.sum())
         notes.append(f"{count} sample{'s come' if count > 1 else ' comes'} twice, first at {first:.3f} s: left out")

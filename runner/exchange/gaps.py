@@ -90,9 +90,3 @@ def initial_pose(model: mujoco.MjModel, time: Array, qpos: Array) -> int:
             return i if before > JUMP and before >= SUDDEN * speed else 0
         before = speed
     return 0
-
-
-def median_step(time: Array) -> float:
-    """Return the median distance of successive samples at different times (T,), [s]; 0 if all times are equal."""
-    steps = np.diff(time)
-    return float(np.median(steps[steps > 0])) if (steps > 0).any() else 0.0

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import replace
 from pathlib import Path
 
 import mujoco
@@ -15,29 +15,16 @@ from dynsplines.solver.figure.figure import JointKind
 from ..clip import load as clips
 from ..errors import list_names
 from ..motion import Saved
-from ..scene.assets import Scene, taken_along
+from ..scene.assets import taken_along
 from ..scene.compose import Obstacle, compile_model, compose, figure_spec
 from ..solving import raw_spline
 from ..system.progress import Progress
 from ..system.quantity import positive
 from . import gaps
 from .formats import recording, stem
+from .recording import Recording
 
 EDGE = 1e-3  # [rad] tolerance at the bounds of a turn, as files contain rounded angles
-
-
-@dataclass(frozen=True)
-class ImportedMotion:
-    """A recording of a figure in its scene.
-
-    time  (T,) [s]; qpos  (T, nq), hinges without wraps; fps  [1/s]
-    """
-
-    name: str
-    scene: Scene
-    time: Array
-    qpos: Array
-    fps: float
 
 
 def read_recording(
@@ -49,8 +36,8 @@ def read_recording(
     scale: float | None = None,
     progress: Progress | None = None,
     obstacles: Sequence[Obstacle] = (),
-) -> ImportedMotion:
-    """Read a file of another program.
+) -> Recording:
+    """Read a file of another program: its samples, in their scene, with hinges without wraps.
 
     figure  name of a shipped figure or path to MJCF, for files that contain none
     fps, scale  [1/s], [m] rate and unit of length, for files that lack them
@@ -75,10 +62,7 @@ def read_recording(
     qpos, notes = _unwrap(model, record.time, record.qpos)
     for note in (*record.notes, *notes):
         progress.report(f"note: {note}")
-    step = gaps.median_step(record.time)
-    rate = record.fps or (float(np.round(1 / step, 6)) if step else 30.0)
-    scene = compose(spec, obstacles, bare=model)
-    return ImportedMotion(stem(source), scene, record.time, qpos, rate)
+    return replace(record, name=stem(source), scene=compose(spec, obstacles, bare=model), qpos=qpos)
 
 
 def import_recording(
@@ -96,7 +80,8 @@ def import_recording(
     """
     progress = progress or Progress()
     record = read_recording(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
-    clip = clips.from_qpos(record.name, record.scene, record.time, record.qpos, record.fps, source.name)
+    assert record.scene is not None
+    clip = clips.from_qpos(record.name, record.scene, record.time, record.qpos, record.rate, source.name)
     if pose := gaps.initial_pose(clip.figure.model, record.time, record.qpos):
         start = np.ceil(1000 * record.time[pose] - 1e-6) / 1000
         progress.report(f"note: {gaps.POSE} {record.time[pose]:.3f} s: `dynsplines trim --from {start:g}` removes it")

@@ -13,7 +13,8 @@ from dynsplines import models, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.posing.places import sole_points
 from dynsplines.exchange import formats
-from dynsplines.exchange.motion_import import ImportedMotion, read_recording
+from dynsplines.exchange.motion_import import read_recording
+from dynsplines.exchange.recording import Recording
 from dynsplines.motion import Sampled, Saved
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
@@ -125,9 +126,10 @@ def moved(fps: float = 24.0, text: str = PUPPET, name: str = "puppet", count: in
     return solving.raw_spline(found).motion
 
 
-def uncleaned(recording: ImportedMotion) -> Saved:
+def uncleaned(recording: Recording) -> Saved:
     """A recording as it is."""
-    parts = recording.name, recording.scene, recording.time, recording.qpos, recording.fps, recording.name
+    assert recording.scene is not None
+    parts = recording.name, recording.scene, recording.time, recording.qpos, recording.rate, recording.name
     return solving.raw_spline(clip.from_qpos(*parts)).motion
 
 

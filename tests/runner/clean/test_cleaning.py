@@ -15,10 +15,11 @@ from texts import read_data
 from dynsplines import recordings, solving
 from dynsplines.clean import cleaning
 from dynsplines.clean.cleaning import Cleaned
-from dynsplines.clean.repairs import Repaired, repair
+from dynsplines.clean.repairs import repair
 from dynsplines.clip.load import figure_of
 from dynsplines.clip.tracking.problem import tracking_context
 from dynsplines.errors import UserError
+from dynsplines.exchange.recording import Recording
 from dynsplines.motion import even_times, samples_at
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver.array import Array
@@ -59,9 +60,9 @@ def first_samples(take: Take, count: int) -> Take:
 
 
 def cleaned_of(take: Take, qpos: Array, rests: Sequence[Contact] | None = None) -> Cleaned:
-    figure, repaired = take.figure, repair(take.figure, take.time, qpos, "recording")
+    figure, (repaired, known) = take.figure, repair(take.figure, Recording(take.time, qpos, name="recording"))
     context = tracking_context(figure, repaired.time, figure.to_state(repaired.qpos), "recording")
-    return cleaning.clean(context, {}, repaired, rests)
+    return cleaning.clean(context, {}, repaired, known, rests)
 
 
 def ankle_error(take: Take, found: Cleaned) -> Array:
@@ -178,8 +179,8 @@ def motion() -> np.ndarray:
     return out
 
 
-def mended(time: np.ndarray, qpos: np.ndarray) -> Repaired:
-    return repair(FIGURE, time, qpos, "walk.csv")
+def mended(time: np.ndarray, qpos: np.ndarray) -> tuple[Recording, np.ndarray]:
+    return repair(FIGURE, Recording(time, qpos, name="walk.csv"))
 
 
 def changed(rows: Any, columns: Any, value: Any) -> np.ndarray:
@@ -223,14 +224,14 @@ FAULTS = {  # times, qpos, rows and columns that are not known afterwards, notes
 @pytest.mark.parametrize("fault", FAULTS)
 def test_a_fault_is_reported_and_repaired_and_nothing_else_changes(fault):
     time, qpos, rows, columns, notes = FAULTS[fault]
-    found, known = mended(time, qpos.copy()), np.ones((60, FIGURE.width), bool)
+    (found, was_known), known = mended(time, qpos.copy()), np.ones((60, FIGURE.width), bool)
     if columns != ():
         known[rows, columns] = False
     assert found.notes == notes
     np.testing.assert_allclose(found.time, TIMES, atol=1e-9)
-    np.testing.assert_array_equal(found.known, known)
+    np.testing.assert_array_equal(was_known, known)
     assert np.isfinite(found.qpos).all()
-    same = found.qpos[found.known], motion()[found.known]
+    same = found.qpos[known], motion()[known]
     np.testing.assert_allclose(np.abs(same[0]), np.abs(same[1]), atol=1e-12)
 
 

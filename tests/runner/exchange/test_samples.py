@@ -76,7 +76,7 @@ def test_a_file_of_nothing_else_is_refused_all_the_same(folder: Path, tmp_path: 
 def test_the_rate_is_that_of_samples_at_different_times(folder: Path, tmp_path: Path) -> None:
     head, *rows = (folder / "whole.csv").read_text(encoding="utf-8").splitlines(keepends=True)
     (tmp_path / "twice.csv").write_text(head + "".join(2 * row for row in rows), encoding="utf-8")
-    assert read_recording(tmp_path / "twice.csv", figure="human").fps == pytest.approx(30)
+    assert read_recording(tmp_path / "twice.csv", figure="human").rate == pytest.approx(30)
 
 
 POSE, LOWERED = np.zeros(9), np.linspace(0, 1.4, 30)
