@@ -3,10 +3,9 @@
 checks       what is measured for most kinds of violations: quantities, and how far each exceeds its limit
 measurement  the amounts of all checks along a motion, measured once
 violation    violations, worst first
-ground       figures that float above the ground, and feet that slide or drag on it
+ground       what the ground does not carry: floating, sliding, missing forces, lost balance
 bounds       violations and their bounds
-report       a motion before and after solving, and its lines in the terminal
-quantities   the quantities of one column of a report, also *between* the samples of the optimiser
+report       a motion before and after solving, also *between* the samples of the optimiser, and its lines
 depths       depths of a figure's points in surfaces, and of its bodies in each other
 chart        the chart of a motion's measured amounts over time, relative to the bounds of violations
 """

@@ -9,6 +9,7 @@ Where neither contacts nor a flight determine them, as on a chair, they and the 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -26,13 +27,14 @@ from dynsplines.solver.figure.model import set_qpos
 from dynsplines.solver.penalty import Support
 from dynsplines.solver.penalty.ground.support import Reactions
 from dynsplines.solver.surface import static_surfaces
-from dynsplines.solver.surface.heights import height_over, heights
-from dynsplines.solver.surface.points import body_points, hanging, places_of
+from dynsplines.solver.surface.heights import height_over
+from dynsplines.solver.surface.points import Point, body_points, hanging, places_of
 
 from ..clip import load as clip
 from ..clip.context import Context
-from ..motion import Sampled, even_times, samples_at
-from .support import RATE, touching
+from ..motion import Sampled, samples_at
+from .ground import touching
+from .measurement import sparse_times
 
 PASSIVE = 1e4  # [1] weight of joints without a motor, whose torques the constraints have to supply
 
@@ -78,13 +80,15 @@ class Forces:
     @classmethod
     def of(cls, sampled: Sampled, model: mujoco.MjModel | None = None) -> Forces:
         """Return the forces of a motion in its model, or in another one with the same joints."""
-        context, path = clip.clip_from_motion(sampled.motion).context, sampled.motion.path
-        support, samples = context.support, samples_at(sampled.figure, path, sampled.time)
+        context, path, figure = clip.clip_from_motion(sampled.motion).context, sampled.motion.path, sampled.figure
+        support, samples = context.support, samples_at(figure, path, sampled.time)
         if support is not None and not context.is_tracking:
             support = replace(support, footings=(*support.footings, *_landings(context, support, path)))
         stiff, elsewhere = None if support is None else support.stiff, np.zeros(samples.count, bool)
         if support is not None:
-            elsewhere = _touches_elsewhere(context, support, samples)
+            feet = {point.link for point in context.points}
+            elsewhere = _touches(context, support, samples, [p for p in body_points(figure) if p.link not in feet])[1]
+            elsewhere = np.asarray(elsewhere.any(axis=0))
         return cls(sampled, samples, stiff, sampled.model if model is None else model, elsewhere)
 
     @cached_property
@@ -193,31 +197,31 @@ class Forces:
 
 def _landings(context: Context, support: Support, path: Path) -> list[Contact]:
     """Return the contacts of slow feet with the ground outside their stances, as measured along the path."""
-    figure, limits, t = context.figure, Thresholds.of(context.figure), even_times(path.span, RATE)
-    feet = {point.link for point in context.points}
-    points = [*context.points, *(point for point in body_points(figure) if point.link in feet)]
-    points = hanging(figure, support.root, points)
-    samples = samples_at(figure, path, t)
-    centres, radii = places_of(points, samples)
-    above, up = height_over(context.surfaces, centres, radii)
+    figure, t, feet = context.figure, sparse_times(path), {point.link for point in context.points}
+    samples, points = samples_at(figure, path, t), [p for p in body_points(figure) if p.link in feet]
+    points, touches, centres, up = _touches(context, support, samples, [*context.points, *points])
     speeds = np.linalg.norm(np.gradient(centres, t, axis=2), axis=0)
-    touches = (np.abs(above) < limits.near_surface) & (speeds < limits.fast)
-    for i, point in enumerate(points):
-        stances = [(footing.first, footing.last) for footing in support.footings if footing.point.link == point.link]
-        touches[i] &= ~within((*stances, *support.flights), t)
+    touches &= (speeds < Thresholds.of(figure).fast) & ~within(support.flights, t)
     return touching(samples, points, touches, up)
 
 
-def _touches_elsewhere(context: Context, support: Support, samples: Samples) -> Mask:
-    """Return whether a part of the body other than feet touches the surroundings outside its contacts, (T,)."""
-    feet = {point.link for point in context.points}
-    points = hanging(context.figure, support.root, [p for p in body_points(context.figure) if p.link not in feet])
+def _touches(
+    context: Context, support: Support, samples: Samples, points: Sequence[Point]
+) -> tuple[Sequence[Point], Mask, Array, Array]:
+    """Return which points touch the surroundings outside the contacts of their links.
+
+    Returns:
+        The points of the tree of the support's root; whether they touch, (n, S); their centres, (3, n, S) [m]; and the
+        gradients of their heights, (3, n, S).
+    """
+    points = hanging(context.figure, support.root, points)
     centres, radii = places_of(points, samples)
-    near = heights(context.surfaces, centres, radii)[0] < Thresholds.of(context.figure).near_surface
+    height, up = height_over(context.surfaces, centres, radii)
+    near = height < Thresholds.of(context.figure).near_surface
     for i, point in enumerate(points):
         contacts = [(footing.first, footing.last) for footing in support.footings if footing.point.link == point.link]
         near[i] &= ~within(contacts, samples.t)
-    return np.asarray(near.any(axis=0))
+    return points, near, centres, up
 
 
 def motor_torques(model: mujoco.MjModel, qpos: Array, torques: Array) -> Array:

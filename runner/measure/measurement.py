@@ -14,7 +14,7 @@ from dynsplines.solver.array import Array, Index
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
-from dynsplines.solver.curve.spline import path_of
+from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.figure.figure import Figure, sets_joints
 from dynsplines.solver.penalty import (
     Attachment,
@@ -109,11 +109,21 @@ class Measurement:
         return kinds
 
     @property
+    def sparse(self) -> Index:
+        """The indices of `sparse_times` in the grid."""
+        return np.searchsorted(self.time, sparse_times(path_of(self.timeline)))
+
+    @property
     def numbers(self) -> Index:
         """(K,) numbers of the keyframes as specified, from 1; 0 for a frame of the recording."""
         specified = {key.time for key in self.clip.authored_keys}
         is_specified = np.array([key.time in specified for key in self.clip.keys])
         return np.where(is_specified, np.cumsum(is_specified), 0)
+
+
+def sparse_times(path: Path) -> Array:
+    """Return every fourth of the equally spaced times [s] of the grid, for quantities that are slow to compute."""
+    return even_times(path.span, RATE)[::4]
 
 
 def _as_keyed(clip: Clip) -> Clip:

@@ -22,9 +22,8 @@ from ..clip.build import Clip
 from ..motion import Saved
 from .bounds import BOUNDS, Row, Violation, row_of
 from .checks import SAME_DEPTH, Check, Hits
-from .ground import floating_and_sliding
+from .ground import floating_and_sliding, missing_support
 from .measurement import Measurement, feet_of
-from .support import missing_support
 
 MAX_LINES = 10  # most violations that are printed
 

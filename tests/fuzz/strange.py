@@ -30,7 +30,7 @@ from dynsplines.clip.starter import starter
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.motion_import import import_recording
-from dynsplines.measure.quantities import keyframe_error
+from dynsplines.measure.report import keyframe_error
 from dynsplines.motion import Saved
 from dynsplines.scene.compose import figure_spec
 

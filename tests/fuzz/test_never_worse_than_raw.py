@@ -18,7 +18,7 @@ from texts import read_data
 from dynsplines import recordings, solving
 from dynsplines.clip.build import Clip
 from dynsplines.errors import UserError
-from dynsplines.measure.quantities import keyframe_error
+from dynsplines.measure.report import keyframe_error
 from dynsplines.solver import Frame
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array

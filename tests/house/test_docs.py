@@ -34,7 +34,7 @@ from dynsplines.clip.parse import LONGEST, SHORTEST
 from dynsplines.clip.tracking import recording
 from dynsplines.exchange import simulation
 from dynsplines.exchange.formats import FORMATS
-from dynsplines.measure import bounds, measurement, support
+from dynsplines.measure import bounds, ground, measurement
 from dynsplines.measure.bounds import BOUNDS
 from dynsplines.motion import Saved
 from dynsplines.picture import show
@@ -236,15 +236,15 @@ STATED = {  # the only figures outside generated parts: text, and its numbers in
     "unit length is below {:g} %": 100 * UNIT_LIMIT,
     "touches nothing for more than {:g} s": Thresholds.moment,
     "between keyframes at most {:g} s apart": Thresholds.shortly,
-    "are means over {:g} s": support.WINDOW,
-    "first and last {:g} s": support.WINDOW / 2,
+    "are means over {:g} s": ground.WINDOW,
+    "first and last {:g} s": ground.WINDOW / 2,
     "be slower than {:g} m/s": Thresholds.fast,
     "is slower than {:g} m/s": Thresholds.travels,
     "complete keyframes at least {:g} s apart": Thresholds.far_apart,
     "also more than {:g} %": 100 * bounds.SPEED_SHARE,
     "also more than {:g} times": bounds.WHIP_SHARE,
     "measured {:g} times per second, at keyframes": measurement.RATE,
-    "measured {:g} times per second.": support.RATE,
+    "measured {:g} times per second.": measurement.RATE / 4,
     "1° during {:g} % of the clip": 100 * objective.SMALL_SHARE,
     "ω = 2π · {:g} Hz": simulation.FREQUENCY,
     "kv = kp · {:.2g} s": 1 / (np.pi * simulation.FREQUENCY),

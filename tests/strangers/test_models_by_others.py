@@ -17,7 +17,7 @@ from texts import read_cases
 
 from dynsplines import motion, recordings, solving
 from dynsplines.clip.starter import starter
-from dynsplines.measure.quantities import keyframe_error
+from dynsplines.measure.report import keyframe_error
 from dynsplines.picture.show import Look, images
 from dynsplines.scene import file_access
 
