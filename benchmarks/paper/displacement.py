@@ -15,7 +15,7 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.quadrature import gauss_nodes
 from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.objective import Objective
-from dynsplines.solver.refine.euler_lagrange import residual
+from dynsplines.solver.refine.subdivision import residual
 from dynsplines.solver.search.descent import optimise
 
 NODES = 6  # nodes per span of Gauss's rule

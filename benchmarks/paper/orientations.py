@@ -23,7 +23,7 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import CovariantAcceleration, Penalty, UnitMagnitude
 from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.refine.euler_lagrange import WeakForm
+from dynsplines.solver.refine.subdivision import WeakForm
 from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.system import signals
 

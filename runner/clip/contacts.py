@@ -21,7 +21,7 @@ from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import grasp_places
-from dynsplines.solver.penalty.allowance import Allowance
+from dynsplines.solver.penalty.penalty import Allowance
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import Point, sets_places

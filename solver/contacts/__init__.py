@@ -6,8 +6,7 @@ grasp             which links are held, and where they rest before and after
 footing           points of standing feet that carry, and legs that swing while another one stands
 flight            free fall around keyframes in the air
 keyframe_points   positions and heights of points at keyframes, from which all these are inferred
-gait              the walking or running cycle of keyframes, as a Gaussian process of poses
-gait_period       the choice of the cycle: its period suits the size of the body, and feet do not slip
+gait              the walking or running cycle of keyframes: a Gaussian process of poses, and the choice of its period
 pose_vectors      poses as vectors: the joints' deviation from their mean, without position and heading
 recorded_stances  the stances of a recording's soles, by the likelihood of their positions
 ground_alignment  vertical alignment of a recording with the ground

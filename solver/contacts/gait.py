@@ -3,18 +3,31 @@
 The poses (see `pose_vectors`) have a periodic part, which is its left-right mirror image half a period later, and a
 smooth part for the rest. Nothing is learned from other clips. The likelihood of the keyframes measures how well a
 period explains them. Several periods may explain sparse keyframes about equally (aliasing).
+
+Then the size of the body and the feet decide: in the true cycle, a low foot stands on the ground while the body
+travels; in an alias it slides as fast as the body. Dynamically similar animals and people have strides of
+2.3 Fr^0.3 hip heights, with the Froude number Fr = v²/(g h) (R. McN. Alexander 1976).
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from .. import quaternion as quat
 from ..array import Array
+from ..curve.frame import Timeline
+from ..curve.spline import natural_end_slopes, path_of
+from ..figure.dynamics import STANDARD_GRAVITY
+from ..figure.figure import Figure
+from ..figure.kinematics import Samples
+from ..surface import Surface
+from ..surface.heights import heights
+from ..surface.points import Point, places_of
 from .pose_vectors import PoseVectors
+from .thresholds import Thresholds
 
 LENGTH = 0.9  # [rad] length scale of the periodic kernel, of phase at half amplitude
 DECAY = 4.0  # [periods] correlation length of successive cycles
@@ -22,6 +35,17 @@ PERIODIC, REST = 0.85, 0.15  # fractions of the variance of the two parts
 NOISE = 1e-3  # noise as a fraction of the variance
 QUARTER = 0.25  # least fraction of the spline's variance about the cycle that counts as the spline's error
 SURE = 0.03  # [rad] negligible standard deviation
+STRIDE, POWER = 2.3, 0.3  # factor and exponent of Alexander's relation
+SHORTER, LONGER = 0.65, 1.6  # range of plausible periods, relative to Alexander's
+FINENESS = 0.02  # initial spacing of the tried periods, relative to the period
+LEFT_OUT = ((0, 0), (1, 0), (0, 1), (1, 1))  # numbers of first and last keyframes that are tried outside the cycle
+OUTSIDE = 0.2  # least increase of the gain for each keyframe left out
+FEWEST, MOST = 3, 100  # numbers of complete keyframes for which a cycle is inferred
+CYCLES = 0.8  # least number of cycles in a clip
+SLIP = 0.33  # largest slip of a cycle, see `GaitCycle`
+TRUST = 0.4  # least mean trust of a gait cycle over the clip
+LOWEST = 0.25  # fraction of the keyframes with the lowest soles, which stand
+TRIED = 4  # most candidates that are examined
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,3 +156,169 @@ class GaitCycle:
         out[:, columns.columns.T] = self.rotations
         out[:, columns.hinges], out[:, columns.heights] = self.angles, self.heights
         return out
+
+
+@dataclass(frozen=True, eq=False)
+class Gait:
+    """A figure that travels over surfaces, with its keyframes and the points of its soles."""
+
+    figure: Figure
+    keys: Timeline
+    points: tuple[Point, ...]
+    surfaces: tuple[Surface, ...]
+
+    @property
+    def limits(self) -> Thresholds:
+        return Thresholds.of(self.figure)
+
+    def infer(self) -> GaitCycle | None:
+        """Return the cycle of the keyframes if it is unambiguous.
+
+        The first and the last keyframe may be outside it, such as a standing pose before a walk, if the likelihood of
+        the others is much higher without them.
+        """
+        if self.keys.ends == "periodic":
+            return None
+        best, gain = None, -np.inf
+        for left_out in LEFT_OUT:
+            outside = sum(left_out)
+            if outside and len(self.keys.frames) - outside <= FEWEST:
+                continue
+            gait_cycle = self._without(*left_out)._cycle_of_all
+            if gait_cycle is not None and gait_cycle.gain - OUTSIDE * outside > gain:
+                best, gain = gait_cycle, gait_cycle.gain - OUTSIDE * outside
+        return best
+
+    @property
+    def _periods(self) -> tuple[float, float]:
+        """The bounds of the period of a cycle [s]."""
+        return SHORTER * self.usual_period, LONGER * self.usual_period
+
+    def _without(self, first: int, last: int) -> Gait:
+        """Return the gait without some of the first and the last keyframes."""
+        if not first + last:
+            return self
+        frames = self.keys.frames[first : len(self.keys.frames) - last]
+        ends = natural_end_slopes(np.array([f.time for f in frames]), np.array([f.state for f in frames]))
+        return replace(self, keys=Timeline(frames, ends))
+
+    @property
+    def _cycle_of_all(self) -> GaitCycle | None:
+        if not (self._may_walk and self._is_level):
+            return None
+        poses = PoseVectors.of(self.figure, self.keys)
+        if poses is None or not FEWEST <= poses.times.size <= MOST:
+            return None
+        shortest, longest = self._periods
+        longest = min(longest, poses.sides / 2 * (poses.times[-1] - poses.times[0]) / CYCLES)
+        cycles = self.candidates(PoseProcess(poses), (shortest, longest))
+        sure = [gait_cycle for gait_cycle in cycles if gait_cycle.slip <= SLIP]
+        best = max(sure, key=lambda gait_cycle: gait_cycle.gain, default=None)
+        return None if best is None or best.trust.mean() < TRUST else best
+
+    def likeliest(self) -> GaitCycle | None:
+        """Return the likeliest cycle of the keyframes, without a threshold; None for too few keyframes."""
+        poses = PoseVectors.of(self.figure, self.keys)
+        if poses is None:
+            return None
+        between = self._periods if self._may_walk else self.limits.any_period
+        cycles = self.candidates(PoseProcess(poses), between)
+        return min(cycles, key=lambda gait_cycle: (gait_cycle.slip > SLIP, -gait_cycle.gain), default=None)
+
+    def with_period(self, period: float) -> GaitCycle | None:
+        """Return the cycle with a period [s]; None for too few complete keyframes."""
+        poses = PoseVectors.of(self.figure, self.keys)
+        return None if poses is None else self._rhythm(PoseProcess(poses), period)
+
+    def candidates(self, process: PoseProcess, between: tuple[float, float]) -> list[GaitCycle]:
+        """Return the cycles at periods `between` [s] where the gain peaks, the likeliest first."""
+        if between[0] >= between[1]:
+            return []
+        count = max(3, int(np.ceil(np.log(between[1] / between[0]) / FINENESS)) + 1)
+        tried = np.geomspace(*between, count)
+        gain = np.array([process.gain(float(period)) for period in tried])
+        padded = np.concatenate([[-np.inf], gain, [-np.inf]])
+        peaks = np.flatnonzero((gain >= padded[:-2]) & (gain > padded[2:]))
+        peaks = peaks[np.argsort(-gain[peaks])][:TRIED]
+        return [self._rhythm(process, _refine(process, tried, gain, int(i))) for i in peaks]
+
+    def _rhythm(self, process: PoseProcess, period: float) -> GaitCycle:
+        gait_cycle = GaitCycle.of(process, period, *self._plain)
+        return replace(gait_cycle, slip=self.slip(gait_cycle)) if self._may_walk else gait_cycle
+
+    @cached_property
+    def _plain(self) -> tuple[Array, Array]:
+        """Times (T,) [s], and the configurations (T, nq) of the spline through the keyframes."""
+        first, last = float(self.keys.times[0]), float(self.keys.times[-1])
+        times = np.linspace(first, last, max(2, int(np.ceil((last - first) / self.limits.lift_off)) + 1))
+        return times, self.figure.to_qpos(path_of(self.keys).at(times))
+
+    @cached_property
+    def _may_walk(self) -> bool:
+        """Whether the figure has feet, ground and one root, and travels."""
+        if not self.points or not self.surfaces or self.figure.tables.free_links.size != 1:
+            return False
+        return self._hips > 0 and self._travel > self.limits.slowest
+
+    @property
+    def _is_level(self) -> bool:
+        """Whether the ground below the lowest sole point has the same height at all keyframes; steps are no cycle."""
+        places, heights = self._standing
+        lowest = heights.argmin(axis=0), np.arange(heights.shape[1])
+        return float(np.ptp((places[2] - heights)[lowest])) < self.limits.same_spot
+
+    @property
+    def _root(self) -> Array:
+        """Positions (K, 3) [m] of the root at keyframes."""
+        return self.keys.states[:, self.figure.tables.position_columns[:, 0]]
+
+    @cached_property
+    def _travel(self) -> float:
+        """Horizontal speed of the root [m/s]."""
+        lengths = np.linalg.norm(np.diff(self._root[:, :2], axis=0), axis=1)
+        return float(lengths.sum()) / float(self.keys.times[-1] - self.keys.times[0])
+
+    @cached_property
+    def _standing(self) -> tuple[Array, Array]:
+        """Positions (3, p, K) and heights (p, K) [m] of the sole points at keyframes."""
+        return self._soles(self.keys.states)
+
+    @cached_property
+    def _hips(self) -> float:
+        """The height [m] of the root above the soles."""
+        return float(np.median(self._root[:, 2] - self._standing[0][2].min(axis=0)))
+
+    @property
+    def usual_period(self) -> float:
+        """The period [s] of a body of this size at this speed, by dynamic similarity."""
+        gravity = float(np.linalg.norm(self.figure.gravity)) or STANDARD_GRAVITY
+        froude = self._travel**2 / (gravity * self._hips)
+        return STRIDE * froude**POWER * self._hips / self._travel
+
+    def slip(self, gait_cycle: GaitCycle) -> float:
+        """Return the mean speed of the slowest low sole point, relative to the travel speed; inf if none is low."""
+        times, qpos = gait_cycle.times, gait_cycle.qpos(self.figure.width)
+        over = slice(*(self.figure.tables.position_columns[0, 0] + np.array([0, 2])))
+        qpos[:, over] = self._plain[1][:, over]
+        places, heights = self._soles(self.figure.to_state(qpos))
+        speed = np.linalg.norm(np.gradient(places[:2], times, axis=2), axis=0)
+        low = heights < self.limits.hovers + np.quantile(self._standing[1].min(axis=0), LOWEST)
+        slowest = np.where(low, speed, np.inf).min(axis=0)
+        down = np.isfinite(slowest)
+        return float(slowest[down].mean() / self._travel) if down.any() else np.inf
+
+    def _soles(self, states: Array) -> tuple[Array, Array]:
+        """Return positions (3, p, T) and heights (p, T) [m] of the sole points."""
+        samples = Samples.still(self.figure, states)
+        centres, _ = places_of(self.points, samples)
+        return centres, heights(self.surfaces, centres, np.zeros(len(self.points)))[0]
+
+
+def _refine(process: PoseProcess, tried: Array, gain: Array, i: int) -> float:
+    """Return the maximum of the parabola through the gains at a peak, over the logarithm of the period."""
+    if i in (0, tried.size - 1):
+        return float(tried[i])
+    before, here, after = gain[i - 1 : i + 2]
+    bend = before - 2 * here + after
+    shift = 0.5 * (before - after) / bend if bend < 0 else 0.0
+    return float(tried[i] * (tried[i + 1] / tried[i]) ** shift)

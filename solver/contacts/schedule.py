@@ -16,8 +16,7 @@ from ..surface.points import Point, body_points, free_root, hanging
 from .contact import Contact, Interval, stances
 from .flight import Air, Fall
 from .footing import Steps, footings
-from .gait import GaitCycle
-from .gait_period import Gait
+from .gait import Gait, GaitCycle
 from .grasp import grasped_links, resting_objects
 from .keyframe_points import KeyframePoints
 from .thresholds import Thresholds

@@ -4,8 +4,7 @@ frame       the state of a figure at one time, with a mask of fixed entries; tim
 spline      the C² cubic B-spline through a timeline's frames (eqs. 2-6)
 quadrature  sample times and weights of the integral E (eq. 1)
 banded      banded matrices, by LAPACK
-seam        the seam of a loop: the map from its first frame to its last
-loop_keys   the keyframes of a loop, made consistent at its seam: travel and heading
+seam        the seam of a loop: the map from its first frame to its last, and keyframes consistent with it
 raw         the curves through keyframes before any search: the raw spline, and the straight path (SLERP)
 symmetry    pairs of links on opposite sides of a figure at rest
 mirror      motion reflected in the x-z plane, as a linear map of states

@@ -21,8 +21,7 @@ from ..array import Array, Mask, segments_at
 from ..figure.figure import Figure, JointKind, Link, quaternion_columns
 from ..tolerances import ROUNDING, TINY
 from .frame import Frame, Timeline, TimelineError
-from .loop_keys import close_loop
-from .seam import Seam, sameness
+from .seam import Seam, close_loop, sameness
 from .spline import Sampling, Spline, natural_end_slopes
 
 NEARLY_HALF = np.radians(150.0)  # [rad] angle above which a free body's direction of rotation is ambiguous

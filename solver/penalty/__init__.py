@@ -1,24 +1,20 @@
 """The soft constraints.
 
-penalty    the base class, and sums of several penalties
+penalty    the base class, sums of several penalties, tolerance of violations in keyframes, a consistency check
 block      the residuals of a penalty, from which value, gradient and curvature are computed
 curvature  Gauss-Newton second derivatives, and one-sided residuals
-check      a consistency check of values and gradient
-allowance  tolerance of violations in keyframes
 motion, ground, joints  the soft constraints
 """
 
-from .allowance import Allowance as Allowance
 from .block import Block as Block
 from .block import Dense as Dense
 from .block import Entries as Entries
-from .check import check as check
 from .ground.attachment import Attachment as Attachment
 from .ground.attachment import grasp_places as grasp_places
 from .ground.collision import Collision as Collision
-from .ground.flight import Flight as Flight
 from .ground.hover import HoverPenalty as HoverPenalty
 from .ground.skate import Skate as Skate
+from .ground.support import Flight as Flight
 from .ground.support import Support as Support
 from .joints.bend import Bend as Bend
 from .joints.bend import BendLimits as BendLimits
@@ -47,8 +43,10 @@ from .motion.prior import Person as Person
 from .motion.prior import Prior as Prior
 from .motion.torque import Torque as Torque
 from .motion.tracking import TrackingPenalty as TrackingPenalty
+from .penalty import Allowance as Allowance
 from .penalty import Guide as Guide
 from .penalty import Normalization as Normalization
 from .penalty import Penalty as Penalty
 from .penalty import Role as Role
 from .penalty import Sum as Sum
+from .penalty import check as check

@@ -14,15 +14,18 @@ from enum import Enum
 
 import numpy as np
 
-from ..array import Array
+from ..array import Array, Index, Mask, segments_at
 from ..curve.frame import Timeline
 from ..curve.spline import Path
 from ..figure.adjoint import Cotangent
+from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from .block import Block, Dense, sum_of_blocks
 
 # distances from a bound, a length [m] on an adult and an angle [rad], that one step of the search may cover
 NEAR_LENGTH, NEAR_ANGLE = 0.03, float(np.radians(4))
+SAMPLES = 5  # number of random samples
+STEPS = np.array([1e-3, 1e-4])  # [1] steps h of the Taylor test
 
 
 @dataclass(frozen=True)
@@ -163,3 +166,97 @@ class Sum(Penalty):
     def residuals(self, samples: Samples) -> Iterator[Block | Dense]:
         for part in self.parts:
             yield from part.residuals(samples)
+
+
+@dataclass(frozen=True)
+class Allowance:
+    """Tolerated excesses of one-sided residuals, linear between keyframes.
+
+    Attributes:
+        times: The times of the keyframes, (K,) [s].
+        excess: The excess in each keyframe, at least 0, (..., K), in the unit of the residual.
+    """
+
+    times: Array
+    excess: Array
+
+    @classmethod
+    def in_keys(cls, keys: Timeline, excess: Array, is_fixed: Mask) -> Allowance | None:
+        """Return the tolerance of positive excesses (..., K) that keyframes fix, (..., K); None without any."""
+        excess = np.maximum(excess, 0) * is_fixed
+        return cls(keys.times, excess) if excess.any() else None
+
+    def at(self, t: Array) -> Array:
+        """Return the tolerated excesses, constant outside the range of the keyframes.
+
+        Args:
+            t: Times (S,) [s].
+
+        Returns:
+            The excesses (..., S).
+        """
+        span, share = self._place(t)
+        return self.excess[..., span] * (1 - share) + self.excess[..., span + 1] * share
+
+    def of(self, index: Index, t: Array) -> Array:
+        """Return the tolerated excesses (..., P) at times t (P,) [s] for entries (P,) of the second-last axis."""
+        span, share = self._place(t)
+        return self.excess[..., index, span] * (1 - share) + self.excess[..., index, span + 1] * share
+
+    def _place(self, t: Array) -> tuple[Index, Array]:
+        """Return the keyframe before each time, and the share of the segment from it to the time."""
+        span = segments_at(self.times, t)
+        return span, np.clip((t - self.times[span]) / (self.times[span + 1] - self.times[span]), 0, 1)
+
+
+def check(penalty: Penalty, figure: Figure, *, seed: int = 0) -> None:
+    """Check values and gradient of a soft constraint on random samples of a figure.
+
+    By a Taylor test, |f(x + h d) − f(x) − h g·d| must be proportional to h² along a random direction d of y, y' and
+    y''.
+
+    Args:
+        penalty: The soft constraint.
+        figure: A figure, such as `load("run_and_step").figure`.
+        seed: Seed of the random samples.
+
+    Raises:
+        ValueError: A value is negative, infinite or NaN; the gradient is not that of the values; or all values are 0,
+            so that nothing was checked.
+    """
+    rng, name = np.random.default_rng(seed), penalty.name
+    samples = _random(figure, rng)
+    scale, cotangent = rng.uniform(0.5, 2, SAMPLES), Cotangent(samples)
+    values = penalty.evaluate(samples, cotangent, scale)
+    if not np.all(np.isfinite(values)) or np.any(values < 0):
+        raise ValueError(f"penalty '{name}': a value is {float(np.min(values)):g}; finite ones from 0 on are penalties")
+    slope = _taylor_slope(penalty, samples, scale, np.stack(cotangent.gradients()), rng)
+    if slope < 1.9:  # 2 for an exact gradient, 1 for a wrong one
+        raise ValueError(f"penalty '{name}': its gradient is not that of its values: Taylor slope {slope:.2f}, not 2")
+    if not np.any(values):
+        raise ValueError(
+            f"penalty '{name}': no residual was positive on the samples, at 0 to {samples.t[-1]:g} s, so nothing was "
+            "checked; pass another seed, or check the penalty with a bound that random poses violate, or at these times"
+        )
+
+
+def _random(figure: Figure, rng: np.random.Generator) -> Samples:
+    """Return samples with poses far from rest and random derivatives of every entry."""
+    y = figure.to_state(rng.normal(size=(SAMPLES, figure.width)))
+    return Samples(figure, y, rng.normal(size=y.shape), rng.normal(size=y.shape), np.arange(SAMPLES) / SAMPLES)
+
+
+def _taylor_slope(penalty: Penalty, samples: Samples, scale: Array, gradient: Array, rng: np.random.Generator) -> float:
+    """Return the slope of log remainder over log step; 2 if the remainder is only rounding."""
+    point = np.stack([samples.y, samples.y_d, samples.y_dd])
+    direction = rng.normal(size=point.shape)
+    direction /= np.linalg.norm(direction)
+
+    def value(step: float) -> float:
+        return float(scale @ penalty.evaluate(Samples(samples.figure, *(point + step * direction), t=samples.t)))
+
+    first, rise = value(0.0), float(np.sum(gradient * direction))
+    remainders = np.array([abs(value(step) - first - step * rise) for step in STEPS])
+    if np.all(remainders < 1e-10 * max(abs(first), abs(rise), 1.0)):
+        return 2.0
+    return float(np.diff(np.log(remainders + np.finfo(float).tiny))[0] / np.diff(np.log(STEPS))[0])

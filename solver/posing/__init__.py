@@ -1,15 +1,17 @@
 """Inverse kinematics: poses that meet target positions of points and target rotations of bodies.
 
 inverse_kinematics  the pose for goals, from several starting poses
-drag                the pose that follows the drag of a point, with soles, floor and balance
+drag                the pose that follows the drag of a point, with soles, floor and support polygon
 pose_search         the pose for goals, from one starting pose
 least_squares       damped least squares
 goals               positions of points in the world or on a body, rotations of bodies; the joints that they depend on
 bounds              joint ranges, and the bending of knees and elbows
-limits              the floor, and the support polygon of the centre of mass
 """
 
+from .drag import Balance as Balance
 from .drag import Constraints as Constraints
+from .drag import FloorClearance as FloorClearance
+from .drag import SupportPolygon as SupportPolygon
 from .drag import drag_pose as drag_pose
 from .goals import BodyGoal as BodyGoal
 from .goals import Goal as Goal
@@ -23,9 +25,6 @@ from .inverse_kinematics import in_winding as in_winding
 from .least_squares import LeastSquares as LeastSquares
 from .least_squares import Residuals as Residuals
 from .least_squares import join as join
-from .limits import Balance as Balance
-from .limits import FloorClearance as FloorClearance
-from .limits import SupportPolygon as SupportPolygon
 from .pose_search import MET as MET
 from .pose_search import Posed as Posed
 from .pose_search import PoseSearch as PoseSearch

@@ -1,23 +1,139 @@
 """Subdivision: a variable frame at the middle of each badly approximated segment (step 5 of the paper's figure 5).
 
 A criterion returns one number per segment between neighbouring frames; the segments with the largest are split.
-"residual" is the paper's criterion. "weak", from the weak form, predicts how much a split would reduce E.
+"residual" is the paper's criterion: the residual of the Euler-Lagrange equation of E, eq. 4 of the paper. "weak", from
+the weak form of this equation, predicts how much a split would reduce E.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 
-from ..array import Array
+from ..array import ENTRIES_AT_ONCE, Array, Index
 from ..curve.frame import Frame, Timeline
-from ..curve.spline import path_of
+from ..curve.quadrature import gauss_nodes
+from ..curve.spline import Path, Sampling, Spline, path_of
 from ..objective import Objective
-from .euler_lagrange import WeakForm, residual
+from ..penalty.block import one_sided_residuals
+from ..penalty.curvature import Curvature
+from ..tolerances import ROUNDING, SMALLEST
 
 # default initial number of variable frames per segment: FEW if the clip is solved as a whole, MORE if in windows
 FEW, MORE = 2, 3
+NODES = 8  # nodes per span of the strong form's integrals
+GRADIENT_NODES, HESSIAN_NODES = 5, 2  # nodes per span of the weak form's first and second derivatives
+WINDOW = 60  # maximum number of spans whose curvature is in memory
+REACH = 4  # spans on either side of a frame in which its cardinal function is used
+
+
+@dataclass(frozen=True)
+class Residual:
+    """R at Gauss nodes inside every knot span.
+
+    Attributes:
+        t: The nodes, (P, n) [s].
+        weights: Their weights, (P, n) [s].
+        value: R, (P, n, N).
+    """
+
+    t: Array
+    weights: Array
+    value: Array
+
+    @property
+    def size(self) -> Array:
+        return np.linalg.norm(self.value, axis=2)
+
+    def deviation(self) -> Array:
+        """Return ∫ |R| dt over every span between neighbouring frames, (P,)."""
+        return np.sum(self.weights * self.size, axis=1)
+
+
+def residual(objective: Objective, path: Path) -> Residual:
+    """Return the strong residual of any objective, with g₁ and g₂ differentiated as polynomials inside each span."""
+    edges = np.asarray(path.spline.times)
+    t, w = gauss_nodes(edges, NODES)
+    samples = objective.samples(path, t)
+    g0, g1, g2 = (g.reshape(edges.size - 1, NODES, -1) for g in objective.sample_gradients(samples))
+    derive = _differentiation_matrix(np.polynomial.legendre.leggauss(NODES)[0])
+    rate = (2 / np.diff(edges))[:, None, None]
+    value = g0 - rate * (derive @ g1) + rate**2 * (derive @ (derive @ g2))
+    return Residual(t.reshape(-1, NODES), w.reshape(-1, NODES), value)
+
+
+def _differentiation_matrix(x: Array) -> Array:
+    """Return D with (D f)(x_i) = f'(x_i) for polynomials through the nodes x (Berrut & Trefethen, SIAM Review 2004)."""
+    gaps = x[:, None] - x[None, :] + np.eye(x.size)
+    w = 1 / np.prod(gaps, axis=1)
+    matrix = w[None, :] / w[:, None] / gaps
+    np.fill_diagonal(matrix, 0)
+    np.fill_diagonal(matrix, -matrix.sum(axis=1))
+    return matrix
+
+
+@dataclass(frozen=True)
+class WeakForm:
+    """The change of E, to first and second order, by variable frames inserted into a path."""
+
+    objective: Objective
+    path: Path
+
+    def decrements(self, candidates: Array) -> Array:
+        """Return ½ gᵀH⁻¹g, the predicted reduction of E by each variable frame at times (C,) [s] alone, (C,).
+
+        g is the gradient of E in the new frame, and H the frame's own block of the Gauss-Newton curvature. The values
+        rank candidates. Summed over the middles of all segments, they approximate the gap to the optimum. In a loop
+        whose quaternions return as −q, the part of g from the seam is omitted.
+        """
+        spline = Spline(np.sort(np.append(self.path.spline.times, candidates)), self.path.spline.ends)
+        place = np.searchsorted(spline.times, candidates)
+        gradient, hessian = self._gradients(spline)[place], self._hessians(spline, place)
+        width = gradient.shape[1]
+        size = np.maximum(np.einsum("cnn->c", hessian) / width, SMALLEST)
+        hessian += ROUNDING * size[:, None, None] * np.eye(width)  # so that it has an inverse
+        return 0.5 * np.sum(gradient * np.linalg.solve(hessian, gradient[:, :, None])[:, :, 0], axis=1)
+
+    def _gradients(self, spline: Spline) -> Array:
+        """Return dE/dY for the rows of the refined spline, (M + 2, N)."""
+        t, w = gauss_nodes(np.asarray(spline.times), GRADIENT_NODES)
+        gradients = self.objective.sample_gradients(self.objective.samples(self.path, t))
+        return Sampling.of(spline, t).pulled_back([w[:, None] * g for g in gradients])
+
+    def _hessians(self, spline: Spline, place: Index) -> Array:
+        """Return ∫ Σ φ⁽ᵃ⁾φ⁽ᵇ⁾ ∂²f/∂y⁽ᵃ⁾∂y⁽ᵇ⁾ dt for the frames' cardinal functions φ, window by window, (C, N, N)."""
+        times = np.asarray(spline.times)
+        out = np.zeros((place.size, self.path.rows.shape[1], self.path.rows.shape[1]))
+        spans = max(1, min(WINDOW, ENTRIES_AT_ONCE // self.path.rows.shape[1] ** 2))
+        for first in range(0, times.size - 1, spans):
+            last = min(first + spans, times.size - 1)
+            near = np.flatnonzero((place + REACH > first) & (place - REACH < last))
+            if not near.size:
+                continue
+            nodes, shares = gauss_nodes(times[first : last + 1], HESSIAN_NODES)
+            curvature = self._curvature(nodes, shares)
+            unit = np.zeros((spline.size, near.size))
+            unit[place[near], np.arange(near.size)] = 1
+            coefficients = spline.coefficients(unit)
+            phi = np.stack([spline.basis(nodes, order) @ coefficients for order in range(3)], axis=1)
+            for k, c in enumerate(near):
+                begin, end = (HESSIAN_NODES * (int(place[c]) + reach - first) for reach in (-REACH, REACH))
+                out[c] += curvature.quadratic(phi[:, :, k], max(begin, 0), min(end, nodes.size))
+        return out
+
+    def _curvature(self, nodes: Array, shares: Array) -> Curvature:
+        samples = self.objective.samples(self.path, nodes)
+        curvature = Curvature(samples)
+        for term in self.objective.terms:
+            scale, blocks = self.objective.factor(term, samples.t) * shares, tuple(term.penalty.residuals(samples))
+            for block in blocks:
+                block.add_to(curvature, scale)
+            sides = one_sided_residuals(blocks, samples)
+            if sides is not None:
+                curvature.add_one_sided(sides, scale)
+        return curvature
 
 
 def midpoints(timeline: Timeline) -> Array:

@@ -31,7 +31,7 @@ SCIPY_IN_SOLVER = {
     "solver/curve/elimination.py",
     "solver/curve/spline.py",
     "solver/curve/unknowns.py",
-    "solver/posing/limits.py",
+    "solver/posing/drag.py",
     "solver/search/quadratic.py",
 }
 SETUPTOOLS = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["tool"]["setuptools"]

@@ -4,6 +4,5 @@ collision   points outside surfaces
 attachment  contacts: points that stay at a position, or anywhere without slip
 skate       points that slide near a surface
 hover       the lowest point stays close to the ground
-flight      free fall between contacts
-support     the forces that contacts can supply
+support     the forces that contacts can supply, and free fall between contacts
 """

@@ -19,9 +19,8 @@ from ...figure.wrenches import of_point
 from ...surface import Box, Plane, Surface
 from ...surface.points import Point, arrays_of, sets_places
 from ...tolerances import ROUNDING
-from ..allowance import Allowance
 from ..block import Block
-from ..penalty import NEAR_LENGTH, Normalization, Penalty, Role
+from ..penalty import NEAR_LENGTH, Allowance, Normalization, Penalty, Role
 
 MOST_TOGETHER = 64  # most points in a bounding sphere; a limb of capsules has 10-30
 _Near = tuple[Index, Array, Array, Array]

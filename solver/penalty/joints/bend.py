@@ -20,9 +20,8 @@ from ...figure.figure import Figure, on_links, sets_joints
 from ...figure.kinematics import Samples
 from ...figure.wrenches import of_turn
 from ...tolerances import ROUNDING
-from ..allowance import Allowance
 from ..block import Block
-from ..penalty import NEAR_ANGLE, Normalization, Penalty, Role
+from ..penalty import NEAR_ANGLE, Allowance, Normalization, Penalty, Role
 
 RARE = 2.0  # [%] share of samples beyond extended limits
 ANGLE, SIGN = np.array([0, 1, 1, 2, 2]), np.array([-1.0, 1, -1, 1, -1])  # of the five bounds, as in `excess`

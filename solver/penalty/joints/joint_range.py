@@ -21,9 +21,8 @@ from ...figure.figure import Figure, JointKind, sets_joints
 from ...figure.kinematics import Samples
 from ...figure.wrenches import Wrenches, of_turn
 from ...tolerances import SMALLEST
-from ..allowance import Allowance
 from ..block import Block, Entries
-from ..penalty import NEAR_ANGLE, NEAR_LENGTH, Normalization, Penalty, Role
+from ..penalty import NEAR_ANGLE, NEAR_LENGTH, Allowance, Normalization, Penalty, Role
 
 NEAR_HOME = np.radians(12)  # [rad] distance that a step may cover to a bound of rotations that are kept near one value
 BLEND = np.radians(0.5)  # [rad] ε

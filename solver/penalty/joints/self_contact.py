@@ -32,9 +32,8 @@ from ...surface.cover import filling_spheres
 from ...surface.points import sets_poses
 from ...surface.touch import movers
 from ...tolerances import TINY
-from ..allowance import Allowance
 from ..block import Block
-from ..penalty import NEAR_LENGTH, Normalization, Penalty, Role
+from ..penalty import NEAR_LENGTH, Allowance, Normalization, Penalty, Role
 
 # [m] of figures up to the size of an adult; in proportion for larger ones, as for models in centimetres
 GAP = 0.008  # maximum gap between spheres and the geom that they fill

@@ -16,8 +16,8 @@ from dynsplines.solver.curve.quadrature import Quadrature
 from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import UnitMagnitude
-from dynsplines.solver.refine import euler_lagrange
-from dynsplines.solver.refine.euler_lagrange import residual
+from dynsplines.solver.refine import subdivision
+from dynsplines.solver.refine.subdivision import residual
 
 CHECKED = ("iterates", "unit magnitude")  # studies whose claims hold for every set of keyframes
 
@@ -39,7 +39,7 @@ def test_the_gradient_has_taylor_slope_two(figure, rng):
 def test_the_closed_form_is_half_the_residual_of_the_sample_gradients(
     nodes: int, close: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(euler_lagrange, "NODES", nodes)
+    monkeypatch.setattr(subdivision, "NODES", nodes)
     path = Case(1).solved(PAPER, 1).path
     generic = residual(Objective.of(spinner(), [(PaperAcceleration(), 1.0), (UnitMagnitude(), 3.0)]), path)
     closed = covariant_residual(path, generic.t.ravel(), 3.0).reshape(generic.value.shape)

@@ -14,7 +14,7 @@ from dynsplines.clip.context import Context
 from dynsplines.clip.parse import options_of
 from dynsplines.clip.table import PenaltyTable
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.contacts.gait_period import SLIP, Gait
+from dynsplines.solver.contacts.gait import SLIP, Gait
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of

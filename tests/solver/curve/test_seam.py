@@ -30,9 +30,8 @@ from dynsplines import models
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
-from dynsplines.solver.curve.loop_keys import close_loop
 from dynsplines.solver.curve.raw import NEARLY_HALF, raw_timeline, signs, straighten
-from dynsplines.solver.curve.seam import Seam
+from dynsplines.solver.curve.seam import Seam, close_loop
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.curve.unknowns import Unknowns
 from dynsplines.solver.figure.figure import Figure

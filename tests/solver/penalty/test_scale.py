@@ -17,8 +17,8 @@ from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty.block import Block, Dense, Entries
-from dynsplines.solver.penalty.check import check
 from dynsplines.solver.penalty.joints.self_contact import Bar, SelfContact
+from dynsplines.solver.penalty.penalty import check
 from dynsplines.solver.surface.points import Point
 
 UP, X = np.array([0.0, 0, 1]), np.array([1.0, 0, 0])

@@ -20,8 +20,7 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Collision, CovariantAcceleration, Normalization, Penalty, RootAcceleration
 from dynsplines.solver.penalty.block import Block, Dense, every
-from dynsplines.solver.refine.euler_lagrange import NODES, WeakForm, residual
-from dynsplines.solver.refine.subdivision import midpoints, split
+from dynsplines.solver.refine.subdivision import NODES, WeakForm, midpoints, residual, split
 from dynsplines.solver.refine.warm_start import warm_start
 from dynsplines.solver.surface.points import Point
 

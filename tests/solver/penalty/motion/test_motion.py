@@ -17,7 +17,7 @@ from dynsplines.solver import penalty
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Steps
-from dynsplines.solver.contacts.gait_period import Gait
+from dynsplines.solver.contacts.gait import Gait
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.recording import Track
