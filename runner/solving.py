@@ -12,8 +12,8 @@ from functools import cached_property
 from typing import Any
 
 from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.problem import Improvement, Solution
 from dynsplines.solver.search.minimum import Stop
-from dynsplines.solver.solution import Improvement, Solution
 
 from .clip.build import Clip
 from .clip.load import clip_from_motion

@@ -12,9 +12,9 @@ from .figure.figure import Figure as Figure
 from .figure.figure import FigureError as FigureError
 from .inbetween import inbetween as inbetween
 from .objective import Objective as Objective
+from .problem import Improvement as Improvement
 from .problem import Problem as Problem
 from .problem import Settings as Settings
+from .problem import Solution as Solution
 from .search.minimum import Stop as Stop
 from .search.minimum import StopSearch as StopSearch
-from .solution import Improvement as Improvement
-from .solution import Solution as Solution

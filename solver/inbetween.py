@@ -24,7 +24,7 @@ from .curve.raw import straighten
 from .curve.spline import path_of
 from .objective import Discretised, Evaluation, Objective, segment_integrals
 from .penalty import Role
-from .problem import Problem, Settings, guide_of
+from .problem import Improvement, Problem, Settings, Solution, guide_of
 from .refine.parts import SearchPart, Window, is_long, parts_of_edits, windows
 from .refine.subdivision import CRITERIA, midpoints, split
 from .search.descent import minimise, optimiser_of
@@ -38,7 +38,6 @@ from .search.restarts import (
     select_best,
     violation_dominates,
 )
-from .solution import Improvement, Solution
 from .tolerances import ROUNDING
 
 ROUGH = 2e-2  # [1] tolerance of all rounds except the last, relative to E

@@ -1,4 +1,4 @@
-"""The in-betweening problem: keyframes of a figure, soft constraints with their weights, settings of the search.
+"""The in-betweening problem: keyframes of a figure, soft constraints, settings of the search; and its solution.
 
 "The paper" is R. Ramamoorthi, C. Ball, A. H. Barr, Dynamic Splines with Constraints for Animation, also in all other
 modules of this package. Equations, figures and sections without a source are those of the paper.
@@ -6,7 +6,7 @@ modules of this package. Equations, figures and sections without a source are th
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -17,13 +17,14 @@ from .array import Array
 from .curve.frame import Frame, Timeline
 from .curve.quadrature import Quadrature
 from .curve.raw import raw_timeline
-from .curve.spline import path_of
+from .curve.spline import Path, path_of
 from .figure.figure import Figure
 from .objective import Objective
 from .penalty import Guide, Penalty, Posture, Role
 from .refine.subdivision import CRITERIA, FEW, MORE
-from .search.minimum import Optimiser
+from .search.minimum import Optimiser, Stop
 from .search.nlopt_methods import LBFGS
+from .tolerances import ROUNDING
 
 SHORT = 0.05  # [1] longest segment without a variable frame, relative to the frame spacing of adjacent segments
 SPACING = 0.3  # [s] maximum initial spacing of frames
@@ -180,3 +181,76 @@ def guide_of(objective: Objective) -> Guides | None:
     guides = [term.penalty for term in objective.terms if isinstance(term.penalty, Guide) and term.weight > 0]
     guides.sort(key=lambda guide: guide.role is Role.LIMIT)
     return Guides(tuple(guides)) if guides else None
+
+
+@dataclass(frozen=True)
+class Improvement:
+    """An evaluation that lowered E, or the first one after E got more samples, which may raise it.
+
+    Attributes:
+        evaluation: The number of evaluations so far.
+        round: The index of the round.
+        value: E.
+        parts: The contributions of terms, by name.
+        build: Returns the timeline of this evaluation.
+    """
+
+    evaluation: int
+    round: int
+    value: float
+    parts: dict[str, float]
+    build: Callable[[], Timeline]
+
+    @cached_property
+    def path(self) -> Path:
+        """The path of the timeline."""
+        return path_of(self.build())
+
+
+@dataclass(frozen=True, repr=False)
+class Solution:
+    """The result of in-betweening.
+
+    Attributes:
+        figure: The figure.
+        objective: The objective E that the search minimised.
+        timeline: The frames of the solution, including variable frames.
+        raw: The timeline of the spline through the keyframes alone.
+        trace: (evaluation, round, E, parts) of every improvement. E may rise where a round begins.
+        evaluations: The number of evaluations.
+        stop: Why the search ended.
+    """
+
+    figure: Figure
+    objective: Objective
+    timeline: Timeline
+    raw: Timeline
+    trace: tuple[tuple[int, int, float, dict[str, float]], ...] = ()
+    evaluations: int = 0
+    stop: Stop = Stop.CONVERGED
+
+    def __repr__(self) -> str:
+        first, last = self.path.span
+        return f"<Solution: {first:g} to {last:g} s, {self.evaluations} evaluations, {self.stop.name.lower()}>"
+
+    @property
+    def path(self) -> Path:
+        """The spline through all frames."""
+        return path_of(self.timeline)
+
+    def at(self, t: ArrayLike) -> Array:
+        """Return MuJoCo configurations at given times.
+
+        Args:
+            t: One time, or (S,) times [s].
+
+        Returns:
+            qpos (S, nq), with unit quaternions.
+
+        Raises:
+            ValueError: A time is outside the motion.
+        """
+        first, last = self.path.span
+        if np.any(np.asarray(t) < first - ROUNDING) or np.any(np.asarray(t) > last + ROUNDING):
+            raise ValueError(f"the motion runs from {first:g} to {last:g} s; give times within")
+        return self.figure.to_qpos(self.path.at(np.atleast_1d(np.asarray(t, float))))

@@ -107,6 +107,6 @@ def dask_cluster() -> Iterator[Any]:
 @pytest.fixture
 def in_process(dask_cluster: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     """Let every batch of a test use the one worker of this process."""
-    from dynsplines.batch import cluster
+    from dynsplines.batch import dispatch
 
-    monkeypatch.setattr(cluster, "_local", lambda _: nullcontext(dask_cluster))
+    monkeypatch.setattr(dispatch, "_local", lambda _: nullcontext(dask_cluster))

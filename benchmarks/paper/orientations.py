@@ -22,9 +22,8 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import CovariantAcceleration, Penalty, UnitMagnitude
-from dynsplines.solver.problem import Problem, Settings
+from dynsplines.solver.problem import Improvement, Problem, Settings, Solution
 from dynsplines.solver.refine.subdivision import WeakForm
-from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.system import signals
 
 from .equations import PaperAcceleration, covariant_residual, tangential

@@ -19,8 +19,7 @@ from numpy.typing import NDArray
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.penalty import UnitMagnitude
-from dynsplines.solver.problem import Problem, Settings
-from dynsplines.solver.solution import Improvement
+from dynsplines.solver.problem import Improvement, Problem, Settings
 from dynsplines.system.progress import Progress
 
 from .barr import Discrete

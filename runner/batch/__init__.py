@@ -4,8 +4,7 @@ inputs      the clips that a command names, and the files that each needs
 task        a clip as it is sent to a worker, the options of the batch, and the outcome
 manifest    the results of the clips, in a file that survives the end of the program
 solving     the work on a clip: its files in, the files of its motion out
-cluster     the Dask workers
-dispatch    the assignment of clips to workers
+dispatch    the assignment of clips to Dask workers
 """
 
 from __future__ import annotations

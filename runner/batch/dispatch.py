@@ -1,23 +1,35 @@
-"""The assignment of clips to workers: each is solved once, and its result is recorded in the manifest."""
+"""The assignment of clips to Dask workers: each is solved once, and its result is recorded in the manifest.
+
+Anyone who can reach a Dask scheduler can run code on its workers. On this machine, it requires a certificate
+that only this program and its workers have. Dask's settings must protect a cluster.
+"""
 
 from __future__ import annotations
 
+import asyncio
+import atexit
+import logging
 import time
 from asyncio import CancelledError
 from collections import Counter, deque
-from contextlib import suppress
+from collections.abc import Iterator
+from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import fields, replace
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any, Literal
 
-from distributed import Client, KilledWorker, as_completed
+import cryptography  # noqa: F401  Dask needs it for certificates
+import dask.config
+from distributed import Client, KilledWorker, LocalCluster, as_completed
+from distributed.deploy.spec import close_clusters
 
 from ..errors import UserError, one_line
 from ..scene.file_access import is_allowed, lies_in
 from ..system.output import Replacement, clear_below
 from ..system.progress import Progress
-from ..system.workers import AHEAD
-from . import cluster, solving
+from ..system.workers import AHEAD, cores, ctrl_c_blocked
+from . import solving
 from .inputs import Contents, InputSource, sources, task_of
 from .manifest import Entry, Manifest, Tally, check_below, digest_of
 from .solving import SolveTask
@@ -25,6 +37,18 @@ from .task import BatchOptions, Outcome, Result
 
 READING_EVERY = 500  # clips per line of progress
 ENDED = "each worker that tried to solve it ended: a crash, or too little memory"
+PATIENCE_SECONDS = 10  # [s] time limit of connecting and of closing a client
+CLOSING_SECONDS = 1  # [s] time limit of the end of a worker, which is then killed
+SETTINGS = {
+    "distributed.admin.large-graph-warning-threshold": "1TB",  # no warnings about the size of meshes
+    "distributed.deploy.lost-worker-timeout": "1 day",  # after the usual 15 s, a worker is no longer restarted
+    "distributed.scheduler.http.routes": [],
+    "distributed.scheduler.worker-saturation": 1.0,  # a clip whose worker dies is the only one there
+    "distributed.worker.http.routes": [],
+    "distributed.worker.profile.enabled": False,  # its history would grow all the time
+}
+
+atexit.unregister(close_clusters)  # after Ctrl-C it would print errors of workers that are still starting
 
 
 def run(
@@ -47,7 +71,7 @@ def run(
     batch = Batch(Manifest.of(folder), options, progress, solve_task)
     batch.plan(clips)
     if batch.waiting:
-        with cluster.connect(options, progress) as client:
+        with connect(options, progress) as client:
             batch.solve(client)
     entries = batch.manifest.entries
     return Tally(tuple(entries[str(source.name)] for source in clips), batch.ended["done"])
@@ -188,3 +212,59 @@ def _write(target: Path, content: bytes) -> None:
     target.parent.mkdir(parents=True, exist_ok=True)
     with Replacement(target) as temporary:
         temporary.write_bytes(content)
+
+
+@contextmanager
+def connect(options: BatchOptions, progress: Progress) -> Iterator[Client]:
+    """Yield a client of the workers. Raises UserError if there are none."""
+    address = options.cluster
+    with (
+        dask.config.set(SETTINGS),
+        _local(options.workers or cores()) if address is None else nullcontext(address) as cluster,
+    ):
+        try:
+            client = Client(cluster, timeout=PATIENCE_SECONDS, set_as_default=False, direct_to_workers=False)
+        except (OSError, ValueError) as error:
+            raise UserError(f"no Dask scheduler answers at '{address}': {one_line(error)}; check the address") from None
+        try:
+            if address is not None:
+                services = client.scheduler_info(n_workers=0).get("services", {})
+                dashboard = f", dashboard {client.dashboard_link}" if "dashboard" in services else ""
+                threads = client.nthreads().values()
+                progress.report(f"Dask: {address}, {len(threads)} workers{dashboard}")
+                if max(threads, default=1) > 1:
+                    raise UserError("the Dask workers have several threads; start them with --nthreads 1")
+            yield client
+        finally:
+            client.close(timeout=PATIENCE_SECONDS)
+
+
+@contextmanager
+def _local(count: int) -> Iterator[LocalCluster]:
+    """Start `count` worker processes, which end with the block or with this process."""
+    folders = TemporaryDirectory(prefix="dynsplines-", ignore_cleanup_errors=True)
+    with folders as folder, dask.config.set({"temporary-directory": folder}):
+        try:
+            with ctrl_c_blocked():
+                cluster = LocalCluster(
+                    n_workers=count,
+                    threads_per_worker=1,
+                    security=True,
+                    dashboard_address="127.0.0.1:0",
+                    scheduler_kwargs={"dashboard": False},
+                    silence_logs=logging.CRITICAL,
+                )
+        except (OSError, RuntimeError) as error:
+            raise UserError(f"the worker processes cannot be started: {one_line(error)}") from None
+        try:
+            yield cluster
+        finally:
+            with suppress(AssertionError):  # of Dask, for workers that are still starting; they end with this process
+                cluster.sync(_close_workers, cluster)
+                cluster.close()
+
+
+async def _close_workers(cluster: LocalCluster) -> None:
+    """End the workers. After Ctrl-C, each is solving a clip, and Dask would wait for it for seconds."""
+    nannies = cluster.workers.values()
+    await asyncio.gather(*(nanny.close(timeout=CLOSING_SECONDS) for nanny in nannies), return_exceptions=True)

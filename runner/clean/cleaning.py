@@ -18,8 +18,7 @@ from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import TrackingPenalty, UnitMagnitude
-from dynsplines.solver.problem import Problem
-from dynsplines.solver.solution import Improvement, Solution
+from dynsplines.solver.problem import Improvement, Problem, Solution
 
 from ..clip.context import Context
 from ..clip.kinds import Options

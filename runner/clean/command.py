@@ -11,7 +11,7 @@ import numpy as np
 
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.raw import raw_timeline
-from dynsplines.solver.solution import Improvement
+from dynsplines.solver.problem import Improvement
 
 from .. import motion
 from ..clip.kinds import Options

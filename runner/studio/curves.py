@@ -15,7 +15,7 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.dynamics import generalised_forces, velocities
 from dynsplines.solver.figure.figure import Figure, JointKind, Link, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.solution import Solution
+from dynsplines.solver.problem import Solution
 from dynsplines.solver.tolerances import ROUNDING
 
 from ..measure.bounds import BOUNDS

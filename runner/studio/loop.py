@@ -22,9 +22,9 @@ import numpy as np
 
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.inbetween import ROUGH, continue_from, inbetween, one_thread
+from dynsplines.solver.problem import Improvement, Solution
 from dynsplines.solver.refine.warm_start import warm_start
 from dynsplines.solver.search.minimum import Stop, StopSearch
-from dynsplines.solver.solution import Improvement, Solution
 
 from .. import recordings
 from ..clip.build import Clip

@@ -17,8 +17,8 @@ from ..array import Array, Index, Mask
 from ..figure.figure import Figure
 from ..penalty.joints.bend import BendLimits
 from .goals import Goal, PointGoal
+from .inverse_kinematics import Posed, PoseSearch
 from .least_squares import Part, Residuals, join
-from .pose_search import Posed, PoseSearch
 
 # Weights relative to one radian of a limb's joint.
 TARGET_WEIGHT, MAX_MISS = 100.0, 0.02  # [1/m]; [m] distance to the target beyond which the force is constant

@@ -20,11 +20,10 @@ from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.inbetween import continue_from, inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Collision, CovariantAcceleration, RootAcceleration, UnitMagnitude
-from dynsplines.solver.problem import SPACING, Problem, Settings
+from dynsplines.solver.problem import SPACING, Improvement, Problem, Settings, Solution
 from dynsplines.solver.refine.subdivision import CRITERIA, split
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.search.nlopt_methods import METHODS
-from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface import Box
 from dynsplines.solver.surface.points import Point
 from dynsplines.solver.tolerances import ROUNDING

@@ -21,8 +21,7 @@ from matplotlib.figure import Figure
 from dynsplines.measure.chart import INK, style
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.problem import Settings
-from dynsplines.solver.solution import Improvement
+from dynsplines.solver.problem import Improvement, Settings
 
 from ..orientations import FEW_FRAMES, PAPER, TENTHS, Run, figure_ten, strong_tenths, unit_deviation, weak_tenths
 from .captioned import Picture

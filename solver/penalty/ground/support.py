@@ -1,4 +1,4 @@
-"""Forces on a figure from outside: in flight only gravity, else contact forces below its feet, by pressure and friction.
+"""Forces from outside: in flight only gravity, else contact forces below the feet, by pressure and friction.
 
 The penalised wrench is that at the root (eqs. 18 and 21) minus the best that forces in the friction cones of the points
 in contact can supply. In flight these supply nothing: the centre of mass is in free fall, and the angular momentum

@@ -318,7 +318,7 @@ def test_what_makes_no_sense_is_refused(refused: Refused, words: tuple[object, .
 
 def test_a_missing_package_is_named_with_how_to_install_it(refused: Refused, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
-    for name in ("dispatch", "cluster", "solving"):
+    for name in ("dispatch", "solving"):
         monkeypatch.delitem(sys.modules, f"dynsplines.batch.{name}", raising=False)
         monkeypatch.delattr(dynsplines.batch, name, raising=False)
     line = "dynsplines batch needs 'distributed'; install it: pip install 'dynamic-splines[batch]'"
@@ -327,9 +327,9 @@ def test_a_missing_package_is_named_with_how_to_install_it(refused: Refused, mon
 
 def test_a_scheduler_that_is_not_there_is_reported(refused: Refused, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     pytest.importorskip("distributed")
-    from dynsplines.batch import cluster
+    from dynsplines.batch import dispatch
 
-    monkeypatch.setattr(cluster, "PATIENCE_SECONDS", 0.5)
+    monkeypatch.setattr(dispatch, "PATIENCE_SECONDS", 0.5)
     line = refused("tiny.toml", "--cluster", "tcp://127.0.0.1:9")
     assert line.startswith("no Dask scheduler answers at 'tcp://127.0.0.1:9': ")
     assert list((tmp_path / "batch").iterdir()) == []

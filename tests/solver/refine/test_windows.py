@@ -18,10 +18,9 @@ from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective, segment_integrals
-from dynsplines.solver.problem import Problem, Settings
+from dynsplines.solver.problem import Improvement, Problem, Settings, Solution
 from dynsplines.solver.refine.parts import AHEAD, BEHIND, KEPT, SearchPart, Window, windows
 from dynsplines.solver.search.minimum import Stop
-from dynsplines.solver.solution import Improvement, Solution
 from dynsplines.solver.surface.points import Point
 
 SEGMENTS = 20
