@@ -62,7 +62,8 @@ def read_recording(
     qpos, notes = _unwrap(model, record.time, record.qpos)
     for note in (*record.notes, *notes):
         progress.report(f"note: {note}")
-    return replace(record, name=stem(source), scene=compose(spec, obstacles, bare=model), qpos=qpos)
+    scene = compose(spec, obstacles, bare=model)
+    return replace(record, name=stem(source), scene=scene, qpos=qpos, fps=record.rate)
 
 
 def import_recording(

@@ -17,7 +17,7 @@ from texts import read_cases
 
 from dynsplines import cli, import_motion, models, motion
 from dynsplines.clean import command as clean_command
-from dynsplines.clip.table import MapTable
+from dynsplines.clip.table import MapTable, SurroundingsTable
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats, gaps
 from dynsplines.exchange.skeleton import bvh_file, hierarchy, maps, retarget
@@ -282,6 +282,6 @@ def test_clean_uses_a_map(walk, tmp_path, monkeypatch):
     received = list[clean_command.Source]()
     monkeypatch.setattr(clean_command, "run", lambda source, *_, **__: received.append(source))
     cli.clean(tmp_path / "a.bvh", figure="human", map_file=tmp_path / "m.toml")
-    read_back = clean_command._read(received[0], clean_command._around(received[0]), Progress(Console(quiet=True)))
+    read_back = clean_command._read(received[0], SurroundingsTable(), Progress(Console(quiet=True)))
     expected, _ = retarget.onto(CapturedSkeleton.of(read(walk)), figure_spec("human").compile(), "walk.bvh")
     np.testing.assert_allclose(read_back.qpos, expected, atol=1e-5)
