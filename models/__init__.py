@@ -23,20 +23,13 @@ if TYPE_CHECKING:
 STAGE = "stage"
 
 
-class UnknownName(KeyError):
-    """No shipped figure or clip has this name; the message lists them."""
-
-    def __init__(self, kind: str, name: str, choices: Iterable[str]) -> None:
-        names = sorted(choices)
-        close = difflib.get_close_matches(name, names, n=1)
-        guess = f"; did you mean {close[0]!r}?" if close else "."
-        listing = f"{kind.capitalize()}s: {', '.join(names)}" if names else f"No {kind} ships."
-        self.message = f"no {kind} {name!r}{guess} {listing}"
-        super().__init__(self.message)
-
-    def __str__(self) -> str:
-        """The message as it is: a KeyError would show it in quotes."""
-        return self.message
+def _unknown(kind: str, name: str, choices: Iterable[str]) -> KeyError:
+    """Return the error for a name that is not shipped; its message lists those that are."""
+    names = sorted(choices)
+    close = difflib.get_close_matches(name, names, n=1)
+    guess = f"; did you mean {close[0]!r}?" if close else "."
+    listing = f"{kind.capitalize()}s: {', '.join(names)}" if names else f"No {kind} ships."
+    return KeyError(f"no {kind} {name!r}{guess} {listing}")
 
 
 def figures() -> dict[str, str]:
@@ -60,16 +53,16 @@ def clips() -> dict[str, str]:
 
 
 def figure_text(name: str) -> str:
-    """Return the MJCF text of a figure, without floor, light and sky, which belong to the stage; raises UnknownName."""
+    """Return the MJCF text of a figure, without floor, light and sky, which belong to the stage; raises KeyError."""
     if name not in figures():
-        raise UnknownName("figure", name, figures())
+        raise _unknown("figure", name, figures())
     return (files(__name__) / f"{name}.xml").read_text(encoding="utf-8")
 
 
 def clip_text(name: str) -> str:
-    """Return the TOML text of a clip; raises UnknownName."""
+    """Return the TOML text of a clip; raises KeyError."""
     if name not in clips():
-        raise UnknownName("clip", name, clips())
+        raise _unknown("clip", name, clips())
     return (files(__name__) / "clips" / f"{name}.toml").read_text(encoding="utf-8")
 
 
@@ -80,9 +73,9 @@ def maps() -> dict[str, str]:
 
 
 def map_file(name: str) -> Path:
-    """Return the TOML file of a bone map; raises UnknownName."""
+    """Return the TOML file of a bone map; raises KeyError."""
     if name not in maps():
-        raise UnknownName("map", name, maps())
+        raise _unknown("map", name, maps())
     return Path(str(files(__name__) / "maps" / f"{name}.toml"))
 
 

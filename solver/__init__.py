@@ -9,7 +9,6 @@ from .curve.frame import TimelineError as TimelineError
 from .curve.quadrature import Quadrature as Quadrature
 from .curve.spline import Path as Path
 from .figure.figure import Figure as Figure
-from .figure.figure import FigureError as FigureError
 from .inbetween import inbetween as inbetween
 from .objective import Objective as Objective
 from .problem import Improvement as Improvement

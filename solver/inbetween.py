@@ -24,7 +24,7 @@ from .curve.raw import straighten
 from .curve.spline import path_of
 from .objective import Discretised, Evaluation, Objective, segment_integrals
 from .penalty import Role
-from .problem import Improvement, Problem, Settings, Solution, guide_of
+from .problem import Improvement, Problem, Settings, Solution, initial_guess
 from .refine.parts import SearchPart, Window, is_long, parts_of_edits, windows
 from .refine.subdivision import CRITERIA, midpoints, split
 from .search.descent import minimise, optimiser_of
@@ -180,12 +180,10 @@ class _Loop:
         first = split(raw, settings.beginning(raw.times, in_windows=in_windows))
         if in_windows:
             return self.over_windows(raw, first)
-        guide = guide_of(self.objective)
-        if guide is not None and first.variable_count:
-            most = settings.frames if settings.variable is None else first.variable_count
-            guess = guide.initial_guess(first, most)
-            if self.objective.value(path_of(guess)) < self.objective.value(path_of(first)):
-                first = guess
+        most = settings.frames if settings.variable is None else first.variable_count
+        guess = initial_guess(self.objective, first, most) if first.variable_count else None
+        if guess is not None and self.objective.value(path_of(guess)) < self.objective.value(path_of(first)):
+            first = guess
         return self.search(first, len(raw.frames) - 1, settings.frames)
 
     def continue_from(self, raw: Timeline, begin: Timeline, between: Sequence[tuple[float, float]]) -> Timeline:

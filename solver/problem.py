@@ -156,31 +156,20 @@ def renormalise(objective: Objective, raw: Timeline) -> Objective:
     the initial guess. If there is a `Posture` penalty, weights depend on the time between keyframes, see
     `Objective.tension`.
     """
-    guide = guide_of(objective)
-    out = objective.renormalise(path_of(raw), None if guide is None else path_of(guide.initial_guess(raw, None)))
+    guess = initial_guess(objective, raw, None)
+    out = objective.renormalise(path_of(raw), None if guess is None else path_of(guess))
     if not any(isinstance(term.penalty, Posture) and term.weight > 0 for term in objective.terms):
         return out
     return replace(out, key_times=raw.times, at_rest=raw.at_rest)
 
 
-@dataclass(frozen=True)
-class Guides:
-    """Several soft constraints that provide an initial guess, applied in sequence."""
-
-    parts: tuple[Guide, ...]
-
-    def initial_guess(self, timeline: Timeline, most: int | None) -> Timeline:
-        """Return the timeline after all parts have changed it in turn, with at most `most` variable frames."""
-        for guide in self.parts:
-            timeline = guide.initial_guess(timeline, most)
-        return timeline
-
-
-def guide_of(objective: Objective) -> Guides | None:
-    """Return the soft constraints that provide an initial guess, limits of joints last; None if there are none."""
+def initial_guess(objective: Objective, timeline: Timeline, most: int | None) -> Timeline | None:
+    """Return the timeline after all soft constraints that provide an initial guess have changed it in turn, limits of
+    joints last, with at most `most` variable frames; None if there are none."""
     guides = [term.penalty for term in objective.terms if isinstance(term.penalty, Guide) and term.weight > 0]
-    guides.sort(key=lambda guide: guide.role is Role.LIMIT)
-    return Guides(tuple(guides)) if guides else None
+    for guide in sorted(guides, key=lambda guide: guide.role is Role.LIMIT):
+        timeline = guide.initial_guess(timeline, most)
+    return timeline if guides else None
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.figure.figure import Figure, FigureError
+from dynsplines.solver.figure.figure import Figure
 
 from ..errors import UserError
 from ..motion import Saved
@@ -89,7 +89,7 @@ def scene_and_figure(
     try:
         scene, model = stage(figure, source.folder, obstacles(table.scene), joints, keys)
         return scene, Figure(model)
-    except (UserError, FigureError, ValueError) as error:
+    except (UserError, ValueError) as error:
         raise UserError(f"{source.where}: {error}") from None
 
 
@@ -131,7 +131,7 @@ def figure_of(scene: Scene, where: str) -> Figure:
     """Return the figure of a scene; raises UserError for a model that the solver does not support."""
     try:
         return Figure(scene.model())
-    except (FigureError, ValueError) as error:
+    except ValueError as error:
         raise UserError(f"{where}: {error}") from None
 
 

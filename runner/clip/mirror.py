@@ -12,7 +12,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.mirror import AXIAL, POLAR, TURN, Mirror
-from dynsplines.solver.curve.symmetry import UNPAIRED, WORLD, MirrorError
+from dynsplines.solver.curve.symmetry import UNPAIRED, WORLD
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.posing import rest_rotation
 from dynsplines.solver.surface.points import Point
@@ -116,7 +116,7 @@ def figure_mirror(figure: Figure, table: ClipTable, where: str) -> Mirror:
             raise UserError(f"{where}: mirror.pairs: {unknown('joint', name, joints)}")
     try:
         return Mirror.of(figure, table.mirror.pairs)
-    except MirrorError as error:
+    except ValueError as error:
         raise UserError(f"{where}: {error}") from None
 
 

@@ -15,7 +15,7 @@ from dynsplines import models
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.figure.figure import Figure, FigureError, JointKind, Link
+from dynsplines.solver.figure.figure import Figure, JointKind, Link
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.model import kinematics
 from dynsplines.solver.penalty import couplings
@@ -81,7 +81,7 @@ def starter(source: str, target: Path, report: Callable[[str], None] = lambda _:
     scene = compose(spec)
     try:
         figure = Figure(scene.model())
-    except (FigureError, ValueError) as error:
+    except ValueError as error:
         raise UserError(f"{Path(source).name}: {words_of(error)}") from None
     soles = sole_points(figure, model_poses)
     notes = [*([line] if (line := fixed_base(source, figure.model)) else []), *vertical_notes(figure.model), *displaced]

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.figure.figure import Figure, FigureError
+from dynsplines.solver.figure.figure import Figure
 
 from .. import motion as files
 from .. import recordings, solving
@@ -297,7 +297,7 @@ def _figure(spec: mujoco.MjSpec, name: str) -> Figure:
     try:
         with quietly():
             return Figure(spec.copy().compile())
-    except (FigureError, ValueError) as error:
+    except ValueError as error:
         raise UserError(f"{name}: {words_of(error)}") from None
 
 

@@ -25,7 +25,6 @@ from dynsplines.solver.figure.model import set_qpos
 from dynsplines.solver.penalty.joints.bend import BendLimits
 from dynsplines.solver.posing import (
     BodyGoal,
-    Constraints,
     FloorClearance,
     PointGoal,
     Posed,
@@ -217,11 +216,11 @@ class Poser:
         limits = grip.limits if support is None else (*grip.limits, support)
         if support is not None and any(foot.body == grip.body for foot in aloft):
             limits += tuple(foot.above(floor, CLEAR) for foot in aloft for floor in grip.limits)
-        constraints = Constraints(tuple(goals), limits, tuple(level))
         may_restart = free is None and not fixed and not landing
         return drag_pose(
-            self.figure, grip.qpos, grip.is_whole_figure if free is None else free, target, constraints, self.bends,
-            begin=begin, limb=grip.limb if may_restart else None, range_shares=self._range_shares,
+            self.figure, grip.qpos, grip.is_whole_figure if free is None else free, target, self.bends, begin=begin,
+            fixed=goals, limits=limits, preferred=level, limb=grip.limb if may_restart else None,
+            range_shares=self._range_shares,
         )  # fmt: skip
 
     def _keeps_balance(self, grip: Grip, pose: Posed) -> bool:
@@ -268,7 +267,7 @@ class Poser:
             if not goals:
                 return after
             posed = drag_pose(
-                figure, after, free, goals[0], Constraints(tuple(goals[1:])), self.bends, begin=after,
+                figure, after, free, goals[0], self.bends, begin=after, fixed=goals[1:],
                 range_shares=self._range_shares,
             )  # fmt: skip
             if posed.worst <= SHORT:

@@ -29,10 +29,6 @@ from ..surface.points import Point, places_of
 from .pose_vectors import PoseVectors
 from .thresholds import Thresholds
 
-LENGTH = 0.9  # [rad] length scale of the periodic kernel, of phase at half amplitude
-DECAY = 4.0  # [periods] correlation length of successive cycles
-PERIODIC, REST = 0.85, 0.15  # fractions of the variance of the two parts
-NOISE = 1e-3  # noise as a fraction of the variance
 QUARTER = 0.25  # least fraction of the spline's variance about the cycle that counts as the spline's error
 SURE = 0.03  # [rad] negligible standard deviation
 STRIDE, POWER = 2.3, 0.3  # factor and exponent of Alexander's relation
@@ -46,67 +42,6 @@ SLIP = 0.33  # largest slip of a cycle, see `GaitCycle`
 TRUST = 0.4  # least mean trust of a gait cycle over the clip
 LOWEST = 0.25  # fraction of the keyframes with the lowest soles, which stand
 TRIED = 4  # most candidates that are examined
-
-
-@dataclass(frozen=True, eq=False)
-class PoseProcess:
-    """A Gaussian process of keyframes' poses, before a period is chosen."""
-
-    poses: PoseVectors
-
-    def gain(self, period: float) -> float:
-        """Return the log-likelihood of a period minus that of the best smooth motion, per given number."""
-        return self._likelihood(self._across(period)) - self._smooth_likelihood
-
-    @cached_property
-    def _smooth_likelihood(self) -> float:
-        blocks = np.kron(np.eye(self.poses.sides), np.ones((self.poses.times.size,) * 2))
-        times = np.tile(self.poses.times, self.poses.sides)
-        return max(self._likelihood(blocks * _smooth(times, times, length)) for length in self.poses.limits.alike)
-
-    def _likelihood(self, covariance: Array) -> float:
-        """Return the log-likelihood of all rows with their likeliest common variance, per entry, without constants."""
-        rows = self.poses.rows
-        covariance[np.diag_indices_from(covariance)] += NOISE
-        root = np.linalg.cholesky(covariance)
-        white = np.linalg.solve(root, rows)
-        return float(-0.5 * np.log(np.mean(white**2)) - np.log(np.diag(root)).mean())
-
-    def _across(self, period: float, at: Array | None = None) -> Array:
-        """Return covariances of the rows (sides · n) with each other, or with the poses at times `at` (T,) [s]."""
-        times, sides = self.poses.times, self.poses.sides
-        shifted = np.concatenate([times + side * period / 2 for side in range(sides)])
-        out = PERIODIC * _periodic(shifted if at is None else at, shifted, period)
-        if at is not None:
-            out[:, : times.size] += REST * _smooth(at, times, self.poses.limits.smooth)
-            return out
-        return out + self._rest
-
-    @cached_property
-    def _rest(self) -> Array:
-        """Covariances of the part of the rows that does not repeat."""
-        smooth = _smooth(self.poses.times, self.poses.times, self.poses.limits.smooth)
-        return np.asarray(REST * np.kron(np.eye(self.poses.sides), smooth), dtype=np.float64)
-
-    def predict(self, period: float, at: Array) -> tuple[Array, Array]:
-        """Return the poses' vectors (T, D) at times (T,) [s], and the variance of each (T,) [rad²]."""
-        rows = self.poses.rows
-        covariance = self._across(period)
-        covariance[np.diag_indices_from(covariance)] += NOISE
-        across = self._across(period, at)
-        root = np.linalg.cholesky(covariance)
-        white, projected = np.linalg.solve(root, rows), np.linalg.solve(root, across.T)
-        unexplained = np.maximum(PERIODIC + REST - np.sum(projected**2, axis=0), 0.0)
-        return projected.T @ white, unexplained * float(np.mean(white**2))
-
-
-def _smooth(a: Array, b: Array, length: float) -> Array:
-    return np.exp(-0.5 * ((a[:, None] - b) / length) ** 2)
-
-
-def _periodic(a: Array, b: Array, period: float) -> Array:
-    apart = (a[:, None] - b) / period
-    return np.exp(-2 * (np.sin(np.pi * apart) / LENGTH) ** 2 - 0.5 * (apart / DECAY) ** 2)
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,14 +69,13 @@ class GaitCycle:
     trust: Array
 
     @classmethod
-    def of(cls, process: PoseProcess, period: float, times: Array, plain: Array) -> GaitCycle:
+    def of(cls, poses: PoseVectors, period: float, times: Array, plain: Array) -> GaitCycle:
         """Return the cycle with a period [s] at times (T,) [s]; `plain` (T, nq) is the spline through the keyframes."""
-        poses = process.poses
-        vectors, variance = process.predict(period, times)
+        vectors, variance = poses.predict(period, times)
         rotations = quat.align_signs(poses.map.rotations(vectors, times))
         unlike = float(np.mean((poses.map.vectors(poses.map.off_heading(plain, times)) - vectors) ** 2))
         trust = max(unlike - float(variance.mean()), QUARTER * unlike) / (variance + SURE**2)
-        gain = process.gain(period)
+        gain = poses.gain(period)
         return cls(poses, period, gain, float("nan"), times, rotations, *poses.map.numbers(vectors), trust)
 
     def mean_trust(self, times: Array) -> Array:
@@ -211,7 +145,7 @@ class Gait:
             return None
         shortest, longest = self._periods
         longest = min(longest, poses.sides / 2 * (poses.times[-1] - poses.times[0]) / CYCLES)
-        cycles = self.candidates(PoseProcess(poses), (shortest, longest))
+        cycles = self.candidates(poses, (shortest, longest))
         sure = [gait_cycle for gait_cycle in cycles if gait_cycle.slip <= SLIP]
         best = max(sure, key=lambda gait_cycle: gait_cycle.gain, default=None)
         return None if best is None or best.trust.mean() < TRUST else best
@@ -222,28 +156,28 @@ class Gait:
         if poses is None:
             return None
         between = self._periods if self._may_walk else self.limits.any_period
-        cycles = self.candidates(PoseProcess(poses), between)
+        cycles = self.candidates(poses, between)
         return min(cycles, key=lambda gait_cycle: (gait_cycle.slip > SLIP, -gait_cycle.gain), default=None)
 
     def with_period(self, period: float) -> GaitCycle | None:
         """Return the cycle with a period [s]; None for too few complete keyframes."""
         poses = PoseVectors.of(self.figure, self.keys)
-        return None if poses is None else self._rhythm(PoseProcess(poses), period)
+        return None if poses is None else self._rhythm(poses, period)
 
-    def candidates(self, process: PoseProcess, between: tuple[float, float]) -> list[GaitCycle]:
+    def candidates(self, poses: PoseVectors, between: tuple[float, float]) -> list[GaitCycle]:
         """Return the cycles at periods `between` [s] where the gain peaks, the likeliest first."""
         if between[0] >= between[1]:
             return []
         count = max(3, int(np.ceil(np.log(between[1] / between[0]) / FINENESS)) + 1)
         tried = np.geomspace(*between, count)
-        gain = np.array([process.gain(float(period)) for period in tried])
+        gain = np.array([poses.gain(float(period)) for period in tried])
         padded = np.concatenate([[-np.inf], gain, [-np.inf]])
         peaks = np.flatnonzero((gain >= padded[:-2]) & (gain > padded[2:]))
         peaks = peaks[np.argsort(-gain[peaks])][:TRIED]
-        return [self._rhythm(process, _refine(process, tried, gain, int(i))) for i in peaks]
+        return [self._rhythm(poses, _refine(poses, tried, gain, int(i))) for i in peaks]
 
-    def _rhythm(self, process: PoseProcess, period: float) -> GaitCycle:
-        gait_cycle = GaitCycle.of(process, period, *self._plain)
+    def _rhythm(self, poses: PoseVectors, period: float) -> GaitCycle:
+        gait_cycle = GaitCycle.of(poses, period, *self._plain)
         return replace(gait_cycle, slip=self.slip(gait_cycle)) if self._may_walk else gait_cycle
 
     @cached_property
@@ -314,7 +248,7 @@ class Gait:
         return centres, heights(self.surfaces, centres, np.zeros(len(self.points)))[0]
 
 
-def _refine(process: PoseProcess, tried: Array, gain: Array, i: int) -> float:
+def _refine(poses: PoseVectors, tried: Array, gain: Array, i: int) -> float:
     """Return the maximum of the parabola through the gains at a peak, over the logarithm of the period."""
     if i in (0, tried.size - 1):
         return float(tried[i])

@@ -8,6 +8,7 @@ exchanged, every pose occurs twice: unchanged and mirrored.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.polynomial import Polynomial
@@ -16,13 +17,16 @@ from .. import quaternion as quat
 from ..array import Array, Index
 from ..curve.frame import Timeline
 from ..curve.mirror import Mirror
-from ..curve.symmetry import MirrorError
 from ..figure.figure import Figure
 from ..tolerances import SINGLE
 from .thresholds import Thresholds
 
 LOPSIDED = 0.05  # largest asymmetry of a measured body, relative to its size
 FEW = 8  # most poses for which the heading is only a linear function of time
+LENGTH = 0.9  # [rad] length scale of the periodic kernel, of phase at half amplitude
+DECAY = 4.0  # [periods] correlation length of successive cycles
+PERIODIC, REST = 0.85, 0.15  # fractions of the variance of the two parts
+NOISE = 1e-3  # noise as a fraction of the variance
 EVEN, BENT = 1, 3  # degrees of the heading's polynomial for few and for more poses
 
 
@@ -106,7 +110,7 @@ class PoseVectors:
             qpos[:, turn] = quat.product(_about_z(-heading, times), qpos[:, turn])
         try:
             poses = np.concatenate([qpos, Mirror.of(figure, middle=LOPSIDED).configurations(qpos)])
-        except MirrorError:
+        except ValueError:
             poses = qpos
         columns = tables.quaternion_columns
         means = np.array([_mean(poses[:, block]) for block in columns.T]).reshape(-1, 4)
@@ -117,6 +121,51 @@ class PoseVectors:
         drawn = PoseMap(heading, links, root, columns, means, hinges, heights, mean_height, limits.height_turn)
         rows = drawn.vectors(poses)
         return None if np.ptp(rows, axis=0).max() < SINGLE else cls(drawn, times, rows, len(poses) // len(qpos), limits)
+
+    def gain(self, period: float) -> float:
+        """Return the log-likelihood of a period minus that of the best smooth motion, per given number."""
+        return self._likelihood(self._across(period)) - self._smooth_likelihood
+
+    @cached_property
+    def _smooth_likelihood(self) -> float:
+        blocks = np.kron(np.eye(self.sides), np.ones((self.times.size,) * 2))
+        times = np.tile(self.times, self.sides)
+        return max(self._likelihood(blocks * _smooth(times, times, length)) for length in self.limits.alike)
+
+    def _likelihood(self, covariance: Array) -> float:
+        """Return the log-likelihood of all rows with their likeliest common variance, per entry, without constants."""
+        rows = self.rows
+        covariance[np.diag_indices_from(covariance)] += NOISE
+        root = np.linalg.cholesky(covariance)
+        white = np.linalg.solve(root, rows)
+        return float(-0.5 * np.log(np.mean(white**2)) - np.log(np.diag(root)).mean())
+
+    def _across(self, period: float, at: Array | None = None) -> Array:
+        """Return covariances of the rows (sides · n) with each other, or with the poses at times `at` (T,) [s]."""
+        times, sides = self.times, self.sides
+        shifted = np.concatenate([times + side * period / 2 for side in range(sides)])
+        out = PERIODIC * _periodic(shifted if at is None else at, shifted, period)
+        if at is not None:
+            out[:, : times.size] += REST * _smooth(at, times, self.limits.smooth)
+            return out
+        return out + self._rest
+
+    @cached_property
+    def _rest(self) -> Array:
+        """Covariances of the part of the rows that does not repeat."""
+        smooth = _smooth(self.times, self.times, self.limits.smooth)
+        return np.asarray(REST * np.kron(np.eye(self.sides), smooth), dtype=np.float64)
+
+    def predict(self, period: float, at: Array) -> tuple[Array, Array]:
+        """Return the poses' vectors (T, D) at times (T,) [s], and the variance of each (T,) [rad²]."""
+        rows = self.rows
+        covariance = self._across(period)
+        covariance[np.diag_indices_from(covariance)] += NOISE
+        across = self._across(period, at)
+        root = np.linalg.cholesky(covariance)
+        white, projected = np.linalg.solve(root, rows), np.linalg.solve(root, across.T)
+        unexplained = np.maximum(PERIODIC + REST - np.sum(projected**2, axis=0), 0.0)
+        return projected.T @ white, unexplained * float(np.mean(white**2))
 
 
 def heading_of(times: Array, rotations: Array) -> Polynomial:
@@ -134,3 +183,12 @@ def _about_z(angle: Polynomial, times: Array) -> Array:
 def _mean(rotations: Array) -> Array:
     """Return the mean of unit quaternions (n, 4), independent of their signs."""
     return np.linalg.eigh(rotations.T @ rotations)[1][:, -1]
+
+
+def _smooth(a: Array, b: Array, length: float) -> Array:
+    return np.exp(-0.5 * ((a[:, None] - b) / length) ** 2)
+
+
+def _periodic(a: Array, b: Array, period: float) -> Array:
+    apart = (a[:, None] - b) / period
+    return np.exp(-2 * (np.sin(np.pi * apart) / LENGTH) ** 2 - 0.5 * (apart / DECAY) ** 2)

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 
@@ -78,7 +77,7 @@ Runs = list[list[tuple[int, int]]]
 
 
 def _resting_runs(
-    tracks: _Tracks,
+    tracks: tuple[Array, Array, Mask, Array],
     heights: Array,
     points: Sequence[Point],
     surfaces: Sequence[Surface],
@@ -114,24 +113,16 @@ def largest_noise(recorded: Track, points: Sequence[Point]) -> float:
     """Return the largest noise [m] of the positions of any point."""
     if not points or recorded.times.size < ORDER:
         return 0.0
-    return float(_tracks(recorded, points).noise.max())
+    return float(_tracks(recorded, points)[3].max())
 
 
-class _Tracks(NamedTuple):
-    """Times (T,), positions (3, p, T) [m], which times are known (T,), and noise of the positions (p,) [m]."""
-
-    times: Array
-    places: Array
-    known: Mask
-    noise: Array
-
-
-def _tracks(recorded: Track, points: Sequence[Point]) -> _Tracks:
+def _tracks(recorded: Track, points: Sequence[Point]) -> tuple[Array, Array, Mask, Array]:
+    """Return times (T,), positions (3, p, T) [m], which times are known (T,), and noise of the positions (p,) [m]."""
     step = max(1, round(recorded.rate / Thresholds.of(recorded.figure).finest))
     states = np.where(recorded.known > 0, recorded.states, recorded.bridged)[::step]
     centres, _ = places_of(points, Samples.still(recorded.figure, states))
     is_known = recorded.known.min(axis=1)[::step]
-    return _Tracks(recorded.times[::step], centres, is_known > 0, position_noise(centres, is_known))
+    return recorded.times[::step], centres, is_known > 0, position_noise(centres, is_known)
 
 
 def _smooth(recorded: Track, points: Sequence[Point], surfaces: Sequence[Surface], times: Array) -> tuple[Array, Array]:

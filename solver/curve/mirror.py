@@ -82,7 +82,7 @@ class Mirror:
             middle: Tolerance of axes in the mirror plane, relative to the figure's size.
 
         Raises:
-            MirrorError: Links have no partner; the message names them.
+            ValueError: Links have no partner; the message names them.
         """
         rest, partner, reflection = symmetric(figure, pairs, middle)
         source, sign, shift = np.arange(figure.width), np.ones(figure.width), np.zeros(figure.width)

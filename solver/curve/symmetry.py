@@ -42,10 +42,6 @@ MISFITS = {
 }
 
 
-class MirrorError(ValueError):
-    """A figure without left and right sides to exchange."""
-
-
 def other_side(name: str, pairs: Sequence[tuple[str, str]] = ()) -> str:
     """Return the other name of a pair, or else the name with left and right exchanged: left_knee -> right_knee,
     foot_l -> foot_r, FL_hip -> FR_hip. Names without a side are returned unchanged.
@@ -147,7 +143,7 @@ def symmetric(figure: Figure, pairs: Sequence[tuple[str, str]], middle: float) -
         (L, 3, 3).
 
     Raises:
-        MirrorError: Links have no partners, or are no mirror images of them.
+        ValueError: Links have no partners, or are no mirror images of them.
     """
     rest, partner = Rest.of(figure), _partners(figure, pairs)
     images = np.tile(WORLD, (len(figure.links), 1, 1))
@@ -160,7 +156,7 @@ def symmetric(figure: Figure, pairs: Sequence[tuple[str, str]], middle: float) -
         costs = [(len(misfits), round(off / rest.size[links].max(), 3)) for misfits, off in fits]
         best = costs.index(min(costs))
         if fits[best][0]:
-            raise MirrorError(fits[best][0][0])
+            raise ValueError(fits[best][0][0])
         images[root] = planes[best]
     reflection = np.array(
         [rest.turn[j].T @ images[r] @ rest.turn[i] for i, (j, r) in enumerate(zip(partner, rest.root, strict=True))]

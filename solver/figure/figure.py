@@ -30,10 +30,6 @@ from .root import Root, root_of
 WEIGHTLESS = int(mujoco.mjtDisableBit.mjDSBL_GRAVITY)
 
 
-class FigureError(ValueError):
-    """A model that cannot be a figure in the requested coordinates."""
-
-
 class JointKind(IntEnum):
     """MuJoCo's joint types, with its numbers."""
 
@@ -128,12 +124,12 @@ class Figure:
 
     def __post_init__(self) -> None:
         if self.coordinates not in ("auto", "world", "joint"):
-            raise FigureError(f"coordinates = {self.coordinates!r}: not one of 'auto', 'world', 'joint'")
+            raise ValueError(f"coordinates = {self.coordinates!r}: not one of 'auto', 'world', 'joint'")
         if self.model.njnt == 0:
-            raise FigureError("the model has no joints: nothing can move")
+            raise ValueError("the model has no joints: nothing can move")
         if self.model.nflex:
             name = mujoco.mj_id2name(self.model, mujoco.mjtObj.mjOBJ_FLEX, 0)
-            raise FigureError(f"the model has a flex, '{name}': soft bodies are not for keyframes")
+            raise ValueError(f"the model has a flex, '{name}': soft bodies are not for keyframes")
         links, body_link, body_offset, body_turn = _links(self.model)
         if self.coordinates == "auto":
             turning = {link.kind for link in links[1:]} <= {JointKind.FREE, JointKind.BALL}

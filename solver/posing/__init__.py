@@ -8,7 +8,6 @@ bounds              joint ranges, and the bending of knees and elbows
 """
 
 from .drag import Balance as Balance
-from .drag import Constraints as Constraints
 from .drag import FloorClearance as FloorClearance
 from .drag import SupportPolygon as SupportPolygon
 from .drag import drag_pose as drag_pose
@@ -24,6 +23,6 @@ from .inverse_kinematics import Posed as Posed
 from .inverse_kinematics import PoseSearch as PoseSearch
 from .inverse_kinematics import find_pose as find_pose
 from .inverse_kinematics import in_winding as in_winding
-from .least_squares import LeastSquares as LeastSquares
 from .least_squares import Residuals as Residuals
 from .least_squares import join as join
+from .least_squares import minimise as minimise

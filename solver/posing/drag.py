@@ -153,28 +153,17 @@ class FloorClearance:
         return self.level + self.radii - self.allowed - centres @ self.normal
 
 
-@dataclass(frozen=True, eq=False)
-class Constraints:
-    """Constraints of a drag, by descending priority.
-
-    Attributes:
-        preferred: Pairs of a weight [1/rad or 1/m] and a goal that is met approximately.
-    """
-
-    fixed: tuple[Goal, ...] = ()
-    limits: tuple[SupportPolygon | FloorClearance, ...] = ()
-    preferred: tuple[tuple[float, Goal], ...] = ()
-
-
 def drag_pose(
     figure: Figure,
     home: Array,
     free: Mask,
     target: Goal,
-    constraints: Constraints,
     bends: BendLimits | None = None,
     *,
     begin: Array,
+    fixed: Sequence[Goal] = (),
+    limits: Sequence[SupportPolygon | FloorClearance] = (),
+    preferred: Sequence[tuple[float, Goal]] = (),
     limb: Mask | None = None,
     range_shares: Mapping[int, float] | None = None,
 ) -> Posed:
@@ -188,10 +177,13 @@ def drag_pose(
         free: Entries that may change, (nq,).
         bends: Limits of knees and elbows on ball joints.
         begin: The previous pose, from which the descent starts, (nq,).
+        fixed: Goals with precedence over the limits, which have precedence over the target.
+        limits: The floor, and the support polygon of the centre of mass.
+        preferred: Pairs of a weight [1/rad or 1/m] and a goal that is met approximately.
         limb: Entries of the dragged limb, for restarts that bend it more, (nq,).
         range_shares: By link, the share of its range that a joint may use.
     """
-    goals = (target, *constraints.fixed)
+    goals = (target, *fixed)
     search = PoseSearch(
         figure,
         np.array(home, float),
@@ -199,11 +191,11 @@ def drag_pose(
         goals,
         bends,
         range_shares=range_shares,
-        preferred=constraints.preferred,
+        preferred=preferred,
     )
     if not search.dofs.size:
         return search.result(search.home)
-    drag = _Drag(search, constraints)
+    drag = _Drag(search, limits)
     begin = np.array(begin, float)
     best, cost = drag.minimise(search.clip(begin))
     result = search.result(best)
@@ -227,8 +219,8 @@ def _restarts(search: PoseSearch, begin: Array, limb: Mask | None) -> list[Array
 class _Drag:
     """The least-squares problem of a drag."""
 
-    def __init__(self, search: PoseSearch, constraints: Constraints) -> None:
-        self.search, self.constraints = search, constraints
+    def __init__(self, search: PoseSearch, limits: Sequence[SupportPolygon | FloorClearance]) -> None:
+        self.search, self.limits = search, limits
         self.target_size = search.goals[0].residual(search.model, search.data).size
 
     def minimise(self, qpos: Array) -> tuple[Array, float]:
@@ -252,7 +244,7 @@ class _Drag:
         parts: list[Part] = [distance, (weights * off, weights[:, None] * by_off)]
         two_sided = sum(values.size for values, _ in parts)
         parts.append((stiffness * RANGE_WEIGHT * over, stiffness * RANGE_WEIGHT * by_over))
-        for limit in self.constraints.limits:
+        for limit in self.limits:
             values, rows = limit.linearise(search.model, search.data)
             parts.append((stiffness * LIMIT_WEIGHT * values, stiffness * LIMIT_WEIGHT * rows[:, search.dofs]))
         constant = TARGET_WEIGHT**2 * max(miss * MAX_MISS - MAX_MISS**2, 0.0)

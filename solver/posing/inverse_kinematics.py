@@ -22,7 +22,7 @@ from ..penalty.joints.bend import BendLimits
 from ..tolerances import NEWTON_STEPS, ROUNDING, SINGLE
 from .bounds import Bends, Ranges
 from .goals import Goal, entries_of, moved_by
-from .least_squares import LeastSquares, Part, Residuals, join
+from .least_squares import Part, Residuals, join, minimise
 
 STARTS = 12  # [1] largest number of starting poses
 ALIKE = 2e-3  # [1] rough poses whose costs differ by no more than this share are taken to be the same
@@ -217,8 +217,10 @@ class PoseSearch:
         settled: float = 0.0,
         smallest: float = SMALLEST_STEP,
     ) -> tuple[Array, float]:
-        """Return the pose of least cost near a pose (nq,), and its cost; see `LeastSquares`."""
-        return LeastSquares(residuals, self.move, self.weights, steps, longest, settled, smallest).minimise(qpos)
+        """Return the pose of least cost near a pose (nq,), and its cost; see `minimise`."""
+        return minimise(
+            residuals, self.move, self.weights, qpos, steps, longest=longest, settled=settled, smallest=smallest
+        )
 
     def _place(self, qpos: Array) -> None:
         set_qpos(self.model, self.data, qpos)

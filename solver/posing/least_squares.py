@@ -58,62 +58,63 @@ class Residuals:
         return float(values @ values) + self.constant
 
 
-@dataclass(frozen=True, eq=False)
-class LeastSquares:
-    """A least-squares problem over n unknowns.
+def minimise(
+    residuals: Callable[[Array], Residuals],
+    move: Callable[[Array, Array], Array],
+    weights: Array,
+    qpos: Array,
+    steps: int,
+    *,
+    longest: float = np.inf,
+    settled: float = 0.0,
+    smallest: float = 1e-11,
+) -> tuple[Array, float]:
+    """Return the pose (nq,) of least cost near another (nq,), and its cost.
 
-    Attributes:
+    Args:
         residuals: Returns the residuals of a pose (nq,).
-        moved: Returns a pose (nq,), moved by a step (n,) from another (nq,).
-        weights: The weights of the unknowns, with which the damping is scaled, (n,).
+        move: Returns a pose (nq,), moved by a step (n,) from another (nq,).
+        weights: The weights of the n unknowns, with which the damping is scaled, (n,).
+        qpos: The pose from which the descent starts.
         steps: The largest number of steps.
         longest: The largest change of an unknown in one step [rad or m].
         settled: The relative decrease of the cost at which the descent ends [1].
         smallest: The largest change of an unknown by a step at which the descent ends [rad or m].
     """
+    here, damping = residuals(qpos), FIRST_DAMPING
+    for _ in range(steps):
+        step = _step(here, weights, damping, longest)
+        pose = move(qpos, step)
+        there = residuals(pose)
+        decrease = here.cost - there.cost
+        ends = np.abs(step).max(initial=0.0) < smallest
+        if decrease > 0:
+            ends |= decrease <= settled * here.cost and damping <= FIRST_DAMPING
+            qpos, here, damping = pose, there, max(damping / BOLDER, TINY)
+        else:
+            damping *= MORE_CAREFUL
+        if ends or damping > MOST_DAMPING:
+            break
+    return qpos, here.cost
 
-    residuals: Callable[[Array], Residuals]
-    moved: Callable[[Array, Array], Array]
-    weights: Array
-    steps: int
-    longest: float = np.inf
-    settled: float = 0.0
-    smallest: float = 1e-11
 
-    def minimise(self, qpos: Array) -> tuple[Array, float]:
-        """Return the pose (nq,) of least cost near another (nq,), and its cost."""
-        here, damping = self.residuals(qpos), FIRST_DAMPING
-        for _ in range(self.steps):
-            step = self._step(here, damping)
-            pose = self.moved(qpos, step)
-            there = self.residuals(pose)
-            decrease = here.cost - there.cost
-            ends = np.abs(step).max(initial=0.0) < self.smallest
-            if decrease > 0:
-                ends |= decrease <= self.settled * here.cost and damping <= FIRST_DAMPING
-                qpos, here, damping = pose, there, max(damping / BOLDER, TINY)
-            else:
-                damping *= MORE_CAREFUL
-            if ends or damping > MOST_DAMPING:
-                break
-        return qpos, here.cost
+def _step(here: Residuals, weights: Array, damping: float, longest: float) -> Array:
+    """Return a step (n,) from a pose with these residuals."""
+    active, step = here.active(here.values), np.zeros(weights.size)
+    for _ in range(ACTIVE_SETS):
+        step = _solve(here.rows[active], here.values[active], weights, damping)
+        step *= min(1.0, longest / max(float(np.abs(step).max(initial=0.0)), TINY))
+        predicted = here.active(here.values + here.rows @ step)
+        if np.array_equal(predicted, active):
+            break
+        active = predicted
+    return step
 
-    def _step(self, here: Residuals, damping: float) -> Array:
-        """Return a step (n,) from a pose with these residuals."""
-        active, step = here.active(here.values), np.zeros(self.weights.size)
-        for _ in range(ACTIVE_SETS):
-            step = self._solve(here.rows[active], here.values[active], damping)
-            step *= min(1.0, self.longest / max(float(np.abs(step).max(initial=0.0)), TINY))
-            predicted = here.active(here.values + here.rows @ step)
-            if np.array_equal(predicted, active):
-                break
-            active = predicted
-        return step
 
-    def _solve(self, rows: Array, values: Array, damping: float) -> Array:
-        """Return the step (n,) that minimises |values + rows · step|² + damping |weights · step|²."""
-        squares = damping * self.weights**2
-        if np.abs(rows).max(initial=0.0) <= SQUARED * self.weights.min(initial=np.inf):
-            return np.asarray(-np.linalg.solve(rows.T @ rows + np.diag(squares), rows.T @ values), float)
-        q, r = np.linalg.qr(np.concatenate([rows, np.diag(np.sqrt(squares))]))
-        return np.asarray(-np.linalg.solve(r, q[: values.size].T @ values), float)
+def _solve(rows: Array, values: Array, weights: Array, damping: float) -> Array:
+    """Return the step (n,) that minimises |values + rows · step|² + damping |weights · step|²."""
+    squares = damping * weights**2
+    if np.abs(rows).max(initial=0.0) <= SQUARED * weights.min(initial=np.inf):
+        return np.asarray(-np.linalg.solve(rows.T @ rows + np.diag(squares), rows.T @ values), float)
+    q, r = np.linalg.qr(np.concatenate([rows, np.diag(np.sqrt(squares))]))
+    return np.asarray(-np.linalg.solve(r, q[: values.size].T @ values), float)

@@ -37,5 +37,5 @@ def map_of(file: Path | None) -> Path | None:
         return file
     try:
         return models.map_file(str(file))
-    except models.UnknownName as error:
-        raise UserError(f"--map: no file '{file}', and {error}") from None
+    except KeyError as error:
+        raise UserError(f"--map: no file '{file}', and {error.args[0]}") from None

@@ -54,7 +54,7 @@ def test_the_pose_is_the_least_of_its_cost(arm, far):
 
     last = begin
     for _ in range(4):
-        last = posing.drag_pose(arm, home, np.ones(3, bool), hand(arm, place), posing.Constraints(), begin=last).qpos
+        last = posing.drag_pose(arm, home, np.ones(3, bool), hand(arm, place), begin=last).qpos
     assert cost(last) <= 1.002 * minimize(cost, last, method="BFGS").fun
 
 
@@ -63,7 +63,7 @@ def test_a_joint_uses_only_its_share_of_its_range_unless_home_is_beyond_it(home,
     arm, start = figure_of(ARM.replace('type="hinge"', 'type="hinge" range="-1 1"')), np.array([0.0, 0.2, home])
     free, goal = np.array([False, False, True]), hand(arm, tip(arm, [0.0, 0.2, 1.6]))
     shares = dict.fromkeys((1, 2, 3), share)
-    found = posing.drag_pose(arm, start, free, goal, posing.Constraints(), begin=start, range_shares=shares).qpos
+    found = posing.drag_pose(arm, start, free, goal, begin=start, range_shares=shares).qpos
     np.testing.assert_allclose(found, [0, 0.2, end], atol=0.02)
 
 
@@ -137,8 +137,7 @@ def test_a_restart_that_gains_little_leaves_the_pose_where_it_is(arm, rng):
     home, free, everything = 0.5 * rng.normal(size=3), np.ones(3, bool), np.ones(3, bool)
     begin, goal = 0.5 * rng.normal(size=3), hand(arm, 2.5 * tip(arm, home))
     without, restarted = (
-        posing.drag_pose(arm, home, free, goal, posing.Constraints(), begin=begin, limb=limb).qpos
-        for limb in (None, everything)
+        posing.drag_pose(arm, home, free, goal, begin=begin, limb=limb).qpos for limb in (None, everything)
     )
     np.testing.assert_array_equal(restarted, without)
 
@@ -151,5 +150,5 @@ def test_a_pull_out_of_a_corner_of_the_ranges_restarts_the_limb_from_home(begin,
         text = text.replace(f'name="{name}" type="hinge"', f'name="{name}" type="hinge" range="{limits}"')
     arm, home, free = figure_of(text), np.array([0, 0, 0.3]), np.ones(3, bool)
     goal, start = hand(arm, tip(arm, there)), np.array(begin, float)
-    assert posing.drag_pose(arm, home, free, goal, posing.Constraints(), begin=start).missed[0] > 0.5
-    assert posing.drag_pose(arm, home, free, goal, posing.Constraints(), begin=start, limb=free).missed[0] < 0.01
+    assert posing.drag_pose(arm, home, free, goal, begin=start).missed[0] > 0.5
+    assert posing.drag_pose(arm, home, free, goal, begin=start, limb=free).missed[0] < 0.01

@@ -111,7 +111,7 @@ def linear(rows, wanted, two_sided, steps=200):
     def residuals(pose):
         return posing.Residuals(rows @ pose - wanted, rows, two_sided)
 
-    return posing.LeastSquares(residuals, moved, np.ones(rows.shape[1]), steps)
+    return lambda start: posing.minimise(residuals, moved, np.ones(rows.shape[1]), start, steps)
 
 
 @pytest.mark.parametrize("size", [1.0, 1e5])  # the larger by an orthogonal factorisation
@@ -119,7 +119,7 @@ def test_a_linear_problem_is_solved_as_scipy_solves_it(size, rng):
     rows, wanted = rng.normal(size=(9, 5)), rng.normal(size=9)
     rows[:4] *= size
     wanted[:4] *= size
-    pose, cost = linear(rows, wanted, 9).minimise(np.zeros(5))
+    pose, cost = linear(rows, wanted, 9)(np.zeros(5))
     expected = lsq_linear(rows, wanted)
     np.testing.assert_allclose(pose, expected.x, rtol=1e-6, atol=1e-9)
     assert cost == pytest.approx(2 * expected.cost)
@@ -131,7 +131,7 @@ def test_stiff_one_sided_residuals_are_bounds(rng):
         rows, wanted = rng.normal(size=(8, 4)), 3 * rng.normal(size=8)
         stiff = 1e4 * np.concatenate([np.eye(4), -np.eye(4)])
         both = np.concatenate([rows, stiff]), np.append(wanted, 0.3e4 * np.ones(8))
-        pose, _ = linear(*both, 8).minimise(np.zeros(4))
+        pose, _ = linear(*both, 8)(np.zeros(4))
         np.testing.assert_allclose(pose, lsq_linear(rows, wanted, bounds=(-0.3, 0.3)).x, atol=1e-5)
 
 
