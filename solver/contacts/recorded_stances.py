@@ -54,21 +54,22 @@ def infer_stances(
     if not points or not surfaces or recorded.times.size < ORDER:
         return (), ()
     limits, tracks = Thresholds.of(recorded.figure), _tracks(recorded, points)
-    speeds, heights = _smooth(recorded, points, surfaces, tracks.times)
+    times, places, _, noises = tracks
+    speeds, heights = _smooth(recorded, points, surfaces, times)
     near, high = _resting_runs(tracks, heights, points, surfaces, limits, aligned=aligned)
     largest = _largest_speed(speeds, near, limits) + REMAINS * smoothed / limits.blurred
-    largest = np.minimum(largest, limits.fast + tracks.noise / limits.blurred)
+    largest = np.minimum(largest, limits.fast + noises / limits.blurred)
     stances, raised = list[Contact](), list[Contact]()
     for i, point in enumerate(points):
-        place, noise = tracks.places[:, i], float(tracks.noise[i])
+        place, noise = places[:, i], float(noises[i])
         for contacts, run in [*((stances, run) for run in near[i]), *((raised, run) for run in high[i])]:
             usual = float(np.median(speeds[i, slice(*run)])) if smoothed else 0.0
             still = speeds[i] <= max(largest[i], min(usual, limits.fast))
             still &= _is_low(place, *run, noise, limits)
             a, b = _trim(still, *run)
-            if b - a > 1 and not _moves(tracks.times, place, a, b, noise, limits):
+            if b - a > 1 and not _moves(times, place, a, b, noise, limits):
                 ground = ground_at(surfaces, place[:, a:b].mean(axis=1), point.radius, limits.edge)
-                first, last = float(tracks.times[a]), float(tracks.times[b - 1])
+                first, last = float(times[a]), float(times[b - 1])
                 contacts.append(Contact(point, first, last, surface=ground, rolls=True))
     return tuple(stances), tuple(raised)
 
