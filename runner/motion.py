@@ -42,6 +42,7 @@ from .system import size_limit
 from .system.output import Replacement
 
 FORMAT_VERSION = 2  # 1: without assets
+RATE = 240.0  # [1/s] of the samples at which motions are measured: a foot at 4 m/s moves 17 mm between two
 MOST_SAMPLES = 1_000_000  # maximum number of samples of a motion
 PLACES = ("qpos", "frame_state", "time")  # endings of names of arrays that `FARTHEST` limits
 FARTHEST = 1e9  # [m, rad, s] maximum entry, whose powers do not overflow

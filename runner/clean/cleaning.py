@@ -25,8 +25,7 @@ from ..clip.kinds import Options
 from ..clip.tracking.problem import loose_frames, tracking_problem
 from ..exchange.recording import Recording
 from ..measure.depths import bunches, depths
-from ..measure.measurement import RATE
-from ..motion import even_times, sample_runs
+from ..motion import RATE, even_times, sample_runs
 
 SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # factors of all weights but the recording's, in first and later searches
 ROUGHLY = 0.1  # relative progress of E at which a search with reduced weights ends

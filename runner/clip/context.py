@@ -23,6 +23,7 @@ from dynsplines.solver.figure.root import has_fixed_base
 from dynsplines.solver.penalty import Bend, Lean, Person, Range, Support, holds, leans
 from dynsplines.solver.surface import Plane, Surface
 from dynsplines.solver.surface.points import Point, body_points, bottoms_of, displacements
+from dynsplines.solver.tolerances import NEGLIGIBLE
 
 from ..errors import UserError, unknown
 from .contacts import schedule_of
@@ -31,9 +32,7 @@ from .posing.places import Places
 from .table import ContactTable, GraspTable
 
 STEP = 0.2  # [1] shortest displacement of a foot in a step, relative to the height of the figure
-REPEATED = 1e-3  # [m, 1] largest difference between equal keyframes; 1e-3 in a quaternion's entry is about 0.1°
 STRAIGHT = 0.7  # [1] cosine of the angle up to which a limb at rest counts as straight along an axis
-CONCENTRIC = 1e-3  # [1] share of its radius by which the axis of a wheel may be off its hinge
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 
 
@@ -175,7 +174,7 @@ class Context:
                 return False
             travel = np.linalg.norm(moves[self.figure.tables.position_columns[:2]], axis=0).max(initial=0.0)
             is_slow = travel < limits.travels * abs(keys.times[neighbour] - keys.times[end])
-            return bool(is_arm or np.abs(moves).max() < REPEATED or (feet and feet <= links and is_slow))
+            return bool(is_arm or np.abs(moves).max() < NEGLIGIBLE or (feet and feet <= links and is_slow))
 
         return is_stationary(0, 1, planted[0]), is_stationary(-1, -2, planted[1])
 
@@ -310,10 +309,10 @@ def wheels(figure: Figure) -> list[Link]:
     def is_wheel(link: Link) -> bool:
         axis, geoms = data.xaxis[link.joint], np.flatnonzero(model.geom_bodyid == link.body)
         off = np.linalg.norm(np.cross(axis, data.geom_xpos[geoms] - data.xanchor[link.joint]), axis=1)
-        is_along = np.abs(data.geom_xmat[geoms, 2::3] @ axis) > 1 - CONCENTRIC
+        is_along = np.abs(data.geom_xmat[geoms, 2::3] @ axis) > 1 - NEGLIGIBLE
         kinds = model.geom_type[geoms]
         is_round = (kinds == mjtGeom.mjGEOM_SPHERE) | ((kinds == mjtGeom.mjGEOM_CYLINDER) & is_along)
-        return bool(np.any(is_round & (off < CONCENTRIC * model.geom_size[geoms, 0])))
+        return bool(np.any(is_round & (off < NEGLIGIBLE * model.geom_size[geoms, 0])))
 
     return [link for link in hinges if is_wheel(link)]
 

@@ -21,6 +21,7 @@ from dynsplines.solver.figure.model import kinematics
 from dynsplines.solver.penalty import couplings
 from dynsplines.solver.surface.points import Point, body_points, bottoms_of, hanging, places_of
 from dynsplines.solver.surface.touch import counts_all, grounds
+from dynsplines.solver.tolerances import NEGLIGIBLE
 
 from ..errors import UserError, words_of
 from ..scene.compose import compile_model, compose, figure_spec
@@ -34,7 +35,6 @@ from .table import KEY, KeyframeTable
 from .text import keyframe_tables, tables, text_of
 
 APART = 0.5  # [s] distance of keyframes if the model's times do not rise
-REPORTED = 5e-4  # [m] displacement above which a raised pose is reported
 DIGITS = 6  # decimal places of degrees and metres
 WIDE = 110  # characters per line of comments
 AT_REST = "Positions in the first keyframe, in metres. Such a line in a keyframe is a target position:"
@@ -187,7 +187,7 @@ def _short(value: float) -> float | int:
 def _head(source: str, key_count: int, raised: float) -> str:
     content = f"its {key_count} keyframe{'s' * (key_count > 1)}" if key_count else "its rest pose"
     up = ""
-    if abs(raised) >= REPORTED:
+    if abs(raised) >= NEGLIGIBLE:
         verb = "Raised" if raised > 0 else "Lowered"
         up = f" {verb} by up to {1000 * abs(raised):.1f} mm, {'out of' if raised > 0 else 'onto'} the floor."
     return (

@@ -11,6 +11,7 @@ import numpy as np
 
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.tolerances import NEGLIGIBLE
 
 from ..clip import load as clips
 from ..errors import list_names
@@ -23,8 +24,6 @@ from ..system.quantity import positive
 from . import gaps
 from .formats import recording, stem
 from .recording import Recording
-
-EDGE = 1e-3  # [rad] tolerance at the bounds of a turn, as files contain rounded angles
 
 
 def read_recording(
@@ -96,9 +95,11 @@ def _unwrap(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, tup
     out, hinges = qpos.copy(), np.flatnonzero(model.jnt_type == JointKind.HINGE)
     columns = model.jnt_qposadr[hinges]
     for joint, column in zip(hinges, columns, strict=True):
-        is_bounded = model.jnt_limited[joint] and np.ptp(model.jnt_range[joint]) < 2 * np.pi - EDGE
+        is_bounded = model.jnt_limited[joint] and np.ptp(model.jnt_range[joint]) < 2 * np.pi - NEGLIGIBLE
         low, high = qpos[:, column].min(), qpos[:, column].max()
-        if not is_bounded and any(start - EDGE <= low and high <= start + 2 * np.pi + EDGE for start in (-np.pi, 0.0)):
+        if not is_bounded and any(
+            start - NEGLIGIBLE <= low and high <= start + 2 * np.pi + NEGLIGIBLE for start in (-np.pi, 0.0)
+        ):
             out[:, column] = np.unwrap(qpos[:, column])
     is_other = np.abs(out - qpos) > np.pi
     if not is_other.any():

@@ -32,12 +32,10 @@ from dynsplines.solver.tolerances import ROUNDING
 
 from ..clip.build import Clip
 from ..clip.kinds import BODY, body_contacts
-from ..motion import Saved, even_times, sample_runs, samples_at
+from ..motion import RATE, Saved, even_times, sample_runs, samples_at
 from . import checks
 from .bounds import Row
 from .checks import Check, Fixed, Hits
-
-RATE = 240.0  # [1/s] of the grid: a foot at 4 m/s moves 17 mm between samples
 
 
 @dataclass(frozen=True, eq=False)

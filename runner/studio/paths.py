@@ -20,13 +20,14 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.root import subtree
 
-RATE = 60.0  # [1/s] sampling rate of a short motion
+from ..motion import RATE
+
 MOST_SAMPLES = 1200  # number of samples of a long motion, few enough to be sent quickly
 
 
 def rate_of(duration: float) -> float:
     """Return the sampling rate [1/s] for a motion of this duration [s]."""
-    return RATE if duration * RATE <= MOST_SAMPLES else MOST_SAMPLES / duration
+    return MOST_SAMPLES / duration if duration * RATE / 4 > MOST_SAMPLES else RATE / 4
 
 
 def pack(figure: Figure, timeline: Timeline, header: Mapping[str, object], key_times: Sequence[float] = ()) -> bytes:

@@ -13,11 +13,10 @@ from functools import cache
 import numpy as np
 
 from ..array import Array
-from ..tolerances import ROUNDING
+from ..tolerances import NEGLIGIBLE, ROUNDING
 
 LEAST_PER_SPAN = 4  # minimum number of uniform samples in the shortest span between frames
 MOST_SAMPLES = 100_000  # maximum number of uniform samples, a limit of memory
-CLOSEST = 1e-3  # [s] distance of a cut from the edges of panels up to which it is ignored
 
 
 @dataclass(frozen=True)
@@ -68,7 +67,7 @@ class Quadrature:
             return edges
         cuts = np.array(self.cuts)
         is_inside = (cuts > edges[0]) & (cuts < edges[-1])
-        return np.union1d(edges, cuts[is_inside & (np.abs(cuts[:, None] - edges).min(axis=1) > CLOSEST)])
+        return np.union1d(edges, cuts[is_inside & (np.abs(cuts[:, None] - edges).min(axis=1) > NEGLIGIBLE)])
 
 
 def gauss_nodes(edges: Array, points: int = 4) -> tuple[Array, Array]:

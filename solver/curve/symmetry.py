@@ -17,10 +17,9 @@ import numpy as np
 from .. import quaternion as quat
 from ..array import Array, Index
 from ..figure.figure import Figure, JointKind
-from ..tolerances import ROUNDING
+from ..tolerances import NEGLIGIBLE, ROUNDING
 
 WORLD = np.diag([1.0, -1, 1])  # S, the reflection of the world
-SAME_LINE = 1e-3  # [1] tolerance of 1 − cosine of the angle between an axis and the image of its partner's
 MIDDLE, UNEVEN = 0.01, 0.05  # [1] tolerances of axes and of centres of mass, relative to the figure's size
 UPRIGHT_PLANES = 2  # the first candidates: the x-z planes of the root and of the world
 # a separate word, a capitalised word, or a letter next to that for front, rear, hind, back or middle: FL, rh
@@ -109,9 +108,9 @@ class Rest:
         if one.kind in (JointKind.FREE, JointKind.SLIDE) or one.kind is JointKind.BALL:
             offset = self.place[j] - image @ self.place[i]
             if one.kind is JointKind.SLIDE:
-                return "" if abs(self._share(i, j, image)) >= 1 - SAME_LINE else "axes"
+                return "" if abs(self._share(i, j, image)) >= 1 - NEGLIGIBLE else "axes"
         else:
-            if abs(self._share(i, j, image)) < 1 - SAME_LINE:
+            if abs(self._share(i, j, image)) < 1 - NEGLIGIBLE:
                 return "axes"
             offset = self.place[j] - image @ self.place[i]
             offset = offset - self.axis[j] * (offset @ self.axis[j])

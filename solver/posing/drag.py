@@ -16,6 +16,7 @@ import numpy as np
 from ..array import Array, Index, Mask
 from ..figure.figure import Figure
 from ..penalty.joints.bend import BendLimits
+from ..tolerances import NEGLIGIBLE
 from .goals import Goal, PointGoal
 from .inverse_kinematics import Posed, PoseSearch
 from .least_squares import Part, Residuals, join
@@ -31,7 +32,6 @@ FIXED_MISS = 3e-4  # [m] largest residual of fixed goals
 STEPS, MAX_STEP = 14, 0.5  # per descent; [rad, m] of any degree of freedom
 MIN_GAIN, MIN_STEP = 1e-4, 1e-5  # limits of convergence [1], [rad, m]
 SUPPORT_SHARE = 0.8  # size of the polygon for the centre of mass in a drag, relative to the support polygon
-MIN_SUPPORT = 1e-3  # [m] width below which contact points form no polygon
 NEAR_FLOOR = 0.05  # [m] height below which a body's clearance is linearise
 
 
@@ -55,7 +55,7 @@ class SupportPolygon:
         from scipy.spatial import ConvexHull  # slow to import
 
         rays = points[1:, :2] - points[0, :2]
-        if len(points) < 3 or np.linalg.eigvalsh(rays.T @ rays)[0] < MIN_SUPPORT**2:
+        if len(points) < 3 or np.linalg.eigvalsh(rays.T @ rays)[0] < NEGLIGIBLE**2:
             return None
         hull = ConvexHull(points[:, :2])
         normals, distances = hull.equations[:, :2], -hull.equations[:, 2]

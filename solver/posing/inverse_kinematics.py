@@ -19,13 +19,12 @@ from ..cache import Cache, cache_key
 from ..figure.figure import Figure, JointKind
 from ..figure.model import set_qpos
 from ..penalty.joints.bend import BendLimits
-from ..tolerances import NEWTON_STEPS, ROUNDING, SINGLE
+from ..tolerances import NEGLIGIBLE, NEWTON_STEPS, ROUNDING, SINGLE
 from .bounds import Bends, Ranges
 from .goals import Goal, entries_of, moved_by
 from .least_squares import Part, Residuals, join, minimise
 
 STARTS = 12  # [1] largest number of starting poses
-ALIKE = 2e-3  # [1] rough poses whose costs differ by no more than this share are taken to be the same
 MOST_CACHED = 1000  # [1] largest number of cached poses
 # [m, rad] largest residual norm of a goal that counts as met
 MET = SINGLE
@@ -40,7 +39,6 @@ SPREAD = 0.4  # [rad] standard deviation of random rotations in starting poses
 HOPELESS = 0.05  # [m, rad] largest residual of a rough pose that is refined further
 # [1] largest number of multiplier updates; ratio of successive residuals that counts as no progress
 ROUNDS, STALLED = 20, 0.7
-ROUGHLY = 1e-3  # [1] relative decrease of the cost at which a descent of the rough search ends
 SMALLEST_STEP = 1e-11  # [rad, m] largest change of a joint by a step at which a descent ends
 
 
@@ -157,13 +155,13 @@ class PoseSearch:
 
     def rough_minimum(self, qpos: Array) -> tuple[Array, float]:
         """Return a pose that meets the goals approximately, at a small weight of the goals, and its cost."""
-        return self._nearest(qpos, COARSE, None, ROUGHLY)
+        return self._nearest(qpos, COARSE, None, NEGLIGIBLE)
 
     def rough_minimum_near(self, qpos: Array) -> Array:
         """Return a pose near qpos, instead of near home, that meets the goals approximately."""
         home, self.home = self.home, qpos
         try:
-            return self._nearest(qpos, COARSE, None, ROUGHLY)[0]
+            return self._nearest(qpos, COARSE, None, NEGLIGIBLE)[0]
         finally:
             self.home = home
 
@@ -319,7 +317,7 @@ def _pose(search: PoseSearch, starts: int) -> Posed:
     poses: list[Posed] = []
     last = 0.0
     for rough, cost in sorted(near, key=lambda pair: pair[1]):
-        if cost > (1 + ALIKE) * last:  # otherwise the same as the previous rough pose
+        if cost > (1 + NEGLIGIBLE) * last:  # otherwise the same as the previous rough pose
             poses.append(search.refine(rough))
             if poses[-1].is_met:
                 return poses[-1]

@@ -14,7 +14,6 @@ Improved = Callable[[int, Evaluation, Array], None]
 
 TOLERANCE = 1e-6  # [1] default progress per evaluation at which a search ends, relative to E
 MOST_EVALUATIONS = 300  # default evaluation budget
-NEGLIGIBLE = 1e-3  # [1] share of the first E; thresholds relative to E use at least this much
 
 
 class Stop(Enum):

@@ -21,7 +21,8 @@ import numpy as np
 
 from ..array import Array
 from ..objective import Discretised, Evaluation
-from .minimum import MOST_EVALUATIONS, NEGLIGIBLE, TOLERANCE, Improved, Minimum, Stop, StopSearch
+from ..tolerances import NEGLIGIBLE
+from .minimum import MOST_EVALUATIONS, TOLERANCE, Improved, Minimum, Stop, StopSearch
 from .nlopt_methods import NONE, is_practical, minimise
 from .quadratic import Layout, Proposal, QuadraticModel
 

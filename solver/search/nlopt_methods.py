@@ -8,8 +8,8 @@ import nlopt
 import numpy as np
 
 from ..array import Array
-from ..tolerances import TINY
-from .minimum import MOST_EVALUATIONS, NEGLIGIBLE, TOLERANCE, Minimum, Stop, StopSearch
+from ..tolerances import NEGLIGIBLE, TINY
+from .minimum import MOST_EVALUATIONS, TOLERANCE, Minimum, Stop, StopSearch
 
 LBFGS, NONE = "lbfgs", "none"
 METHODS = (LBFGS, "slsqp", "ccsaq", "tnewton", "var2", NONE)

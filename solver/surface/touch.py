@@ -22,10 +22,10 @@ import numpy as np
 from ..array import Mask
 from ..figure.figure import JointKind
 from ..figure.model import kinematics
+from ..tolerances import NEGLIGIBLE
 
 SCENERY = 1 << 30  # bit of conaffinity that marks geoms which a clip adds to a model
 LEVEL = 0.99  # [1] minimum z of the unit normal of a floor
-TOUCHING = 0.001  # [m] distance up to which geoms touch
 SITE = int(mujoco.mjtObj.mjOBJ_SITE)
 
 FAR = np.array([-0.5, 0.5])  # [m] displacements tried for slides without bounds
@@ -137,7 +137,7 @@ def _hangs(model: mujoco.MjModel, body: int) -> bool:
 
 
 def _touches(model: mujoco.MjModel, data: mujoco.MjData, geom: int, solid: int) -> bool:
-    return mujoco.mj_geomDistance(model, data, geom, solid, 2 * TOUCHING, None) < TOUCHING
+    return mujoco.mj_geomDistance(model, data, geom, solid, 2 * NEGLIGIBLE, None) < NEGLIGIBLE
 
 
 def _slides_out(model: mujoco.MjModel, geom: int, solid: int) -> bool:

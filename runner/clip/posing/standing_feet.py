@@ -32,6 +32,7 @@ from dynsplines.solver.posing import (
 )
 from dynsplines.solver.surface import Surface, static_surfaces
 from dynsplines.solver.surface.points import Point, sets_places
+from dynsplines.solver.tolerances import NEGLIGIBLE
 
 from ..contacts import schedule_of
 from ..kinds import posing_limits
@@ -39,7 +40,6 @@ from ..parse import Parsed
 from ..table import ContactTable
 from .grounding import Grounding
 
-NEARLY = 1e-3  # [m, rad] largest error of a pose that meets its goals
 STARTS = 4  # most starting poses
 BALANCE = 100.0  # [1/m] weight of the preference of balance, relative to 1 rad of a limb joint
 STANDING = 0.6  # [1] size of the polygon above which a standing figure is posed, relative to that of its feet
@@ -190,7 +190,7 @@ class Stander:
             goals = [goal for group in groups for goal in group]
             preferred = balance_of(figure, schedule.points, goals, STANDING) if may_shift else []
             pose = find_pose(figure, home, ~frame.fixed, goals, self.bends, STARTS, preferred=preferred)
-            if pose.worst <= NEARLY:
+            if pose.worst <= NEGLIGIBLE:
                 home, is_determined = pose.qpos, pose.fixed & ~frame.fixed
                 break
             of_group = np.repeat(np.arange(len(groups)), [len(group) for group in groups])

@@ -28,7 +28,7 @@ from dynsplines.solver.surface.points import Point, places_of, sets_places
 from dynsplines.solver.tolerances import ROUNDING
 
 from ...errors import UserError
-from ...motion import Saved, continuous, sample_count
+from ...motion import RATE, Saved, continuous, sample_count
 from ..context import Context
 from ..kinds import Options
 from ..parse import TOLERANCE
@@ -36,7 +36,6 @@ from ..table import RecordingTable
 from .problem import tracking_problem
 
 CLOSE = 0.004  # [s] minimum distance of frames
-RATE = 120.0  # [1/s] minimum rate at which a motion is sampled
 EASE = 0.4  # [s] default of `blend`
 DETAIL = 0.02  # [1] cost per segment of detail that the spline may lose, less than 1 mm; see `TrackingPenalty.times`
 INNER, MARGIN = 0.75, 6  # share of a blend within which frames are free; fixed frames from there to its end
@@ -68,7 +67,7 @@ class TrackedRecording:
     @classmethod
     def of_motion(cls, figure: Figure, raw: Timeline, table: RecordingTable, where: str) -> TrackedRecording:
         """Return the recording that a saved motion follows, which is its raw path."""
-        recorded = Track.of(figure, *_taken_down(figure, raw, RATE), exact=True)
+        recorded = Track.of(figure, *_taken_down(figure, raw, RATE / 2), exact=True)
         return cls(recorded, raw.times, table, where)
 
     @property
@@ -239,8 +238,8 @@ def recording_to_follow(table: RecordingTable, figure: Figure, motion: Saved | N
 
 
 def _taken_down(figure: Figure, timeline: Timeline, fps: float) -> tuple[Array, Array]:
-    """Return times (T,) [s] and qpos (T, nq) of a motion at RATE or more samples per second, including its end."""
-    path, rate = path_of(timeline), max(fps, RATE)
+    """Return times (T,) [s] and qpos (T, nq) of a motion, with its end, at half of RATE or more samples per second."""
+    path, rate = path_of(timeline), max(fps, RATE / 2)
     first, last = path.span
     time = first + np.arange(sample_count(last - first, rate)) / rate
     if last - time[-1] > CLOSE:

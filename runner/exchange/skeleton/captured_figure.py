@@ -9,12 +9,12 @@ import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.tolerances import NEGLIGIBLE
 
 from ...scene.roles import SIDES, lineage, unique
 from .captured_skeleton import CapturedSkeleton
 
 DENSITY = 1000.0  # [kg/m³]
-LEAST = 1e-3  # [m] least length of a bone with a capsule; a shorter one gets a sphere
 # By role: radius of a capsule as a fraction of its bone's length, and its bounds [m]
 THICKNESS = {"": (0.16, 0.007, 0.045), "thigh": (0.17, 0.03, 0.075), "shin": (0.13, 0.02, 0.055),
              "foot": (0.2, 0.015, 0.035), "upper_arm": (0.16, 0.02, 0.05), "forearm": (0.15, 0.015, 0.04),
@@ -87,7 +87,7 @@ def _bones(
     count = 0
     for start, tip in _lines(captured, joint, role):
         length = float(np.linalg.norm(tip - start))
-        if length > LEAST:
+        if length > NEGLIGIBLE:
             radius = min(float(np.clip(share * length, least, most)), 0.45 * length + least)
             count += 1
             called = unique([name], taken)[0] if count > 1 else name

@@ -28,7 +28,7 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.model import boxes
 from dynsplines.solver.figure.root import Root, roots_of, subtree
 from dynsplines.solver.posing import STARTS, PoseSearch, Residuals, join
-from dynsplines.solver.tolerances import TINY
+from dynsplines.solver.tolerances import NEGLIGIBLE, TINY
 
 from ...errors import GIVE_MAP, UserError, list_names
 from ...scene.configuration import kinematics_of
@@ -38,7 +38,6 @@ from .captured_skeleton import CapturedSkeleton, standing_turn, unit
 
 NEXT = {**ONWARD, "foot": "toe", "clavicle": "upper_arm"}
 BENT = 0.15  # least mean sine of an elbow's or knee's bend that determines its axis
-LEVEL = 0.001  # [m] largest distance of soles from the ground that is not reported
 LEG, ARM = ("thigh", "shin", "foot"), ("upper_arm", "forearm", "hand")
 ENDS = ("foot", "hand")
 HANGS_ON = {"forearm": "upper_arm", "shin": "thigh"}
@@ -46,7 +45,6 @@ PLACE = 0.01  # [m] position error of a hand or foot that counts as a residual o
 TURN, TURN_OF_END, TURN_OF_TRUNK = np.radians((15, 4, 1))  # [rad] errors of a limb's parts, its end, and other bodies
 RANGE = 1e3  # [1/rad] weight of joint ranges
 STEPS, LONGEST = 30, 0.3  # most iterations of least squares; [rad] largest change of a joint in one
-STILL = 1e-3  # [rad] step below which a pose has converged
 FAR = 4.0  # [1] increase of the cost between two samples after which the rest pose is another start
 
 
@@ -425,7 +423,7 @@ def _on_ground(standing: _Standing, root: Root, qpos: Array) -> tuple[Array, flo
 def notes_on_lift(lift: float) -> tuple[str, ...]:
     """Return a note on a vertical shift [m] of a motion, if it is large enough."""
     direction = "raised" if lift > 0 else "lowered"
-    return (f"{direction} by {abs(lift):.3f} m, so that feet meet the ground",) if abs(lift) > LEVEL else ()
+    return (f"{direction} by {abs(lift):.3f} m, so that feet meet the ground",) if abs(lift) > NEGLIGIBLE else ()
 
 
 def _shift(model: mujoco.MjModel, root: Root, qpos: Array, by: Array) -> Array:
@@ -494,7 +492,7 @@ def follow(model: mujoco.MjModel, qpos: Array, poses: RecordedPoses, root: slice
         return Residuals(*join([(off, by_off), (RANGE * over, RANGE * by_over)]), off.size)
 
     def minimise(start: Array) -> tuple[Array, float]:
-        return search.minimise(residuals, start, STEPS, longest=LONGEST, smallest=STILL)
+        return search.minimise(residuals, start, STEPS, longest=LONGEST, smallest=NEGLIGIBLE)
 
     last = 0.0
     for i, row in enumerate(out if search.dofs.size else ()):

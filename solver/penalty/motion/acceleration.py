@@ -21,13 +21,12 @@ from ...figure.adjoint import Cotangent
 from ...figure.algebra import dot
 from ...figure.kinematics import Samples
 from ...figure.wrenches import Wrenches
-from ...tolerances import TINY
+from ...tolerances import NEGLIGIBLE, TINY
 from ..block import Block, Dense, every
 from ..curvature import Curvature
 from ..penalty import Normalization, Penalty
 
 POWER = 4  # [1] power of squared accelerations, hence the eighth power of accelerations
-NEGLIGIBLE = 1e-3  # [1] gradient relative to the largest below which a residual is omitted from the model
 STEEPER = np.sqrt((2 * POWER - 1) / POWER)  # [1] factor that makes the model's second derivative that of |α|⁸
 
 
