@@ -341,7 +341,7 @@ def report(
     allow_outside: option.Outside = False,
 ) -> None:
     """Measure a motion and the spline through its keyframes.
-    The report lists penetration, joint-limit violations, foot skate and torques.
+    The report lists penetration, joint-limit violations and foot skate.
     It also estimates how far the cost is above the local optimum."""
     from rich.console import Console
 

@@ -21,8 +21,7 @@ from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.algebra import rotate_fixed
-from dynsplines.solver.figure.dynamics import RootWrench, generalised_forces
-from dynsplines.solver.figure.figure import JointKind
+from dynsplines.solver.figure.dynamics import RootWrench
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Cycle
@@ -92,7 +91,6 @@ def _quantities(clip: Clip, objective: Objective, timeline: Timeline, samples: S
         "skate": _skate(clip, samples),
         "keyframe error": keyframe_error(clip, timeline),
         "seam": _seam(clip, timeline),
-        "torque, N m": _torque(samples),
         "support": _support(clip, samples),
     }
     return {name: value for name, value in every.items() if value is not None}
@@ -142,25 +140,6 @@ def _seam(clip: Clip, timeline: Timeline) -> dict[str, float | list[float]] | No
     travel = seam.travel[roots[:, 0]].tolist() if roots.size else []
     turn = {"turn, degrees": float(np.degrees(seam.headings[0]))} if seam.turns else {}
     return {"travel, m": travel, **turn, **mismatch}
-
-
-def _torque(samples: Samples) -> dict[str, float | str]:
-    """Return joint torques by inverse dynamics, and the external wrench at the roots. The root mean square is over
-    time, of the norm of the torques of all ball joints and hinges."""
-    figure = samples.figure
-    forces = generalised_forces(samples)
-    roots = [link.dof for link in figure.links[1:] if link.kind is JointKind.FREE]
-    torques = {figure.links[i].name: forces[:, figure.links[i].dofs] for i in figure.tables.rotary_links}
-    joints = np.linalg.norm(np.hstack([forces[:, :0], *torques.values()]), axis=1)
-    peaks = {name: float(np.linalg.norm(torque, axis=1).max()) for name, torque in torques.items()}
-    strongest = max(peaks, key=lambda name: peaks[name], default="")
-    root = [np.linalg.norm(forces[:, dof : dof + 3], axis=1).max() for dof in roots]
-    return {
-        "root mean square": float(np.sqrt(np.mean(joints**2))),
-        "peak of one joint": peaks.get(strongest, 0.0),
-        "joint": strongest,
-        "peak root force, N": float(max(root, default=0.0)),
-    }
 
 
 def _support(clip: Clip, samples: Samples) -> dict[str, float]:
