@@ -40,12 +40,12 @@ from .errors import UserError, import_first, words_of
 from .scene.assets import Scene
 from .system import size_limit
 from .system.output import Replacement
+from .system.quantity import LARGEST
 
 FORMAT_VERSION = 2  # 1: without assets
 RATE = 240.0  # [1/s] of the samples at which motions are measured: a foot at 4 m/s moves 17 mm between two
 MOST_SAMPLES = 1_000_000  # maximum number of samples of a motion
-PLACES = ("qpos", "frame_state", "time")  # endings of names of arrays that `FARTHEST` limits
-FARTHEST = 1e9  # [m, rad, s] maximum entry, whose powers do not overflow
+PLACES = ("qpos", "frame_state", "time")  # endings of names of arrays that `LARGEST` limits
 NEEDED = (
     "format_version", "fps", "time", "qpos", "qvel", "qacc", "raw_qpos", "raw_qvel", "raw_qacc", "key_time", "key_qpos",
     "key_fixed", "frame_time", "frame_state", "frame_fixed", "end_slope", "raw_frame_time", "raw_frame_state",
@@ -431,7 +431,7 @@ def _check_arrays(data: Arrays, shapes: Mapping[str, tuple[int, ...]]) -> None:
     for name, array in data.items():
         if array.dtype.kind == "f" and not np.all(np.isfinite(array)):
             raise ValueError(f"'{name}' holds entries that are not finite numbers")
-        if name.endswith(PLACES) and not np.all(np.abs(array) <= FARTHEST):
+        if name.endswith(PLACES) and not np.all(np.abs(array) <= LARGEST):
             raise ValueError(f"'{name}' holds an entry that is too large")
 
 

@@ -23,6 +23,7 @@ from dynsplines.solver.figure.root import has_fixed_base
 from dynsplines.solver.penalty import Bend, Lean, Person, Range, Support, holds, leans
 from dynsplines.solver.surface import Plane, Surface
 from dynsplines.solver.surface.points import Point, body_points, bottoms_of, displacements
+from dynsplines.solver.surface.surface import UPRIGHT
 from dynsplines.solver.tolerances import NEGLIGIBLE
 
 from ..errors import UserError, unknown
@@ -32,7 +33,6 @@ from .posing.places import Places
 from .table import ContactTable, GraspTable
 
 STEP = 0.2  # [1] shortest displacement of a foot in a step, relative to the height of the figure
-STRAIGHT = 0.7  # [1] cosine of the angle up to which a limb at rest counts as straight along an axis
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
 
 
@@ -291,7 +291,7 @@ def knees_and_elbows(figure: Figure) -> list[Bend]:
             down = quat.rotate(rest[i], link.centre - link.anchor)
             above = quat.rotate(rest[link.parent], link.offset - figure.links[link.parent].anchor)
             along = _principal(down * [1, 0, 1])
-            if all(bone @ along >= STRAIGHT * np.linalg.norm(bone) for bone in (down, above)) and np.any(down):
+            if all(bone @ along >= UPRIGHT * np.linalg.norm(bone) for bone in (down, above)) and np.any(down):
                 axes = np.array([[0.0, lateral, 0.0], along])
                 bends.append(Bend(link.name, i, *quat.rotate(quat.inverse(rest[link.parent]), axes)))
     return bends

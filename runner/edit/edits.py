@@ -14,10 +14,12 @@ from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.edit import timelines
+from dynsplines.solver.edit.timelines import LEAST_FRAMES
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.problem import renormalise
 from dynsplines.solver.search.descent import optimise
+from dynsplines.solver.search.minimum import TOLERANCE
 
 from ..clip.build import Clip
 from ..clip.contacts import contacts
@@ -31,8 +33,6 @@ from ..motion import Saved
 from ..system.progress import Progress
 
 FRAME_SECONDS = 0.025  # [s] spacing of variable frames in a transition, short enough to avoid the floor near its ends
-LEAST_FRAMES = 6  # minimum number of variable frames in a transition
-TOLERANCE = 1e-5  # [1] tolerance of a transition's search, relative to E
 
 
 @contextmanager

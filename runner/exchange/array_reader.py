@@ -12,8 +12,9 @@ import numpy as np
 from dynsplines.solver.array import Array
 
 from ..errors import UserError
-from ..motion import FARTHEST, read_entries
+from ..motion import read_entries
 from ..system import size_limit
+from ..system.quantity import LARGEST
 from .gaps import bridge
 
 NUMBER = 8  # [bytes] of a number in double precision
@@ -60,7 +61,7 @@ class ArrayReader:
         array = array.astype(float)
         if not np.all(np.isfinite(array)) and (mended := bridge(array)) is not None:
             array = mended
-        if not np.all(np.abs(array) <= FARTHEST):
+        if not np.all(np.abs(array) <= LARGEST):
             what = "is too large" if np.all(np.isfinite(array)) else "is not a finite number"
             raise UserError(f"{self.where}: '{name}': an entry {what}")
         return array

@@ -299,7 +299,6 @@ UNITS = {
     "s": lambda value: f"{value:.2f} s",
     "m/s": lambda value: f"{value:.3f} m/s",
     "rad/s²": lambda value: f"{value:.0f} rad/s²",
-    "N m": lambda value: f"{value:.0f} N m",
     "N": lambda value: f"{value:.0f} N",
 }
 

@@ -15,6 +15,8 @@ from scipy.ndimage import gaussian_filter1d
 
 from dynsplines.solver.array import Array
 
+from ..scene.framing import HEIGHT
+
 
 @dataclass(frozen=True)
 class View:
@@ -45,7 +47,6 @@ ANGLES: dict[str, tuple[float, float]] = {
 }
 
 SMOOTHING_SECONDS = 0.5  # [s] width of the smoothing of a camera's path
-MARGIN = 1.06  # [1] visible extent relative to the figure's
 
 
 def plan(
@@ -152,5 +153,5 @@ def _distance(offsets: Array, aspect: float, azimuth: float, elevation: float, f
     """Return the shortest distance [m] at which all offsets (..., 3) from the look-at point are within the image."""
     right, up, forward = np.moveaxis(offsets @ axes(azimuth, elevation).T, -1, 0)
     tan = np.tan(np.radians(fovy) / 2)
-    needed = np.maximum(np.abs(right) / (tan * aspect), np.abs(up) / tan) * MARGIN - forward
+    needed = np.maximum(np.abs(right) / (tan * aspect), np.abs(up) / tan) * HEIGHT - forward
     return float(needed.max())

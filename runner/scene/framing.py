@@ -15,7 +15,7 @@ from .configuration import kinematics_of
 MOST_POSES = 60  # number of poses that represent a motion
 STANDING = 2.05  # [m] height of a person with a hand raised over the head
 PEOPLE = (1.3, 2.2)  # [m] range of heights of people
-WIDTH, HEIGHT = 0.8, 1.06  # [1] visible width and height about a figure's middle, relative to a camera's `height`
+WIDTH, HEIGHT = 0.8, 1.06  # [1] visible width and height about a figure's middle, relative to the figure's
 
 
 def box(model: mujoco.MjModel, data: mujoco.MjData) -> tuple[Array, Array]:

@@ -10,6 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from dynsplines.solver.tolerances import SINGLE
+
 from ..errors import UserError, unknown
 from .session import Session
 
@@ -17,8 +19,6 @@ if TYPE_CHECKING:
     from ..clip.text import TomlTable
     from .posing import Grip, Poser
     from .solver import Message
-
-AT = 1e-6  # [s] distance up to which a time is that of a keyframe
 
 
 @dataclass
@@ -330,7 +330,7 @@ class Actions:
 
     def key_at(self, time: float) -> int | None:
         times = [float(row["time"]) for row in self.session.document.tree_rows()]
-        return next((i for i, key_time in enumerate(times) if abs(key_time - time) < AT), None)
+        return next((i for i, key_time in enumerate(times) if abs(key_time - time) < SINGLE), None)
 
     def _row(self, index: int) -> TomlTable:
         rows = self.session.document.tree_rows()

@@ -17,11 +17,11 @@ from .. import quaternion as quat
 from ..array import Array, Index
 from ..curve.frame import Timeline
 from ..curve.mirror import Mirror
+from ..curve.symmetry import UNEVEN
 from ..figure.figure import Figure
 from ..tolerances import SINGLE
 from .thresholds import Thresholds
 
-LOPSIDED = 0.05  # largest asymmetry of a measured body, relative to its size
 FEW = 8  # most poses for which the heading is only a linear function of time
 LENGTH = 0.9  # [rad] length scale of the periodic kernel, of phase at half amplitude
 DECAY = 4.0  # [periods] correlation length of successive cycles
@@ -109,7 +109,7 @@ class PoseVectors:
             heading = heading_of(times, qpos[:, turn])
             qpos[:, turn] = quat.product(_about_z(-heading, times), qpos[:, turn])
         try:
-            poses = np.concatenate([qpos, Mirror.of(figure, middle=LOPSIDED).configurations(qpos)])
+            poses = np.concatenate([qpos, Mirror.of(figure, middle=UNEVEN).configurations(qpos)])
         except ValueError:
             poses = qpos
         columns = tables.quaternion_columns

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ..array import Array
 
-UPRIGHT = 0.7  # [1] z of the unit normal above which a face points up and can support a figure
+UPRIGHT = 0.7  # [1] cosine of the angle up to which directions are alike: a face that points up can support a figure
 DEEP = 0.15  # [m] depth below its top from which a solid no longer supports a point
 GROUNDED = 0.01  # [m] maximum gap to the floor of solids that stand on it
 

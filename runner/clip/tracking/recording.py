@@ -33,9 +33,8 @@ from ..context import Context
 from ..kinds import Options
 from ..parse import TOLERANCE
 from ..table import RecordingTable
-from .problem import tracking_problem
+from .problem import NEXT_TO, tracking_problem
 
-CLOSE = 0.004  # [s] minimum distance of frames
 EASE = 0.4  # [s] default of `blend`
 DETAIL = 0.02  # [1] cost per segment of detail that the spline may lose, less than 1 mm; see `TrackingPenalty.times`
 INNER, MARGIN = 0.75, 6  # share of a blend within which frames are free; fixed frames from there to its end
@@ -137,7 +136,7 @@ class TrackedRecording:
             for offsets in (margin, beyond)
         )
         fixed = [group[self._is_far(group, edits)] for group in (np.clip(beside, *span), knots, np.clip(spread, *span))]
-        least = min(CLOSE, float(margin[1] - margin[0]) / 2)
+        least = min(NEXT_TO / 2, float(margin[1] - margin[0]) / 2)
         return _apart([np.array(span), *fixed, times[~self._is_far(times, edits)]], least)
 
     def _pins(self, blend: float, longest: float) -> tuple[Array, Array]:
@@ -242,7 +241,7 @@ def _taken_down(figure: Figure, timeline: Timeline, fps: float) -> tuple[Array, 
     path, rate = path_of(timeline), max(fps, RATE / 2)
     first, last = path.span
     time = first + np.arange(sample_count(last - first, rate)) / rate
-    if last - time[-1] > CLOSE:
+    if last - time[-1] > NEXT_TO / 2:
         time = np.append(time, last)
     time[-1] = last
     return time, continuous(figure, figure.to_qpos(path.at(time)))

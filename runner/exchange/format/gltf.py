@@ -28,7 +28,7 @@ from ...motion import Sampled
 from ...scene.triangles import MeshPiece, Triangles, join, linear, pieces, png, triangles
 from ..skeleton import hierarchy
 
-FLOAT, UNSIGNED_INT = 5126, 5125  # component types
+COMPONENTS = {"<f4": 5126, "<u4": 5125}  # types of components
 ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER = 34962, 34963  # targets of views
 WIDTHS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
 
@@ -55,11 +55,13 @@ class _Document:
         rows = np.ascontiguousarray(array, "<f4").reshape(len(array), -1)
         bounds = {"min": rows.min(axis=0).tolist(), "max": rows.max(axis=0).tolist()} if bounded else {}
         view, width = self.view(rows.tobytes(), **target), WIDTHS[rows.shape[1]]
-        return self.add("accessors", bufferView=view, componentType=FLOAT, count=len(rows), type=width, **bounds)
+        return self.add(
+            "accessors", bufferView=view, componentType=COMPONENTS["<f4"], count=len(rows), type=width, **bounds
+        )
 
     def indices(self, faces: NDArray[np.uint32]) -> int:
         view = self.view(faces.astype("<u4").tobytes(), target=ELEMENT_ARRAY_BUFFER)
-        return self.add("accessors", bufferView=view, componentType=UNSIGNED_INT, count=faces.size, type="SCALAR")
+        return self.add("accessors", bufferView=view, componentType=COMPONENTS["<u4"], count=faces.size, type="SCALAR")
 
     def binary(self, scene: str) -> bytes:
         """Return the file, whose only scene has the first node as its root."""

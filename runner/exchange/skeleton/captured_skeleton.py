@@ -16,6 +16,7 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.surface.surface import UPRIGHT
 from dynsplines.solver.tolerances import SINGLE, TINY
 
 from ...errors import GIVE_UNIT, list_names
@@ -36,7 +37,6 @@ TO_Z = {  # rotation of an axis to z; that of y is for figures facing z, as in a
     "z": NONE, "y": np.array([0.5, 0.5, 0.5, 0.5]), "x": np.array([0.5, -0.5, -0.5, -0.5]),
     "-z": np.array([0.0, 1, 0, 0]), "-y": np.array([0.5, -0.5, 0.5, -0.5]), "-x": np.array([0.5, -0.5, 0.5, 0.5]),
 }  # fmt: skip
-UPRIGHT = 0.7  # least cosine between the vertical and the line from feet to head of an upright person
 SOME, MOST = 0.2, 0.5  # fractions of the samples that count as enough and as most
 LEVEL = 0.25  # ratio of standard deviations of the lowest joint's height below which an axis indicates a floor
 
