@@ -28,7 +28,7 @@ from .problem import Improvement, Problem, Settings, Solution, initial_guess
 from .refine.parts import SearchPart, Window, is_long, parts_of_edits, windows
 from .refine.subdivision import CRITERIA, midpoints, split
 from .search.descent import minimise, optimiser_of
-from .search.minimum import NEGLIGIBLE, Optimiser, Stop
+from .search.minimum import Optimiser, Stop
 from .search.nlopt_methods import NONE
 from .search.restarts import (
     cost_increased,
@@ -38,7 +38,7 @@ from .search.restarts import (
     select_best,
     violation_dominates,
 )
-from .tolerances import ROUNDING
+from .tolerances import NEGLIGIBLE, ROUNDING
 
 ROUGH = 2e-2  # [1] tolerance of all rounds except the last, relative to E
 SHARE_OF_PROMISE = 0.1  # [1] predicted reduction of a step relative to that of new frames, below which a round ends

@@ -13,7 +13,8 @@ import numpy as np
 
 from dynsplines.solver.figure.figure import WEIGHTLESS, JointKind
 from dynsplines.solver.figure.model import boxes, geom_name, kinematics
-from dynsplines.solver.surface.touch import TOUCHING, collides, grounds, is_scenery, solids
+from dynsplines.solver.surface.touch import collides, grounds, is_scenery, solids
+from dynsplines.solver.tolerances import NEGLIGIBLE
 
 from ..errors import list_names
 from .compose import PREFIX
@@ -69,7 +70,7 @@ def _below_added_floor(model: mujoco.MjModel) -> Iterator[str]:
     floor = float(data.geom_xpos[added[0], 2])
     centre, reach = boxes(model, data, np.array(others))
     tops = centre[:, 2] + reach[:, 2]
-    below = [geom_name(model, geom) for geom, top in zip(others, tops, strict=True) if top < floor - TOUCHING]
+    below = [geom_name(model, geom) for geom, top in zip(others, tops, strict=True) if top < floor - NEGLIGIBLE]
     if below:
         yield (
             f"the model has no level plane, so a floor was added at z = {floor:g} m, above {list_names(below)}; for "

@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from scipy.sparse.linalg import SuperLU
 
 DEGREE = 3  # cubic: the least that is C²
-FELT = 100  # number of knots over which the influence of a value decreases to 2⁻¹⁰⁰, below double precision
 SHORT = 150  # coefficients up to which a dense inverse is faster than a sparse solve
 Complex = NDArray[np.complex128]
 TAYLOR = np.arange(2, -1, -1)[:, None] + np.arange(DEGREE + 1)  # powers of (t - knot) in y, y', y'' by coefficient
@@ -355,13 +354,7 @@ def spline_of(timeline: Timeline) -> Spline:
 
 
 def natural_end_slopes(times: Array, values: Array) -> Array:
-    """Return the slopes (2, N) of `natural_spline` at its first and its last time.
-
-    The influence of a value on a slope at least halves from knot to knot, so only the first and last FELT are used.
-    """
-    if times.size > 2 * FELT:
-        first, last = (natural_end_slopes(times[run], values[run]) for run in (slice(FELT), slice(-FELT, None)))
-        return np.array([first[0], last[1]])
+    """Return the slopes (2, N) of `natural_spline` at its first and its last time."""
     h = np.diff(times)
     rise = 3 * np.diff(values, axis=0) / h[:, None]
     if times.size == 2:

@@ -22,8 +22,7 @@ from ..curve.frame import Frame, Timeline
 from ..curve.spline import Path
 
 KEPT, AHEAD, BEHIND = 40, 4, 3  # segments of a window that are kept, look-ahead segments, and fixed ones before it
-FRAMES_A_SEGMENT = 4  # typical number of frames per segment, to estimate the size of a matrix in `is_long`
-LARGEST = 2_500_000  # entries of a banded matrix above which a clip is solved in windows
+LARGEST = 125_000  # segments times squared columns above which a clip is solved in windows
 PINNED = 0.1  # [1] position of a second fixed frame, relative to the first span of a window, which fixes the slope
 REACH, HELD = 1, 1  # movable segments on either side of an edit, and fixed segments beyond them
 FEWEST = 3  # segments outside the part of an edit below which the whole clip is searched
@@ -32,8 +31,7 @@ FEWEST = 3  # segments outside the part of an edit below which the whole clip is
 def is_long(raw: Timeline) -> bool:
     """Return whether a clip should be solved in windows, because its matrices would not fit in the cache."""
     segments = len(raw.frames) - 1
-    entries = FRAMES_A_SEGMENT * segments * 5 * raw.width**2
-    return raw.ends != "periodic" and segments > KEPT + AHEAD and entries > LARGEST
+    return raw.ends != "periodic" and segments > KEPT + AHEAD and segments * raw.width**2 > LARGEST
 
 
 class Window(NamedTuple):
