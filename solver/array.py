@@ -10,6 +10,7 @@ Index = NDArray[np.intp]
 Mask = NDArray[np.bool_]
 
 ENTRIES_AT_ONCE = 500_000  # largest number of entries of an array that is made in parts, 4 MB
+IN_CACHE = 2000  # number of vectors that are processed at once, so that they stay in the processor's cache
 SAMPLES_AT_ONCE = 1000  # largest number of samples of a figure that are evaluated at once, which bounds the memory
 
 

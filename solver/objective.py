@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from .array import Array, segments_at
+from .array import IN_CACHE, Array, segments_at
 from .curve.frame import Timeline
 from .curve.quadrature import Quadrature, gauss_nodes
 from .curve.spline import Path, Piece, Sampling, spline_of
@@ -33,7 +33,6 @@ MOST_OF_TIME, VIOLENT, LEAST_TYPICAL = 0.8, 4.0, 0.1
 HEAVY = 10.0  # [1] multiple of the raw spline's cost; above this multiple, gross violations dominate E
 HIDDEN = 0.003  # [m] depth between samples that is ignored, of an adult
 RUN = 400  # [1] smallest number of samples in a run
-RUN_ENTRIES = 8000  # [1] samples times columns of a run, small enough for its arrays to fit in the processor's cache
 
 
 @dataclass(frozen=True)
@@ -310,7 +309,7 @@ def segment_integrals(objective: Objective, path: Path, times: Array) -> Array:
 
 def run_of(figure: Figure) -> int:
     """Return the number of samples in a run, small enough for its arrays to fit in the processor's cache."""
-    return max(RUN, RUN_ENTRIES // figure.width)
+    return max(RUN, 4 * IN_CACHE // figure.width)
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,7 +12,7 @@ import numpy as np
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.mirror import AXIAL, POLAR, TURN, Mirror
-from dynsplines.solver.curve.symmetry import UNPAIRED, WORLD
+from dynsplines.solver.curve.symmetry import UNEVEN, UNPAIRED, WORLD
 from dynsplines.solver.figure.figure import Figure, JointKind, quaternion_columns
 from dynsplines.solver.posing import rest_rotation
 from dynsplines.solver.surface.points import Point
@@ -38,8 +38,6 @@ from .table import (
 Placed = TypeVar("Placed", bound=Table)
 Obstacle = TypeVar("Obstacle", BoxTable, SphereTable, BarTable)
 Turned = TypeVar("Turned", bound=RotationTable)
-
-NEAR = 0.02  # [1] maximum distance of a point from the image of its partner, relative to the figure's size
 
 
 @dataclass(frozen=True)
@@ -90,7 +88,7 @@ class _Sides:
             if (there := self._point(other)).link == partner
         }
         best = min(away, key=lambda candidate: (away[candidate], candidate != name), default=None)
-        return best if best is not None and away[best] <= NEAR * self.mirror.size else None
+        return best if best is not None and away[best] <= UNEVEN * self.mirror.size else None
 
     def _point(self, name: str) -> Point:
         """Return a site, a foot, the middle of a geom or the origin of a body."""

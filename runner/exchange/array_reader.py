@@ -17,7 +17,7 @@ from ..system import size_limit
 from ..system.quantity import LARGEST
 from .gaps import bridge
 
-NUMBER = 8  # [bytes] of a number in double precision
+NUMBER = np.dtype(float).itemsize  # [bytes]
 SAMPLES = "samples"  # name of the first axis of arrays with one row per sample
 
 

@@ -14,7 +14,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.array import IN_CACHE, Array, Index, Mask
 from dynsplines.solver.tolerances import SINGLE, TINY
 
 from ..scene.mujoco_versions import lamp
@@ -34,7 +34,6 @@ HAZE_START, HAZE_LENGTH = 9.0, 28.0  # [m] distance at which haze begins, and le
 SHADE, SHADE_HEIGHT = 0.6, 0.25  # share of light that a foot on the ground takes, and length scale of its decrease [m]
 SHADE_TEXELS = 1024  # width and height of the map of heights above the ground
 FADING = 4.0  # [1] reciprocal of the share of a repetition of a texture at whose extent per pixel it has faded
-AT_ONCE = 20_000  # faces or samples at once, few enough for the processor's cache
 
 
 class Eye(NamedTuple):
@@ -94,8 +93,8 @@ class Faces:
         nearest, winner = np.zeros(width * height), np.full(width * height, -1)
         low = np.clip(np.ceil(self._low - at), 0, self._size).astype(int)
         high = np.clip(np.floor(self._high - at), -1, self._size - 1).astype(int)
-        for start in range(0, len(self.edges), AT_ONCE):
-            part = slice(start, start + AT_ONCE)
+        for start in range(0, len(self.edges), 10 * IN_CACHE):
+            part = slice(start, start + 10 * IN_CACHE)
             face, row = _runs(high[part, 1] - low[part, 1] + 1)
             face += start
             row += low[face, 1]
@@ -183,8 +182,8 @@ class Raster:
         pixel = np.concatenate([inner, np.tile(edge, len(SAMPLES))])
         sample = np.repeat([0, *range(len(SAMPLES))], [len(inner)] + len(SAMPLES) * [len(edge)])
         colour = np.empty((len(pixel), 3), np.float32)
-        for start in range(0, len(pixel), AT_ONCE):
-            part = slice(start, start + AT_ONCE)
+        for start in range(0, len(pixel), 10 * IN_CACHE):
+            part = slice(start, start + 10 * IN_CACHE)
             which = sample[part], pixel[part]
             x, y = which[1] % self._width + SAMPLES[which[0], 0], which[1] // self._width + SAMPLES[which[0], 1]
             colour[part] = self._colour(view, x, y, face[which], closeness[which])

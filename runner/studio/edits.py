@@ -15,10 +15,9 @@ from ..clip.kinds import KINDS, Options
 from ..clip.parse import is_too_near
 from ..errors import UserError
 from . import blocks
-from .blocks import DOTTED, Blocks, drop_dotted, number, put, put_dotted, row
+from .blocks import DIGITS, DOTTED, Blocks, drop_dotted, number, put, put_dotted, row
 
 ROOTS = ("keyframe", "contact", "grasp", "scene", "solve")  # tables that the page may edit, without names of files
-TIME_DIGITS = 6  # decimal places of pasted times [s]
 WHOLE = ("scene", "solve")  # tables in which whole numbers stay whole when they are changed
 
 
@@ -160,7 +159,7 @@ def paste_keys(tree: Blocks, *, copied: Sequence[Mapping[str, Any]], time: float
         raise UserError("nothing has been copied: select keyframes and press Ctrl-C first")
     begin = number(time, "the time") - float(copied[0]["time"])
     for key in copied:
-        at = round(float(key["time"]) + begin, TIME_DIGITS)
+        at = round(float(key["time"]) + begin, DIGITS)
         delete_keys(tree, keys=[index for index, other in enumerate(times(tree)) if is_too_near(other, at)])
         add_key(tree, entries={**real(key), "time": at})
     return "paste a keyframe" if len(copied) == 1 else f"paste {len(copied)} keyframes"

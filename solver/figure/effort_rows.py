@@ -19,7 +19,7 @@ from functools import cached_property, partial
 
 import numpy as np
 
-from ..array import Array, Index, Mask
+from ..array import IN_CACHE, Array, Index, Mask
 from .adjoint import Cotangent
 from .algebra import cross, dot, rotate
 from .dynamics import InverseDynamics, RootWrench
@@ -27,7 +27,6 @@ from .kinematics import LinkMotion, Samples
 from .turns import add_rows_of_shifts, add_rows_of_turns, followers, following, indices_of, places, turning
 from .wrenches import Wrenches, every_axis, of_point
 
-AT_ONCE = 20_000  # pairs of joints times samples in memory at once, about 9 MB per derived array
 PRODUCT = (1, 2, 1)  # binomial coefficients of the second derivative of a product
 
 
@@ -304,7 +303,7 @@ class _Shifts:
 
 def _pairs(links: _Links, moves: _Turns | _Shifts) -> Iterator[tuple[Index, Index, Array]]:
     """Yield joints (P,), other joints (P,) on which their efforts depend, and the changes about the former anchors."""
-    path, most = links.figure.tables.path > 0, max(1, AT_ONCE // links.samples.count)
+    path, most = links.figure.tables.path > 0, max(1, 10 * IN_CACHE // links.samples.count)
     has_effort = ~np.isin(np.arange(len(path)), [0, *links.figure.tables.free_links])
     change = moves.of(moves.joints)
     for moved, joint in _runs(path[moves.joints] & has_effort, most):

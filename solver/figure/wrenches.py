@@ -23,7 +23,7 @@ from functools import lru_cache
 import numpy as np
 
 from .. import compiled
-from ..array import Array, Index, Mask
+from ..array import IN_CACHE, Array, Index, Mask
 from .algebra import cross, dot, rotate_back
 from .figure import Figure
 from .kinematics import Samples
@@ -40,7 +40,6 @@ from .turns import (
 )
 
 VECTORS = ("force", "torque", "force_d", "torque_d", "torque_dd")
-AT_ONCE = 2000  # number of wrenches processed at once, so that their vectors stay in cache
 NONE = np.zeros(0)  # the kernel's argument for kinds of joints that the figure does not have
 
 
@@ -105,8 +104,8 @@ class Wrenches:
         if compiled.kernel is not None:
             return _compiled_rows(samples, self)
         out = np.zeros((self.at.size, self.orders, samples.y.shape[1]))
-        for first in range(0, self.at.size, AT_ONCE):
-            run = slice(first, first + AT_ONCE)
+        for first in range(0, self.at.size, IN_CACHE):
+            run = slice(first, first + IN_CACHE)
             _Sweep(samples, self.select(run)).add_to(out[run])
         return out
 

@@ -9,7 +9,6 @@ from .newton import GaussNewton
 from .nlopt_methods import LBFGS, METHODS, algorithm
 
 WIDEST = 300  # largest number of columns of the state; time and memory of Newton steps are at least quadratic in it
-FINE = 1e-7  # [1] default tolerance of `optimise`, relative to E
 
 
 def check_method(method: str | Optimiser) -> None:
@@ -62,7 +61,7 @@ def minimise(
 
 
 def optimise(
-    objective: Objective, timeline: Timeline, *, max_evaluations: int = MOST_EVALUATIONS, tolerance: float = FINE
+    objective: Objective, timeline: Timeline, *, max_evaluations: int = MOST_EVALUATIONS, tolerance: float = TOLERANCE
 ) -> Timeline:
     """Return the timeline with its variable frames at the nearest minimum of E.
 

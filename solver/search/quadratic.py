@@ -27,7 +27,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .. import compiled
-from ..array import ENTRIES_AT_ONCE, Array, Index, Mask
+from ..array import ENTRIES_AT_ONCE, IN_CACHE, Array, Index, Mask
 from ..curve import banded
 from ..curve.elimination import LOCAL, Elimination
 from ..curve.quadrature import gauss_nodes
@@ -40,7 +40,7 @@ from ..penalty.curvature import Curvature, OneSidedResiduals
 from ..tolerances import ROUNDING, TINY
 
 POINTS = 2  # nodes per span for the curvature of smooth terms, which needs fewer nodes than E
-SPANS_AT_ONCE, SPAN_ENTRIES = 32, 2000  # spans in a run: at least 32, else 2000 / columns, to stay in cache
+SPANS_AT_ONCE = 32  # least number of spans in a run
 STIFF = 1e6  # [1] stiffness of springs relative to the median curvature, so that fixed entries hardly move
 SHARE_OF_POSITION = 0.3  # [1] weight of positions in F, relative to accelerations at the keyframes' spacing
 MOST_CHANGES = 15  # maximum number of changes of the active set
@@ -89,7 +89,7 @@ class Layout:
         t, self.weights = gauss_nodes(np.asarray(spline.times), POINTS)
         nodes = Sampling.of(spline, t)
         sampling = self.basis.sample(nodes)
-        at_once = max(SPANS_AT_ONCE, SPAN_ENTRIES // self.width)
+        at_once = max(SPANS_AT_ONCE, IN_CACHE // self.width)
         edges = [*range(0, spline.times.size - 1, at_once), spline.times.size - 1]
         runs = [slice(POINTS * a, POINTS * b) for a, b in pairwise(edges)]
         self.pieces = [(nodes.piece(run), sampling.piece(run)) for run in runs]
