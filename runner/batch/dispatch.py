@@ -33,7 +33,7 @@ from . import solving
 from .inputs import Contents, InputSource, sources, task_of
 from .manifest import Entry, Manifest, Tally, check_below, digest_of
 from .solving import SolveTask
-from .task import BatchOptions, Outcome, Result
+from .task import BatchOptions, Result
 
 ENDED = "each worker that tried to solve it ended: a crash, or too little memory"
 PATIENCE_SECONDS = 10  # [s] time limit of connecting and of closing a client
@@ -125,7 +125,7 @@ class Batch:
         for future in completed:
             source, digest = self.running.pop(future)
             outcome = _outcome(future, client)
-            self._finish(source, "" if outcome is None else digest, outcome or Outcome(ENDED))
+            self._finish(source, "" if outcome is None else digest, outcome or Result(ENDED))
             completed.update(self._submit(client))
             self._report_progress()
         self._report_progress(force=True)
@@ -141,7 +141,7 @@ class Batch:
             except (UserError, OSError) as error:
                 where = f"'{error.filename}': " if isinstance(error, OSError) and error.filename else ""
                 text = error.strerror if isinstance(error, OSError) and error.strerror else str(error)
-                self._finish(source, "", Outcome(one_line(f"{where}{text}")))
+                self._finish(source, "", Result(one_line(f"{where}{text}")))
                 continue
             digest = task.digest  # it may have changed
             task = replace(task, output=f"{source.name.name}{self.options.suffix}", allow_outside=is_allowed())
@@ -150,7 +150,7 @@ class Batch:
             futures.append(future)
         return futures
 
-    def _finish(self, source: InputSource, digest: str, outcome: Outcome) -> None:
+    def _finish(self, source: InputSource, digest: str, outcome: Result) -> None:
         """Write the files of a solved clip, and record its result."""
         files = {(source.name.parent / name).as_posix(): content for name, content in outcome.files.items()}
         hashes = {path: digest_of(content) for path, content in files.items()}
@@ -161,7 +161,7 @@ class Batch:
         for path, content in reversed(files.items()):
             _write(self.folder / path, content)
         self.written |= hashes
-        result = {member.name: getattr(outcome, member.name) for member in fields(Result)}
+        result = {member.name: getattr(outcome, member.name) for member in fields(Result) if member.name != "files"}
         state: Literal["done", "failed"] = "failed" if outcome.error else "done"
         about: dict[str, Any] = {"clip": str(source.name), "source": source.place(self.folder), "input": digest}
         self.manifest.record(Entry(state=state, files=hashes, **about, **result))
@@ -184,7 +184,7 @@ class Batch:
         self.progress.step("batch", over / self.total, f"{counts} of {self.total}{note}", force=force)
 
 
-def _outcome(future: Any, client: Client) -> Outcome | None:
+def _outcome(future: Any, client: Client) -> Result | None:
     """Return the outcome of a clip; None if its workers ended. Raises UserError if the workers no longer exist."""
     try:
         return future.result()

@@ -35,8 +35,8 @@ class Entry(Result):
         source: Its path relative to the manifest's folder; "shipped:NAME" for a shipped clip.
         input: A hash of everything on which the output depends; "" to try the clip again, if it could not be read or
             its workers ended.
-        files: The files of the result in the manifest's folder, with their hashes: the output first, then files that
-            belong to it, such as meshes. Several clips may share such a file.
+        files: The files of the result in the manifest's folder, with their hashes. Several clips may share a file that
+            belongs to an output.
     """
 
     clip: str

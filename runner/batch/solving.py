@@ -17,13 +17,13 @@ from distributed import get_worker
 from ..errors import UserError, locate, one_line
 from ..picture.graphics import do_without
 from ..system import mujoco_warnings
-from .task import NPZ, Outcome, Task, program
+from .task import NPZ, Result, Task, program
 
 if TYPE_CHECKING:
     from ..clean.command import Source
     from ..motion import Saved
 
-SolveTask = Callable[[Any, Path], Outcome]
+SolveTask = Callable[[Any, Path], Result]
 
 GRACE_SECONDS = 10.0  # [s] time after the limit in which the work should end
 ONE_AT_A_TIME = threading.Lock()  # MuJoCo's handler of warnings is one of the process
@@ -33,7 +33,7 @@ class _TimeLimit(BaseException):
     """The time limit of a clip is exceeded."""
 
 
-def outcome_of(solve_task: SolveTask, task: Any, seconds: float) -> Outcome:
+def outcome_of(solve_task: SolveTask, task: Any, seconds: float) -> Result:
     """Return the outcome of solve_task(task, empty folder), also if it raises an error or takes longer than `seconds`.
 
     If native code does not respond to the time limit, the process ends, and Dask replaces it.
@@ -54,13 +54,13 @@ def outcome_of(solve_task: SolveTask, task: Any, seconds: float) -> Outcome:
                 watch.join()
         except _TimeLimit:
             ended.set()
-            outcome = Outcome(f"it took longer than {seconds:g} s")
+            outcome = Result(f"it took longer than {seconds:g} s")
         except MemoryError as error:
-            outcome = Outcome(f"it took more memory than there is ({one_line(error)})")
+            outcome = Result(f"it took more memory than there is ({one_line(error)})")
         except UserError as error:
-            outcome = Outcome(one_line(error))
+            outcome = Result(one_line(error))
         except Exception as error:
-            outcome = Outcome(locate(error))
+            outcome = Result(locate(error))
     return replace(outcome, seconds=round(time.monotonic() - begin, 3))
 
 
@@ -72,7 +72,7 @@ def _watch(thread: int, ended: threading.Event, seconds: float) -> None:
             os._exit(1)
 
 
-def solve(task: Task, folder: Path) -> Outcome:
+def solve(task: Task, folder: Path) -> Result:
     """Return the files of the motion, and its violations, with MuJoCo's warnings among the notes.
 
     `folder` is an empty one for the clip's files. Raises UserError for an invalid clip.
@@ -92,7 +92,7 @@ def solve(task: Task, folder: Path) -> Outcome:
     return replace(outcome, notes=(*outcome.notes, *warned))
 
 
-def _solve(task: Task, folder: Path) -> Outcome:
+def _solve(task: Task, folder: Path) -> Result:
     from .. import recordings, solving
     from ..measure.violation import plain
     from ..system.progress import silent
@@ -104,7 +104,7 @@ def _solve(task: Task, folder: Path) -> Outcome:
     return replace(_write(result.motion, task, folder, task.options.fps), violations=tuple(plain(result.violations)))
 
 
-def _clean(task: Task, cleaning: Source, folder: Path) -> Outcome:
+def _clean(task: Task, cleaning: Source, folder: Path) -> Result:
     from ..clean import command
     from ..measure import violation
     from ..solving import Solved
@@ -119,7 +119,7 @@ def _clean(task: Task, cleaning: Source, folder: Path) -> Outcome:
     return replace(_write(saved, task, folder, None), violations=tuple(violations))
 
 
-def _write(saved: Saved, task: Task, folder: Path, fps: float | None) -> Outcome:
+def _write(saved: Saved, task: Task, folder: Path, fps: float | None) -> Result:
     """Write a motion in the requested format, and read back all files."""
     from .. import motion
     from ..exchange import formats
@@ -133,4 +133,4 @@ def _write(saved: Saved, task: Task, folder: Path, fps: float | None) -> Outcome
     else:
         formats.export(saved, task.options.to, target, fps=fps, report=notes.append)
     files = {path.name: path.read_bytes() for path in [target, *sorted(staging.iterdir())]}
-    return Outcome(files=files, notes=tuple(note for note in notes if not note.startswith(f"wrote {staging}{os.sep}")))
+    return Result(files=files, notes=tuple(note for note in notes if not note.startswith(f"wrote {staging}{os.sep}")))

@@ -110,16 +110,11 @@ class Result:
         seconds: The duration of the work [s].
         violations: The violations, worst first, as tables.
         notes: Content that the output's format cannot store, and warnings.
+        files: The files of the motion by name: the output first, then files that belong to it, such as meshes.
     """
 
     error: str = ""
     seconds: float = 0.0
     violations: tuple[Annotated[Mapping[str, Any], AfterValidator(_violation)], ...] = ()
     notes: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True)
-class Outcome(Result):
-    """A result, and the files of the motion by name: the output first, then files that belong to it, such as meshes."""
-
-    files: Mapping[str, bytes] = field(default_factory=dict)
+    files: Mapping[str, Any] = field(default_factory=dict)

@@ -8,13 +8,13 @@ from pathlib import Path
 
 import numpy as np
 
-from dynsplines.batch.task import Outcome, Task
+from dynsplines.batch.task import Result, Task
 from dynsplines.errors import UserError
 
 EXITS: list[int] = []
 
 
-def perform(task: Task, folder: Path) -> Outcome:
+def perform(task: Task, folder: Path) -> Result:
     """As the clip's text says: "DEED VALUE"."""
     assert not list(folder.iterdir())
     (folder / "litter").write_text("here")
@@ -38,4 +38,4 @@ def perform(task: Task, folder: Path) -> Outcome:
             raise UserError(value)
         case "stumble":
             raise ZeroDivisionError("of nothing")
-    return Outcome(files={task.output: f"{deed} {value}".encode()})
+    return Result(files={task.output: f"{deed} {value}".encode()})
