@@ -95,7 +95,7 @@ def exported(saved: Saved, kind: str, folder: Path, **more: Any) -> tuple[Path, 
 def came_back(saved: Saved, target: Path, figure: str | None = "human", tolerance: float = 1e-9, **more: Any) -> None:
     """A file read again brings every body to where it was, at the same times from 0 on."""
     back, before = read_recording(target, figure=figure, **more), samples(saved)
-    assert abs(back.fps - saved.fps) < 1e-6
+    assert abs(back.rate - saved.fps) < 1e-6
     np.testing.assert_allclose(back.time - back.time[0], before.time - before.time[0], atol=1e-9)
     same_poses(saved.figure.model, before.qpos, back.qpos, tolerance)
 
