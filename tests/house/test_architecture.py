@@ -128,7 +128,7 @@ STRATA = {
         objective posing
         search
         refine
-        problem solution
+        problem
         inbetween edit
     """,
     "runner": """
