@@ -35,6 +35,7 @@ from .manifest import Entry, Manifest, Tally, check_below, digest_of
 from .solving import SolveTask
 from .task import BatchOptions, Result
 
+READING_EVERY = 500  # clips per line of progress
 ENDED = "each worker that tried to solve it ended: a crash, or too little memory"
 PATIENCE_SECONDS = 10  # [s] time limit of connecting and of closing a client
 CLOSING_SECONDS = 1  # [s] time limit of the end of a worker, which is then killed
@@ -98,7 +99,8 @@ class Batch:
         recorded = {name.casefold(): entry for name, entry in self.manifest.entries.items()}
         places: dict[str, str] = {}
         for number, source in enumerate(clips, 1):
-            self.progress.step("reading", number / len(clips), f"{number} of {len(clips)} clips")
+            if number % READING_EVERY == 0:
+                self.progress.step("reading", number / len(clips), f"{number} of {len(clips)} clips")
             name, place = str(source.name), source.place(self.folder)
             try:
                 digest = task_of(source, self.figures, self.options).digest

@@ -55,7 +55,7 @@ def test_a_model_made_of_few_spans_at_once_is_the_same(rng, ends, monkeypatch):
     problem, x = gradients.smooth_problem(gradients.tiny_clip(rng, ends, "world"), figure, rng)
     gradient, spans = problem(x).gradient, problem.spline.times.size - 1
     step, promised, _ = QuadraticModel(Layout(problem), x, gradient).minimise(0.1)
-    monkeypatch.setattr("dynsplines.solver.search.quadratic.SPAN_ENTRIES", 0)
+    monkeypatch.setattr("dynsplines.solver.search.quadratic.IN_CACHE", 0)
     for at_once in (1, 2, 4, spans - 1, spans, spans + 1):
         monkeypatch.setattr("dynsplines.solver.search.quadratic.SPANS_AT_ONCE", at_once)
         layout = Layout(problem)
