@@ -146,25 +146,34 @@ class Stander:
         if all(key.is_key for key in keys):
             return list(keys)
         try:
-            schedule = self._schedule(self.timeline(keys))
+            keys, schedule = self._grounded(keys)
         except TimelineError:  # loading the clip reports it
             return list(keys)
         is_loop = schedule.keys.ends == "periodic"  # whose last keyframe is the first
         unposed = [k for k, key in enumerate(keys) if not key.is_key][: len(keys) - is_loop]
         posed = [self._pose(key, schedule, k) if k in unposed else key for k, key in enumerate(keys)]
-        grounding = Grounding.of(replace(schedule, keys=self.timeline(posed)))
-        return posed if grounding is None else grounding.put_down(posed, schedule)
+        return _put_down(posed, replace(schedule, keys=self.timeline(posed)), schedule)
+
+    def _grounded(self, keys: Sequence[Frame], but: int = -1) -> tuple[Sequence[Frame], ContactSchedule]:
+        """Return the keyframes with standing ones on the ground, but for one, and their contacts. Feet have stances
+        only in keyframes of known heights. Raises TimelineError."""
+        schedule = self._schedule(self.timeline(keys))
+        grounded = _put_down(keys, schedule, schedule)
+        grounded = [keys[k] if k == but else key for k, key in enumerate(grounded)]
+        if all(one is key for one, key in zip(grounded, keys, strict=True)):
+            return keys, schedule
+        return grounded, self._schedule(self.timeline(grounded))
 
     def feet_goals(self, keys: Sequence[Frame], k: int, goals: Sequence[Goal]) -> tuple[Timeline, list[Goal]]:
         """Return the keyframes' timeline, and goals of feet in a stance at keyframe k, for limbs without goals.
 
         These are only feet that the goals also move; `pose_feet` handles others.
         """
-        figure, timeline = self.figure, self.timeline(keys)
+        figure, schedule = self.figure, self._grounded(keys, but=k)[1]
         may_move = entries_of(figure, goals) & ~keys[k].fixed
         busy = {link for goal in goals for link in figure.limb(goal.bodies(figure.model)[0])}
-        groups = goals_at(self._schedule(timeline), k) if may_move.any() else []
-        return timeline, [
+        groups = goals_at(schedule, k) if may_move.any() else []
+        return schedule.keys, [
             goal
             for group in groups
             if figure.body_link[group[0].bodies(figure.model)[0]] not in busy
@@ -214,6 +223,12 @@ class Stander:
                 return pose.qpos, pose.fixed & free
             del goals[int(np.argmax(pose.missed))]
         return home, np.zeros(self.figure.width, bool)
+
+
+def _put_down(keys: Sequence[Frame], schedule: ContactSchedule, before: ContactSchedule) -> list[Frame]:
+    """Return the keyframes of a schedule with standing ones moved onto the ground, see `Grounding.put_down`."""
+    grounding = Grounding.of(schedule)
+    return list(keys) if grounding is None else grounding.put_down(keys, before)
 
 
 def _during(tables: Sequence[ContactTable], first: float, last: float) -> Iterator[ContactTable]:

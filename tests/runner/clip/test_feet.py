@@ -272,6 +272,32 @@ def test_feet_stay_where_they_stand_if_the_root_may_go_anywhere():
         assert max(np.linalg.norm((site(problem, qpos, name) - place)[:2]) for qpos in seen) < 0.01
 
 
+FREE_LEGS = "".join(f'joints.{s}_{j} = "free"\n' for s in ("left", "right") for j in ("hip", "knee", "ankle"))
+
+
+@pytest.mark.parametrize(
+    "free",
+    [
+        f'others = "previous"\nroot.position = ["free", "free", 0.75]\n{FREE_LEGS}',
+        "sites.left_hand = [0.45, 0.1, 0.9]\n",
+    ],
+    ids=["squat", "reach"],
+)
+def test_free_legs_keep_their_feet_and_balance_between_keyframes_that_are_put_down(free):
+    problem = read(STANDING + OPEN, free, STANDING + OPEN)
+    at = {
+        f"{s}_{end}": site(problem, problem.keys[0].state, f"{s}_{end}")
+        for s in ("left", "right")
+        for end in ("heel", "toe")
+    }
+    lower, upper = np.min(list(at.values()), axis=0)[:2], np.max(list(at.values()), axis=0)[:2]
+    for qpos in path(problem):
+        centre = kinematics(problem.figure.model, qpos).subtree_com[1]
+        assert np.all((centre[:2] > lower) & (centre[:2] < upper))
+        for name, place in at.items():
+            assert np.linalg.norm(site(problem, qpos, name) - place) < 0.01
+
+
 def test_feet_that_are_far_from_where_they_stood_do_not_drag_the_root_along():
     lunge = """others = "rest"
 joints.left_hip = {rotvec = [0, -50, 0]}
