@@ -32,7 +32,7 @@ BOUNDS = {
         Bound("aloft", 0.02, "m"),  # a home pose of a robot may be some millimetres above the floor
         Bound("float", 0.05, "m"),  # as much as feet in captured walks are above the ground between steps
         Bound("unsupported", 0.3, ""),  # of the weight; a captured run lacks 0.26, walks and steps 0.03
-        Bound("toppling", 0.3, ""),  # of weight times height; a captured run lacks 0.15, walks and steps 0.04
+        Bound("toppling", 0.22, ""),  # of weight times height; a captured run lacks 0.15, a kick 0.12, walks 0.07
         Bound("unbalanced", 0.05, "m"),  # a captured kick on one leg has 22 mm, and soles are wider than their points
         Bound("slide", 0.05, "m"),  # more than a sole moves while it lands in a run
         Bound("drag", 0.1, "m"),  # heels and toes of captured feet scuff up to 7 cm
