@@ -24,6 +24,7 @@ from PIL import Image
 
 from ..errors import UserError
 from ..system import output
+from ..system.workers import AHEAD
 
 if TYPE_CHECKING:  # stills and GIFs need no video library
     import av
@@ -33,7 +34,6 @@ Picture = NDArray[np.uint8]
 Writer = Callable[[Path, Iterator[Picture], float], None]
 Item = TypeVar("Item")
 
-MOST_WAITING = 2  # maximum number of frames that wait for the encoder
 SHEET_PICTURES = 12  # maximum number of frames on a contact sheet
 SHEET_TILE = 480  # [pixels] longer side of a frame on a contact sheet
 SHEET_MARGIN = 8  # [pixels] between frames on a contact sheet
@@ -123,7 +123,7 @@ def _in_a_thread(work: Callable[[Item], None], items: Iterable[Item]) -> None:
         waiting: deque[Future[None]] = deque()
         for item in items:
             waiting.append(thread.submit(work, item))
-            while len(waiting) > MOST_WAITING:
+            while len(waiting) > AHEAD:
                 waiting.popleft().result()
         for done in waiting:
             done.result()

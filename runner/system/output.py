@@ -28,8 +28,8 @@ except ImportError:  # Windows has no locks
 
 NO_ROOM = (errno.ENOSPC, errno.EFBIG, errno.EDQUOT)  # errors whose message lacks the file's name
 ALL = 0o666  # mode of a new file, which the umask restricts
-OWNER = 0o600
-MODE = 0o777  # bits of an older file's mode that are preserved
+OWNER = stat.S_IRUSR | stat.S_IWUSR
+MODE = stat.S_IRWXU | stat.S_IRWXG | stat.S_IRWXO  # bits of an older file's mode that are preserved
 MOST_OF_A_NAME = 40  # characters of the target's name in a temporary name, at most 160 of its 255 bytes
 TEMPORARY = re.compile(r"\..*\.[0-9a-f]{16}\.partial(\.[^./]*)?", re.DOTALL)
 REFUSED = {

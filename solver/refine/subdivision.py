@@ -14,17 +14,17 @@ import numpy as np
 
 from ..array import ENTRIES_AT_ONCE, Array, Index
 from ..curve.frame import Frame, Timeline
-from ..curve.quadrature import gauss_nodes
+from ..curve.quadrature import Quadrature, gauss_nodes
 from ..curve.spline import Path, Sampling, Spline, path_of
 from ..objective import Objective
 from ..penalty.block import one_sided_residuals
 from ..penalty.curvature import Curvature
+from ..search.quadratic import POINTS
 from ..tolerances import ROUNDING, SMALLEST
 
 # default initial number of variable frames per segment: FEW if the clip is solved as a whole, MORE if in windows
 FEW, MORE = 2, 3
 NODES = 8  # nodes per span of the strong form's integrals
-GRADIENT_NODES, HESSIAN_NODES = 5, 2  # nodes per span of the weak form's first and second derivatives
 WINDOW = 60  # maximum number of spans whose curvature is in memory
 REACH = 4  # spans on either side of a frame in which its cardinal function is used
 
@@ -98,7 +98,7 @@ class WeakForm:
 
     def _gradients(self, spline: Spline) -> Array:
         """Return dE/dY for the rows of the refined spline, (M + 2, N)."""
-        t, w = gauss_nodes(np.asarray(spline.times), GRADIENT_NODES)
+        t, w = gauss_nodes(np.asarray(spline.times), Quadrature().points)
         gradients = self.objective.sample_gradients(self.objective.samples(self.path, t))
         return Sampling.of(spline, t).pulled_back([w[:, None] * g for g in gradients])
 
@@ -112,14 +112,14 @@ class WeakForm:
             near = np.flatnonzero((place + REACH > first) & (place - REACH < last))
             if not near.size:
                 continue
-            nodes, shares = gauss_nodes(times[first : last + 1], HESSIAN_NODES)
+            nodes, shares = gauss_nodes(times[first : last + 1], POINTS)
             curvature = self._curvature(nodes, shares)
             unit = np.zeros((spline.size, near.size))
             unit[place[near], np.arange(near.size)] = 1
             coefficients = spline.coefficients(unit)
             phi = np.stack([spline.basis(nodes, order) @ coefficients for order in range(3)], axis=1)
             for k, c in enumerate(near):
-                begin, end = (HESSIAN_NODES * (int(place[c]) + reach - first) for reach in (-REACH, REACH))
+                begin, end = (POINTS * (int(place[c]) + reach - first) for reach in (-REACH, REACH))
                 out[c] += curvature.quadratic(phi[:, :, k], max(begin, 0), min(end, nodes.size))
         return out
 

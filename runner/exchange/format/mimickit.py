@@ -32,7 +32,7 @@ from ..recording import Recording
 from ..robot import needs_figure
 from ..skeleton.hierarchy import euler_angles
 
-CLAMP, WRAP = 0, 1  # values of loop_mode
+WRAP = 1  # loop_mode of a motion that repeats; 0 of others
 
 
 @dataclass(frozen=True)
@@ -109,7 +109,7 @@ def write(sampled: Sampled, path: Path) -> list[str]:
     root, joints = parts(sampled.model)
     at, turn = whole.qpos[:, root : root + 3], quat.rotation_vector(whole.qpos[:, root + 3 : root + 7])
     frames = np.concatenate([at, turn, *(part.numbers(whole.qpos) for part in joints)], axis=1)
-    entries = {"loop_mode": WRAP if is_loop and not turns else CLAMP, "fps": whole.fps, "frames": frames.tolist()}
+    entries = {"loop_mode": WRAP * (is_loop and not turns), "fps": whole.fps, "frames": frames.tolist()}
     plain_pickle.dump(entries, path)
     if turns:
         return ["the format has no loops that rotate: one period is written, without a loop"]

@@ -22,7 +22,7 @@ from ...system.mujoco_warnings import quietly
 from ..simulation import Simulation
 from .mjcf_keys import write_keys
 
-ANGLE, DISTANCE = 0.05, 0.05  # [rad] and [m] largest deviations of a scene that follows its motion
+FOLLOWS = 0.05  # [rad, m] largest deviation of a scene that follows its motion
 LOST = 2.0  # [1] deviation at which the figure is lost, relative to the largest of a scene that follows
 
 
@@ -52,7 +52,7 @@ class Tracking:
     @property
     def share(self) -> Array:
         """The deviations (S, nv), relative to the allowed ones."""
-        return self.deviation / np.where(self.is_length, DISTANCE, ANGLE)
+        return self.deviation / FOLLOWS
 
     @property
     def is_within(self) -> bool:
@@ -83,7 +83,7 @@ def simulate(simulation: Simulation, sampled: Sampled) -> Tracking:
         is_length[dof : dof + (3 if kind == JointKind.FREE else int(kind == JointKind.SLIDE))] = True
     times, errors, is_unstable = [first], [np.zeros(model.nv)], False
     with quietly():
-        while data.time < end and not is_unstable and errors[-1][is_length].max(initial=0) < LOST * DISTANCE:
+        while data.time < end and not is_unstable and errors[-1][is_length].max(initial=0) < LOST * FOLLOWS:
             before = data.time
             data.ctrl = aims(before)
             mujoco.mj_step(model, data)
@@ -107,12 +107,12 @@ def note(tracking: Tracking, model: mujoco.MjModel) -> str:
         return f"mj_step of the scene stays within {size} of the motion for {lasts:.2g} s"
     at, dof = tracking.leaves
     name = model.joint(int(model.dof_jntid[dof])).name
-    off = f"{100 * DISTANCE:g} cm" if is_length[dof] else f"{ANGLE:g} rad"
+    off = f"{100 * FOLLOWS:g} cm" if is_length[dof] else f"{FOLLOWS:g} rad"
     when, then = tracking.time[at] - tracking.time[0], f"up to {size} after {lasts:.2g} s"
     if tracking.is_unstable:
         then = "MuJoCo stops the simulation"
     elif tracking.is_lost:
-        then = f"it falls or drifts, {100 * LOST * DISTANCE:g} cm off after {lasts:.2f} s"
+        then = f"it falls or drifts, {100 * LOST * FOLLOWS:g} cm off after {lasts:.2f} s"
     return f"mj_step of the scene leaves the motion: '{name}' by {off} after {when:.2f} s, {then}"
 
 

@@ -12,7 +12,7 @@ import pytest
 from texts import read_cases
 
 from dynsplines.errors import UserError
-from dynsplines.picture.film import MOST_WAITING, SHEET_PICTURES, _in_a_thread, check_target, write
+from dynsplines.picture.film import AHEAD, SHEET_PICTURES, _in_a_thread, check_target, write
 from dynsplines.picture.show import caption, side_by_side
 from dynsplines.scene.framing import spread
 
@@ -163,7 +163,7 @@ def test_an_error_of_the_encoder_stops_the_drawing_and_is_not_lost(last: int):
 
     with pytest.raises(OSError, match="No space left"):
         _in_a_thread(full, (drawn.append(item) or item for item in range(100)))
-    assert len(drawn) <= last + MOST_WAITING + 2
+    assert len(drawn) <= last + AHEAD + 2
 
 
 def plain(height: int, width: int, value: int = 120) -> np.ndarray:
