@@ -138,8 +138,6 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "speed": "the speed factor",
             "times": "pairs of a time in the recording and a time in the clip, instead of `at` and `speed`",
             "weight": "a factor of the weights that keep the motion near the recording",
-            "blend": "how long before and after a keyframe the motion may leave the recording, in seconds, at least "
-            "0.01; default: 0.4, but contacts and collisions may change more",
         },
     ),
     "[mirror]": (

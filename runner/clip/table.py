@@ -353,7 +353,6 @@ class RecordingTable(Table):
         speed: The speed factor.
         times: Pairs of a time of the recording and of the clip [s], instead of `at` and `speed`.
         weight: The factor on the weight of the recording [1].
-        blend: The time before and after every keyframe [s] outside which the recording is unchanged.
     """
 
     file: str
@@ -364,7 +363,6 @@ class RecordingTable(Table):
     speed: Annotated[Real, Field(ge=0.05, le=20)] | None = None
     times: list[tuple[Number, Number]] | None = None
     weight: Annotated[Real, Field(gt=0, le=1e6)] = 1.0
-    blend: Annotated[Real, Field(gt=0, le=60)] | None = None
 
     @model_validator(mode="after")
     def check(self) -> Self:

@@ -112,8 +112,8 @@ def build(
             0.002}}.
         solve: The clip file's [solve] table: {"ends": "clamped"} starts and ends the motion at rest, {"ends":
             "periodic"} makes it a loop, {"ends": "mirrored"} completes half a gait cycle.
-        recording: The clip file's [recording] table: {"file": "walk.npz", "blend": 0.4}. The path is relative to the
-            current folder. The motion then follows the recording, except within `blend` [s] of a keyframe.
+        recording: The clip file's [recording] table: {"file": "walk.npz"}. The path is relative to the
+            current folder. The motion then follows the recording, except near keyframes.
         mirror: The clip file's [mirror] table: {"pairs": [["joint1", "joint4"]]}, for joints without left and right in
             their names.
         custom_penalties: Custom soft constraints with their weights, [(Calm(), 0.1)]; files do not store them.

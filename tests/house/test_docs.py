@@ -258,7 +258,7 @@ STATED = {  # the only figures outside generated parts: text, and its numbers in
     "0.3 m {:.2f} s": FALL[1],
     "0.5 m {:.2f} s": FALL[2],
     "gaps of up to {:g} s": repairs.LONGEST_GAP,
-    "Without `blend`, it is {:g} s": recording.EASE,
+    "changes the recording within {:g} s": recording.EASE,
     "a time T > {:g} s apart": objective.LONG,
     "(T / {:g} s)⁴": objective.LONG,
     "less than {:g} s": prior.BRIEF,

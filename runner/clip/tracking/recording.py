@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.recorded_stances import infer_stances
 from dynsplines.solver.contacts.thresholds import Thresholds
@@ -35,18 +35,8 @@ from ..parse import TOLERANCE
 from ..table import RecordingTable
 from .problem import NEXT_TO, tracking_problem
 
-EASE = 0.4  # [s] default of `blend`
+EASE = 0.4  # [s] interval before and after a keyframe over which its change of the recording fades out
 DETAIL = 0.02  # [1] cost per segment of detail that the spline may lose, less than 1 mm; see `TrackingPenalty.times`
-INNER, MARGIN = 0.75, 6  # share of a blend within which frames are free; fixed frames from there to its end
-EXACT = 2e-4  # [m], [1] error in entries of the state (0.02° in a quaternion) above which a fixed frame is inserted
-# end conditions, by whether the slopes at the start and at the end are those of the recording
-ENDS = {
-    (True, True): "clamped",
-    (True, False): "clamped start",
-    (False, True): "clamped end",
-    (False, False): "free",
-}
-SHORTEST = 0.01  # [s] minimum of `blend`, so that most fixed frames near its end are not next to the keyframe
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,12 +44,10 @@ class TrackedRecording:
     """A recording on the time axis of the clip.
 
     Attributes:
-        knots: The times of the recording's frames, (M,) [s].
         table: The [recording] table.
     """
 
     recorded: Track
-    knots: Array
     table: RecordingTable
     where: str
 
@@ -67,12 +55,7 @@ class TrackedRecording:
     def of_motion(cls, figure: Figure, raw: Timeline, table: RecordingTable, where: str) -> TrackedRecording:
         """Return the recording that a saved motion follows, which is its raw path."""
         recorded = Track.of(figure, *_taken_down(figure, raw, RATE / 2), exact=True)
-        return cls(recorded, raw.times, table, where)
-
-    @property
-    def width(self) -> float:
-        """The interval before and after a keyframe that it affects [s]."""
-        return self.table.blend or EASE
+        return cls(recorded, table, where)
 
     def pose(self, time: float) -> Array:
         """Return qpos (nq,) at a time [s] of the clip. Raises UserError if the recording does not cover it."""
@@ -91,19 +74,15 @@ class TrackedRecording:
 
     def problem(self, context: Context, options: Mapping[str, Options], edits: Sequence[Frame]) -> Problem:
         """Return the problem of following the recording through keyframes."""
-        near = TrackingPenalty(self._warp_to(edits), tuple((edit.time, self.width) for edit in edits))
-        unweighted = tracking_problem(near, context, options, self._times(near, edits), edits)
+        near = TrackingPenalty(self._warp_to(edits), tuple((edit.time, EASE) for edit in edits))
+        unweighted = tracking_problem(near, context, options, near.times(DETAIL), edits)
         weights = [(p, self.table.weight * w if p is near else w) for p, w in unweighted.penalties]
-        keys = [self._fixed_outside_blends(frame, edits) for frame in unweighted.keys]
         settings = replace(unweighted.settings, tolerance=TOLERANCE)  # an edit starts far from its goal
         first, last = self.recorded.path.span
-        is_far = (self._is_far(np.array([first, last]), edits) & (self.table.blend is not None)).tolist()
         return replace(
             unweighted,
-            keys=tuple(keys),
             penalties=tuple(weights),
             settings=settings,
-            ends=ENDS[is_far[0], is_far[1]],
             end_slope=self.recorded.path.at(np.array([first, last]), 1),
         )
 
@@ -117,73 +96,18 @@ class TrackedRecording:
         times, is_known = np.array([key.time for key in keys]), np.array([key.known for key in keys], bool)
         wanted = recorded.figure.to_state(np.array([key.state for key in keys]))
         displacements = between(recorded.figure, recorded.path.at(times), wanted, is_known)
-        reach = EASE if self.table.blend is None else INNER * self.table.blend
-        ends = [t for offset in (-reach, reach) for t in times + offset if np.abs(times - t).min() >= reach - ROUNDING]
+        ends = [t for offset in (-EASE, EASE) for t in times + offset if np.abs(times - t).min() >= EASE - ROUNDING]
         every = np.concatenate([times, ends])
         order = np.argsort(every)
         curve = _smooth(every[order], np.vstack([displacements, np.zeros((len(ends), displacements.shape[1]))])[order])
         return recorded.displace(curve(np.clip(recorded.times, every.min(), every.max())))
 
-    def _times(self, near: TrackingPenalty, edits: Sequence[Frame]) -> Array:
-        """Return the times of frames (M,) [s]: the recording's where it is unchanged, otherwise as many as needed."""
-        times = near.times(DETAIL)
-        if self.table.blend is None:
-            return times
-        span, knots = self.recorded.path.span, self._exact_knots()
-        margin, beyond = self._pins(self.table.blend, float(np.diff(knots).max()))
-        beside, spread = (
-            np.array([e.time + offset for e in edits for offset in (*offsets, *-offsets)])
-            for offsets in (margin, beyond)
-        )
-        fixed = [group[self._is_far(group, edits)] for group in (np.clip(beside, *span), knots, np.clip(spread, *span))]
-        least = min(NEXT_TO / 2, float(margin[1] - margin[0]) / 2)
-        return _apart([np.array(span), *fixed, times[~self._is_far(times, edits)]], least)
-
-    def _pins(self, blend: float, longest: float) -> tuple[Array, Array]:
-        """Return the offsets [s] from a keyframe of fixed frames: near the end of its blend, and beyond it.
-
-        In the blend the curve leaves the recording. From there, its deviation decreases by a factor of about 4 per
-        frame, if no interval is much longer than the previous one. Hence the frames beyond the blend have twice the
-        distance each time, up to the longest interval of the recording.
-        """
-        margin = np.linspace(INNER * blend, blend, MARGIN)
-        step = float(margin[1] - margin[0])
-        count = max(0, int(np.ceil(np.log2(longest / step))))
-        return margin, np.array([blend + step * (2.0**k - 2) for k in range(2, count + 2)])
-
-    def _is_far(self, times: Array, edits: Sequence[Frame]) -> Mask:
-        """Return whether times (M,) [s] are outside all blends, (M,)."""
-        keys = np.array([edit.time for edit in edits])
-        return _distances(times, np.sort(keys)) >= INNER * self.width - ROUNDING
-
-    def _exact_knots(self) -> Array:
-        """Return the knots, and midpoints where a spline through the knots alone differs from the recording. A
-        difference arises where the recording's quaternions are not of unit length between its frames."""
-        figure, path = self.recorded.figure, self.recorded.path
-        knots = np.unique(np.clip(self.knots, *path.span))
-        frames = Frame.many(knots, path.at(knots), np.ones((knots.size, figure.width), bool))
-        spline = path_of(Timeline(tuple(frames), path.at(knots[[0, -1]], 1), "clamped"))
-        middles = (knots[1:] + knots[:-1]) / 2
-        errors = figure.to_qpos(spline.at(middles)) - figure.to_qpos(path.at(middles))
-        return np.unique(np.append(knots, middles[np.abs(errors).max(axis=1) > EXACT]))
-
-    def _fixed_outside_blends(self, frame: Frame, edits: Sequence[Frame]) -> Frame:
-        """Return a frame, fixed to the recording if it is outside all blends."""
-        if self.table.blend is None or frame.fixed.any() or not self._is_far(np.array([frame.time]), edits).all():
-            return frame
-        return Frame.key(frame.time, self.pose(frame.time))
-
     def _is_void(self, rest: Contact, edits: Sequence[Frame], specified: Sequence[Contact]) -> bool:
-        """Return whether a stance of the recording is invalid in the clip, or outside all blends."""
-        point, width = rest.point, self.width
-        if self.table.blend is not None and not any(
-            rest.first < edit.time + width and edit.time - width < rest.last for edit in edits
-        ):
-            return True
+        """Return whether a stance of the recording is invalid in the clip."""
         if any(rest.overlaps(other) for other in specified):
             return True
-        near = [edit for edit in edits if rest.first - width < edit.time < rest.last + width]
-        return any(self._moves(point, edit) for edit in near)
+        near = [edit for edit in edits if rest.first - EASE < edit.time < rest.last + EASE]
+        return any(self._moves(rest.point, edit) for edit in near)
 
     def _moves(self, point: Point, edit: Frame) -> bool:
         figure = self.recorded.figure
@@ -194,34 +118,13 @@ class TrackedRecording:
         return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > Thresholds.of(figure).moved
 
 
-def _apart(groups: Sequence[Array], least: float) -> Array:
-    """Return times (M,) [s] that are more than `least` apart; those of the first groups are kept first."""
-    selected = np.empty(0)
-    for group in groups:
-        added = list[float]()
-        for time in np.unique(group[_distances(group, selected) > least]).tolist():
-            if not added or time - added[-1] > least:
-                added.append(time)
-        selected = np.sort(np.append(selected, added))
-    return selected
-
-
-def _distances(times: Array, others: Array) -> Array:
-    """Return the distance [s] of each of the times (M,) from the nearest of others, which rise, (M,)."""
-    padded = np.concatenate([[-np.inf], others, [np.inf]])
-    after = np.searchsorted(others, times)
-    return np.minimum(times - padded[after], padded[after + 1] - times)
-
-
 def recording_to_follow(table: RecordingTable, figure: Figure, motion: Saved | None, where: str) -> TrackedRecording:
     """Return the recording that a clip follows, on the time axis of the clip.
 
     Raises:
-        UserError: For a motion that is missing or of another figure, and for an invalid interval or blend.
+        UserError: For a motion that is missing or of another figure, and for an invalid interval.
     """
     here = f"{where}: recording"
-    if table.blend is not None and table.blend < SHORTEST:
-        raise UserError(f"{here}: blend = {table.blend:g} is too short; choose {SHORTEST:g} s or more")
     if motion is None:
         raise UserError(f"{here}: the motion of '{table.file}' is missing; load the clip with `dynsplines.load`")
     joints = [[link.name for link in model.links[1:]] for model in (figure, motion.figure)]
@@ -233,7 +136,7 @@ def recording_to_follow(table: RecordingTable, figure: Figure, motion: Saved | N
         raise UserError(f"{here}: repeat: {error}") from None
     time, qpos = _cut(*_taken_down(motion.figure, timeline, motion.fps), table, here)
     recorded = Track.of(figure, _clip_time(time, table), qpos, exact=True)
-    return TrackedRecording(recorded, _clip_time(timeline.times, table, time[0]), table, where)
+    return TrackedRecording(recorded, table, where)
 
 
 def _taken_down(figure: Figure, timeline: Timeline, fps: float) -> tuple[Array, Array]:
@@ -259,10 +162,10 @@ def _cut(time: Array, qpos: Array, table: RecordingTable, where: str) -> tuple[A
     return time[used], qpos[used]
 
 
-def _clip_time(time: Array, table: RecordingTable, begin: float | None = None) -> Array:
-    """Return the clip times of times (T,) [s] of the recording, whose used part starts at `begin` or the first."""
+def _clip_time(time: Array, table: RecordingTable) -> Array:
+    """Return the clip times of times (T,) [s] of the used part of the recording."""
     if table.times is None:
-        first = float(time[0]) if begin is None else begin
+        first = float(time[0])
         at = first if table.at is None else table.at
         return at + (time - first) / (table.speed or 1.0)
     return _warp(*np.array(table.times, float).T)(time)

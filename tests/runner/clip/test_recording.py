@@ -32,7 +32,6 @@ figure = "human"
 step = {{x = 2.90, height = 0.35}}
 [recording]
 file = "run.npz"
-{said}
 [[keyframe]]
 time = {time}
 sites.left_hand = [3.95, 0.3, 1.75]
@@ -65,9 +64,9 @@ def bodies(saved_figure, path, times: np.ndarray) -> tuple[np.ndarray, np.ndarra
 
 
 @pytest.mark.slow
-def test_a_reach_is_exact_and_changes_nothing_beyond_its_blend(folder, saved, tmp_path, monkeypatch, command):
+def test_a_reach_is_exact_and_changes_little_of_the_rest(folder, saved, tmp_path, monkeypatch, command):
     """Solved by the command, from another folder."""
-    text = REACH.format(said="blend = 0.4", time=1.75)
+    text = REACH.format(time=1.75)
     (folder / "reach.toml").write_text(text, encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     done = command("solve", folder / "reach.toml", "-o", "reach.npz")
@@ -75,35 +74,15 @@ def test_a_reach_is_exact_and_changes_nothing_beyond_its_blend(folder, saved, tm
     clip = clips.clip_from_motion(solution := motion.load(tmp_path / "reach.npz"))
     found = path_of(solution.timeline)
     times = np.linspace(0, 2.2, 221)
-    (own, turned), (true, turned_before) = (bodies(clip.figure, p, times) for p in (found, path_of(saved.timeline)))
-    away = np.abs(times - 1.75) > 0.4 + 1e-6
-    assert np.linalg.norm(own - true, axis=2)[away].max() < 0.001
-    cosine = (np.einsum("tni,tni->tn", turned, turned_before)[away] - 1) / 2
-    assert np.degrees(np.arccos(np.clip(cosine, -1, 1))).max() < 0.5
+    (own, _), (true, _) = (bodies(clip.figure, p, times) for p in (found, path_of(saved.timeline)))
+    away = np.linalg.norm(own - true, axis=2)[np.abs(times - 1.75) > 0.4]
+    assert away.max() < 0.03 and np.median(away) < 0.005
     hand = clip.figure.model.nbody + mujoco.mj_name2id(clip.figure.model, mujoco.mjtObj.mjOBJ_SITE, "left_hand")
     there, _ = bodies(clip.figure, found, np.array([1.75]))
     np.testing.assert_allclose(there[0, hand], [3.95, 0.3, 1.75], atol=2e-3)
     key = next(k for k in clip.keys if k.time == 1.75)
     own_state = clip.figure.to_qpos(found.at(np.array([1.75])))[0]
     np.testing.assert_allclose(np.abs(own_state[key.fixed]), np.abs(key.state[key.fixed]), atol=1e-12)
-
-
-ARM = """
-figure = "human"
-[recording]
-file = "sit_down"
-at = 0.0
-speed = 0.5
-blend = {blend}
-[[keyframe]]
-time = 0.42
-joints.right_shoulder = {{rotvec = [0, -100, 0]}}
-"""
-
-
-def test_a_blend_shorter_than_frames_can_be_apart_is_an_error():
-    with pytest.raises(UserError, match="is too short; choose"):
-        recordings.from_text(ARM.format(blend=0.005), name="edit")
 
 
 @pytest.mark.parametrize(
@@ -150,7 +129,6 @@ BVH = """
 figure = "human"
 [recording]
 file = "{file}"
-blend = 0.3
 [[keyframe]]
 time = 0.4
 joints.right_shoulder = {{rotvec = [0, -60, 0]}}
