@@ -350,7 +350,9 @@ def _by_bends(captured: CapturedSkeleton, standing: _Standing, shared: list[str]
             bend = sign * np.cross(along[0], along[1])
             is_bent = float(np.linalg.norm(bend, axis=1).mean()) > BENT
             axis = bend if is_bent else lateral.get(upper)
-            for role in pair if axis is not None else ():
+            if axis is None:
+                continue
+            for role in pair:
                 theirs = _frame(_bone(captured, role), _local(captured, role, axis))
                 out[role] = quat.from_matrix(theirs @ _frame(standing.bone(role), np.array([0.0, 1, 0])).T)
         if f"{side}_foot" in shared and side in captured.feet:
