@@ -476,7 +476,7 @@ KINDS = {
             Part(6.0, "force on the figure during flights, except gravity", _flight),
         ), ("intervals", "angular")),
         Kind("support", (
-            Part(0.1, "force and moment that feet on the ground cannot supply", _support, tracking=1000.0),
+            Part(2.0, "force and moment that feet on the ground cannot supply", _support, tracking=1000.0),
         ), ("friction",), is_default=False),
         Kind("peak", (
             Part(0.01, "peaks of angular acceleration of joints", lambda context, options: PeakAcceleration()),
