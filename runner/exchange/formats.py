@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -17,7 +17,7 @@ from ..system.output import Replacement, check_target
 from ..system.quantity import positive
 from . import layouts
 from .array_reader import names_in
-from .recording import Recording
+from .recording import Recording, median_step
 
 OF_MOTIONS = {"format_version", "frame_state"}  # names of arrays that only this program's motions have
 CONVERTIBLE = (".glb", ".gltf", ".vrm", ".fbx", ".usd", ".usda", ".usdc")  # animations that Blender converts to BVH
@@ -219,9 +219,9 @@ def recording(
         raise UserError(f"{source}: lengths of the format '{form.name}' are metres; --scale does not apply")
     unit = {} if scale is None else {"scale": scale}
     result = _module(form).read(source, model, fps, **unit)
-    rate = replace(result, fps=None).rate
-    if fps is not None and result.time.size > 1 and round(rate) != round(fps):
-        raise UserError(f"{source}: it has its own times, {rate:.4g} samples per second; --fps does not apply")
+    step = median_step(result.time)
+    if fps is not None and step and round(1 / step) != round(fps):
+        raise UserError(f"{source}: it has its own times, {1 / step:.4g} samples per second; --fps does not apply")
     if model is not None:
         layouts.check_radians(model, result.qpos, source)
     if kind is None and by_ending(source) is None:
