@@ -32,6 +32,7 @@ from ..tolerances import ROUNDING, SINGLE
 NOTABLE = 0.02  # [1] share of violations in E from which a limb far from its path may be on the wrong side of a bound
 COST_RATIO = 2.0  # [1] cost relative to the raw spline, above which a shorter route round an obstacle may exist
 MAX_DEVIATION = 0.5  # [1] relative to the distance from the figure's root to its farthest joint at rest
+MAX_QUATERNION_LENGTH = 2.0  # [1] norm above which a search no longer shortens a quaternion
 SAMPLES_PER_SEGMENT = 4  # between neighbouring frames with specified degrees of freedom
 SUBDIVISIONS = 3  # parts of each span between the frames of all timelines
 SAMPLES_PER_SPAN = 32  # samples between two frames, to detect short quaternions
@@ -48,7 +49,11 @@ def is_poor_minimum(objective: Objective, timeline: Timeline, parts: Mapping[str
         parts: The terms of E there, by name.
     """
     is_violated = violation_of(objective, parts) > NOTABLE * sum(parts.values())
-    return violation_dominates(objective, parts) or (is_violated and is_pose_outlier(objective, timeline))
+    return (
+        violation_dominates(objective, parts)
+        or (is_violated and is_pose_outlier(objective, timeline))
+        or longest_quaternion(objective.figure, timeline) > MAX_QUATERNION_LENGTH
+    )
 
 
 def is_pose_outlier(objective: Objective, timeline: Timeline) -> bool:
@@ -108,6 +113,12 @@ def largest_deviation(figure: Figure, timeline: Timeline, expected: Path | None 
     reference = straight(figure, times, timeline.states[fixed], t) if expected is None else expected.at(t)
     deviation = _from_root(figure, path_of(timeline).at(t)) - _from_root(figure, reference)
     return float(np.linalg.norm(deviation, axis=0).max()) / size
+
+
+def longest_quaternion(figure: Figure, timeline: Timeline) -> float:
+    """Return the largest norm of a quaternion, sampled between frames. Rotations have norm 1."""
+    quaternions = path_of(timeline).at(_inner_times(timeline.times))[:, figure.tables.quaternion_columns]
+    return float(np.linalg.norm(quaternions, axis=1).max(initial=0.0))
 
 
 def _inner_times(times: Array) -> Array:
