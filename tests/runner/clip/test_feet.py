@@ -250,6 +250,14 @@ def test_any_pose_does_to_a_hair(angles, lean):
     assert clearance(problem, problem.keys[1].state) == pytest.approx(0, abs=0.02)  # by the mesh of a head or a hand
 
 
+def test_the_ground_carries_who_stands_before_and_after_a_fall_and_while_no_keyframe_tells_the_height():
+    waves = read(STANDING, "joints.left_shoulder = {rotvec = [0, 20, 0]}\n", STANDING)
+    assert waves.context.schedule.grounded_intervals == ((0.0, 0.5), (0.5, 1.0))
+    schedule = read(STANDING, STANDING + "root.position = [0, 0, 1.6]\n", STANDING).context.schedule
+    ((first, last),), (before, after) = schedule.flights, schedule.grounded_intervals
+    assert 0 == before[0] < before[1] < first < last < after[0] < after[1] == 1
+
+
 def test_a_figure_of_no_height_but_the_first_does_not_float_away():
     above = 'others = "rest"\nroot.position = [0, 0, 1.1]\n'
     problem = read(above, CROUCHED + OPEN, f"{STANDING}{OPEN}", CROUCHED + OPEN)

@@ -132,6 +132,7 @@ def test_without_a_figure_the_mean_shape_is_one(tmp_path):
         bones = np.flatnonzero(model.geom_bodyid == model.body(name).parentid)
         ends = 2 * model.geom_pos[bones]  # of capsules that begin at the joint
         assert np.linalg.norm(ends - model.body(name).pos, axis=1).min() < 1e-6
+    assert (model.geom_size[1:, 0] <= 1.02 * model.geom_size[1:, 1]).all()  # no bone is thicker than long
     for row in (0, 20):
         data = kinematics(model, recording.qpos[row])
         turn, place = {}, {}

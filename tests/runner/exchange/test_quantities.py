@@ -66,6 +66,7 @@ def test_feet_and_what_is_left_make_up_the_wrench_about_the_centre_of_mass(table
     loaded = columns["left_foot.fz [N]"] > 50
     assert 0.3 < loaded.mean() < 0.9
     assert np.median(np.abs(columns["left_foot.cop.z [m]"][loaded])) < 0.01  # the sole, which a raw walk puts deep
+    assert np.abs(columns["left_foot.cop.x [m]"] - columns["root.x"])[loaded].max() < 0.6
 
 
 @pytest.mark.slow
