@@ -44,6 +44,7 @@ def scipy_rotation(q: np.ndarray) -> Rotation:
 @given(quaternions, quaternions, vectors)
 def test_rotations_compose_and_turn_vectors_as_scipys_do(p, q, v):
     np.testing.assert_allclose(quat.rotate(q, v), scipy_rotation(q).apply(v), atol=1e-12)
+    np.testing.assert_allclose(quat.matrices(q), scipy_rotation(q).as_matrix(), atol=1e-12)
     np.testing.assert_allclose(
         quat.rotate(quat.product(p, q), v), (scipy_rotation(p) * scipy_rotation(q)).apply(v), atol=1e-12
     )

@@ -293,8 +293,7 @@ def _sole(own: Index, bottom: Array, places: Array, height: float) -> Index:
     """
     above = bottom - bottom.min()
     thick = own[above <= THICK * height]
-    middle = places[:, thick].mean(axis=1, keepdims=True)
-    axes = np.linalg.svd(places[:, thick] - middle)[0]
+    axes = np.linalg.eigh(np.cov(places[:, thick], bias=True))[1]
     extent = np.ptp(axes.T @ places[:, thick], axis=1)
     for share in THIN:
         touching = own[above <= share * height]
