@@ -148,6 +148,8 @@ def test_keyframes_between_as_the_note_advises_make_turns_of_any_angle() -> None
 def test_rotations_of_joints_and_bodies_and_turns_from_rest_are_reported_too() -> None:
     assert "euler [0, -200, 0]" in read_human("", "joints.right_shoulder = {euler = [0, -200, 0]}").notes[0]
     assert "rotvec [0, 0, 270]" in read_human("", "joints.spine = {rotvec = [0, 0, 270]}").notes[0]
+    (note,) = read_human(*(f"bodies.chest = {{rotvec = [0, 0, {angle}]}}" for angle in (10, 300))).notes
+    assert "bodies.chest: rotvec [0, 0, 300] is 290 degrees from keyframe 1" in note
     assert any("nothing turns" in note for note in read_human("", "", "root.rotation = {euler = [0, 5, 360]}").notes)
     assert read_human("", "root.rotation = {euler = [0, 5, 170]}", "root.rotation = {euler = [0, 5, 340]}").notes == ()
     assert read_human("", "root.rotation = {euler = [120, 60, 150]}").notes == ()  # each by less than a half turn
