@@ -57,7 +57,7 @@ PLACE = """(body) => { const { stage, model } = studio, box = stage.canvas.getBo
 HIT = "([clientX, clientY]) => studio.hands.hit({ clientX, clientY })?.body ?? null"
 FIELDS = """() => [...document.querySelectorAll('aside input.number')].filter((each) => each.offsetParent)
   .map((each) => each.getAttribute('aria-label'))"""
-LOCKED = "studio.model.locked"
+NOTHING_MOVED = "document.getElementById('toast').textContent.startsWith('nothing has moved')"
 IMAGES_PER_PIXEL = "studio.model.fps * (studio.timeline.end - studio.timeline.begin) / studio.timeline.width"
 VALUE = '(label) => document.querySelector(`aside input.number[aria-label="${label}"]`)?.value ?? null'
 KEPT = "JSON.stringify(({ revision, undo, redo, is, ...rest } = studio.model.document, rest))"
@@ -217,7 +217,7 @@ class Person:
         self.quiet()
         body = self.integer(1, self.page.evaluate("studio.model.stage.bodies.length"))
         place = self.page.evaluate(PLACE, body)
-        if not self.on_stage(place) or self.page.evaluate(HIT, place) in (None, *self.page.evaluate(LOCKED)):
+        if not self.on_stage(place) or self.page.evaluate(HIT, place) is None:
             return None
         before, modifier = self.revision, self.one_of([None, None, None, "Alt", "Control"])
         self.page.mouse.move(*place)
@@ -231,7 +231,8 @@ class Person:
             self.page.keyboard.up(modifier)
         if np.hypot(*by) < 8 or self.random.random() < 0.3:
             return None
-        return self.until_changed(before, f"a drag of body {body} by {by.round()} px with {modifier} changed nothing")
+        fault = self.until_changed(before, f"a drag of body {body} by {by.round()} px with {modifier} changed nothing")
+        return None if self.page.evaluate(NOTHING_MOVED) else fault
 
     def on_stage(self, place: list[float]) -> bool:
         return bool(self.page.evaluate("([x, y]) => document.elementFromPoint(x, y)?.id === 'view'", place))

@@ -23,7 +23,7 @@ export interface Drawn {
   pictures: string[];
 }
 
-export const bytes = (text: string): ArrayBuffer => {
+const bytes = (text: string): ArrayBuffer => {
   const binary = atob(text), out = new Uint8Array(binary.length);
   for (let i = 0; i < out.length; i++) out[i] = binary.charCodeAt(i); // Uint8Array.from takes seconds for large meshes
   return out.buffer;

@@ -71,7 +71,7 @@ const anew = async (): Promise<void> => {
   }));
 };
 
-export const exported = async (): Promise<void> => {
+const exported = async (): Promise<void> => {
   const answer = await ask("formats");
   if (!answer.ok) return;
   const formats = answer.formats as { name: string; ending: string; description: string }[];
@@ -83,7 +83,7 @@ export const exported = async (): Promise<void> => {
   writing("Export", "Export", name, [row("format", to), row("name", name)], (file) => begun("export", { to: to.value, ...file }));
 };
 
-export const rendered = (): void => {
+const rendered = (): void => {
   const name = named(`${base()}.mp4`, "file name of the video"), size = named("1280x720", "size, pixels");
   const camera = el("select", { "aria-label": "camera" }, ...["side", "left", "front", "three_quarter", "back"].map((each) => el("option", { value: each, text: each })));
   const only = el("select", { "aria-label": "view" }, el("option", { value: "after", text: "the motion" }), el("option", { value: "", text: "before | after" }));

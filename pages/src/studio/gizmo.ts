@@ -3,7 +3,7 @@ import * as THREE from "three";
 import { TransformControls } from "three/examples/jsm/controls/TransformControls.js";
 import { axesOf } from "./axes";
 import { short, toast } from "./dom";
-import { act, addressOf, ask, change } from "./link";
+import { addressOf, ask, change, drop } from "./link";
 import { model, type Obstacle } from "./model";
 import type { Stage } from "./stage";
 
@@ -181,7 +181,7 @@ export class Gizmo {
     if (model.joint !== null) this.turn(held);
     this.held = null;
     this.stage.orbit.enabled = true;
-    if (model.joint !== null) await act("drop", { time: held.time, partial: model.partial });
+    if (model.joint !== null) await drop(held.time);
     else if (model.obstacle && held.obstacle) {
       await change(addressOf(model.obstacle), Object.fromEntries(this.entries(held.obstacle)), held.revision);
     }

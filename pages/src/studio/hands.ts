@@ -2,7 +2,7 @@
 import * as THREE from "three";
 import { pointOf } from "../scene/figure";
 import { $, el, menu, PATHS, toast } from "./dom";
-import { act, ask, edit } from "./link";
+import { act, ask, drop, edit } from "./link";
 import { axesOf } from "./axes";
 import { model, type Joint, type Marked, type Obstacle } from "./model";
 import { showTab } from "./panels";
@@ -147,7 +147,7 @@ export class Hands {
     const { time } = model, position = this.stage.placeOf(body, [0, 0, 0]).toArray();
     const grip = await act("grip", { time, body, offset: [0, 0, 0], locks: model.locked });
     if (!grip.ok || !(await ask("drag", { position })).ok) return;
-    if ((await act("drop", { time, partial: model.partial })).words === "") toast("this foot is not near the ground, or flat already", "note");
+    await drop(time, "this foot is not near the ground, or flat already");
   }
 
   /** Stops, and goes to a keyframe that is less than half a video frame away. */
@@ -298,7 +298,7 @@ export class Hands {
       return;
     }
     this.pull(held);
-    await act("drop", { time: held.time, partial: model.partial });
+    await drop(held.time);
     held.ended = true;
     if (!this.held) this.stage.override = null;
     this.stage.draw();

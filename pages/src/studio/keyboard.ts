@@ -27,7 +27,7 @@ const move = (change: (time: number, first: number) => number): void => {
 const nudge = (by: number): void => move((time) => time + by / model.fps);
 const scaled = (factor: number): void => { if (selected().length > 1) move((time, first) => first + factor * (time - first)); };
 
-export const commands = (stage: Stage, timeline: Timeline, hands: Hands): Command[] => [
+const commands = (stage: Stage, timeline: Timeline, hands: Hands): Command[] => [
   ["Space", "play or pause", () => play(), "play"],
   ["ArrowLeft", "previous frame", () => step(-1)],
   ["ArrowRight", "next frame", () => step(1)],

@@ -73,6 +73,12 @@ const reported = (answer: Answer): Answer => {
 /** Sends a request and shows a rejection as a message. */
 export const act = async (what: string, args: Message = {}): Promise<Answer> => reported(await ask(what, args));
 
+/** Ends a drag at a time [s]; a message says so if nothing has moved. */
+export const drop = async (time: number, nothing = "nothing has moved: locked bodies and joint ranges stay"): Promise<void> => {
+  const { ok, words } = await act("drop", { time, partial: model.partial });
+  if (ok && !words) toast(nothing, "note");
+};
+
 const flush = (): void => {
   const next = held;
   held = null;

@@ -11,7 +11,7 @@ const GROUPS = ["root", "roots", "joints", "sites", "bodies"]; // tables of a ke
 /** The address of a table in the clip, such as ["keyframe", 2]. */
 export type Address = (string | number)[];
 
-export const quaternionOf = (rotvec: number[]): number[] => {
+const quaternionOf = (rotvec: number[]): number[] => {
   const axis = new THREE.Vector3().fromArray(rotvec).multiplyScalar(Math.PI / 180), angle = axis.length();
   const { x, y, z, w } = new THREE.Quaternion().setFromAxisAngle(axis.normalize(), angle);
   return [w, x, y, z];

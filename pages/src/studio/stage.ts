@@ -300,7 +300,7 @@ export class Stage {
       }
     }
     const here = this.middle();
-    if (model.follow && !this.override) {
+    if (model.follow && !this.override && model.stage?.joints.some(({ kind }) => kind === "free")) { // nothing leaves a fixed base
       const moved = here.clone().sub(this.centre);
       this.camera.position.add(moved);
       this.orbit.target.add(moved);

@@ -6,7 +6,7 @@ import { act, change, edit, moveKeys } from "./link";
 import { model, type Bar } from "./model";
 import { applyPose } from "./transport";
 
-export const LABEL = 188; // [px] of the column of names
+const LABEL = 188; // [px] of the column of names
 export const PAD = 16; // [px] beside the first and the last moment
 export const POSE = "text/x-pose"; // type of the name of a pose that is dragged to a time
 const CLOSE = 6; // [px] that snap

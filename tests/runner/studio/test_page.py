@@ -391,6 +391,14 @@ def test_a_foot_is_planted_and_a_limb_is_dragged_by_its_joints_from_the_menu_of_
     joints = tab.evaluate("studio.model.document.keys[2].joints")
     assert {name for name in joints if joints[name] != before[name]} == {"left_elbow"}
     undo(tab)
+    revision, (x, y) = tab.revision, tab.grip("left_forearm")
+    tab.page.mouse.move(x, y)
+    tab.page.mouse.down()
+    for place in ((x + 25, y - 25), (x, y)):
+        tab.page.mouse.move(*place)
+    tab.page.mouse.up()
+    toast(tab, "nothing has moved")
+    assert tab.revision == revision
     tab.page.reload()
     tab.begun()
     assert tab.evaluate("[...studio.model.fk]") == ["left arm"]
