@@ -57,6 +57,14 @@ PLACE = """(body) => { const { stage, model } = studio, box = stage.canvas.getBo
 HIT = "([clientX, clientY]) => studio.hands.hit({ clientX, clientY })?.body ?? null"
 FIELDS = """() => [...document.querySelectorAll('aside input.number')].filter((each) => each.offsetParent)
   .map((each) => each.getAttribute('aria-label'))"""
+FIRST_VIEW = """() => {
+  for (const menu of ['which', 'ghosts']) {
+    document.getElementById(menu).selectedIndex = 0;
+    document.getElementById(menu).dispatchEvent(new Event('change'));
+  }
+  for (const box of document.querySelectorAll('#trails:checked')) box.click();
+  if (!document.getElementById('curves').hidden) document.getElementById('show-curves').click();
+}"""
 NOTHING_MOVED = "document.getElementById('toast').textContent.startsWith('nothing has moved')"
 IMAGES_PER_PIXEL = "studio.model.fps * (studio.timeline.end - studio.timeline.begin) / studio.timeline.width"
 VALUE = '(label) => document.querySelector(`aside input.number[aria-label="${label}"]`)?.value ?? null'
@@ -470,7 +478,7 @@ def _difference(before: str, after: str) -> str:
 
 
 def restored(page: Any, folder: Path) -> None:
-    """The initial clip, by its file; what has been undone is forgotten."""
+    """The initial clip, by its file, in the initial view; what has been undone is forgotten."""
     file = folder / "run.toml"
     page.keyboard.press("Escape")
     until(page, QUIET)
@@ -481,6 +489,7 @@ def restored(page: Any, folder: Path) -> None:
     if not page.evaluate("studio.model.status.go"):
         page.keyboard.press("g")
     page.evaluate("void (studio.model.playing = false, document.activeElement?.blur())")
+    page.evaluate(FIRST_VIEW)
     until(page, QUIET)
     until(page, SETTLED)
     for pose in (folder / "poses").glob("*.toml"):
