@@ -182,7 +182,8 @@ export class Stage {
 
   /** Ghosts of the keyframes, or of every few frames. */
   private haunt(): void {
-    for (const ghost of this.ghosts) ghost.root.visible = false;
+    for (const ghost of this.ghosts) model.ghosts ? (ghost.root.visible = false) : ghost.dispose();
+    if (!model.ghosts) this.ghosts = [];
     const { stage, document, now } = model;
     if (model.ghosts && stage && this.shapes && document && now) {
       const every = Number(model.ghosts) / model.fps; // [s]
