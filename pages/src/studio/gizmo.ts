@@ -181,7 +181,7 @@ export class Gizmo {
     if (model.joint !== null) this.turn(held);
     this.held = null;
     this.stage.orbit.enabled = true;
-    if (model.joint !== null) await drop(held.time);
+    if (model.joint !== null) await (this.handle.quaternion.equals(this.begin) ? ask("cancel") : drop(held.time)); // a click turns nothing
     else if (model.obstacle && held.obstacle) {
       await change(addressOf(model.obstacle), Object.fromEntries(this.entries(held.obstacle)), held.revision);
     }
