@@ -190,14 +190,17 @@ class Person:
     def one_of(self, entries: Any) -> Any:
         return entries[self.integer(0, len(entries))]
 
-    def drag(self, begin: tuple[float, float], end: tuple[float, float]) -> None:
+    def drag(self, begin: tuple[float, float], end: tuple[float, float], holds: str = "true") -> bool:
+        """Drag the mouse, unless what it should hold has moved away meanwhile; return whether it holds it."""
         mouse = self.page.mouse
         mouse.move(*begin)
         mouse.down()
+        is_held = bool(self.page.evaluate(holds))
         for share in np.linspace(0, 1, self.integer(3, 9))[1:]:
             mouse.move(*(begin[k] + share * (end[k] - begin[k]) for k in (0, 1)))
             time.sleep(0.015)
         mouse.up()
+        return is_held
 
     def until_changed(self, before: int, what: str) -> str | None:
         """Wait for an edit; its name if it has changed nothing."""
@@ -234,10 +237,10 @@ class Person:
         if modifier:
             self.page.keyboard.down(modifier)
         by = self.random.normal(scale=40, size=2)
-        self.drag(place, (place[0] + by[0], place[1] + by[1]))
+        is_held = self.drag(place, (place[0] + by[0], place[1] + by[1]), "studio.hands.busy")
         if modifier:
             self.page.keyboard.up(modifier)
-        if np.hypot(*by) < 8 or self.random.random() < 0.3:
+        if not is_held or np.hypot(*by) < 8 or self.random.random() < 0.3:
             return None
         fault = self.until_changed(before, f"a drag of body {body} by {by.round()} px with {modifier} changed nothing")
         return None if self.page.evaluate(NOTHING_MOVED) else fault
