@@ -401,6 +401,7 @@ def test_a_foot_is_planted_and_a_limb_is_dragged_by_its_joints_from_the_menu_of_
     assert tab.revision == revision
     tab.page.reload()
     tab.begun()
+    tab.shown()
     assert tab.evaluate("[...studio.model.fk]") == ["left arm"]
     tab.page.mouse.click(*tab.grip("left_forearm"), button="right")
     assert tab.evaluate(CLICKED) == 0  # before the next input

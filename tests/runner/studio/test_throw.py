@@ -120,7 +120,7 @@ def test_a_throw_is_posed_retimed_compared_saved_exported_and_opened_again(tmp_p
             animator.edit(lambda: tab.drag(diamond, (tab.on_timeline(2.3), diamond[1])))
             page.get_by_label("displayed motion").select_option("snapshot")
             tab.settled()
-            assert page.locator("#nothing-wrong").count() == 1  # also in the panel that is not shown
+            page.locator("#nothing-wrong").wait_for(state="attached")  # also in the panel that is not shown
             assert tab.evaluate("studio.model.violations") == []
             page.get_by_label("displayed motion").select_option("after")
             tab.press("Control+s")
