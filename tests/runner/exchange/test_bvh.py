@@ -415,6 +415,23 @@ def test_the_unit_is_guessed_told_and_may_be_said(tmp_path, cartwheel):
         formats.recording(Path(formats.export(cartwheel.motion, "csv", tmp_path / "a.csv")), scale=0.1)
 
 
+@pytest.mark.parametrize(
+    ("unit", "larger", "name"),
+    [
+        (1.0, 1.0, "metres"),
+        (0.001, 1.0, "millimetres"),
+        (0.0254, 1.0, "inches"),
+        (0.0254 / 0.45, 1.3, "the CMU database's units"),
+    ],
+)
+def test_of_units_that_fit_a_person_that_of_the_most_usual_size_is_taken(
+    cartwheel, tmp_path, capsys, unit, larger, name
+):
+    (tmp_path / "a.bvh").write_text(bvh_file.text_of(disguised(cartwheel, unit=unit, larger=larger)))
+    import_recording(tmp_path / "a.bvh", progress=Progress())
+    assert f"taken for {name}: " in " ".join(capsys.readouterr().err.split())
+
+
 def test_gaps_names_in_shift_jis_and_complete_last_lines(tmp_path):
     path = tmp_path / "a.bvh"
     path.write_bytes(GOOD.replace("Chest", "左足").rstrip("\n").encode("cp932"))
