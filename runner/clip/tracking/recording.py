@@ -1,7 +1,7 @@
 """A clip's [recording]: a motion that the clip follows and its keyframes edit.
 
-Keyframes are exact. Around each of them, within `blend`, the recording's velocities and accelerations have more weight
-than its poses, which preserves detail. If `blend` is specified, the rest of the recording stays unchanged.
+Keyframes are exact. Around each of them, within `EASE`, the recording's velocities and accelerations have more weight
+than its poses, which preserves detail.
 """
 
 from __future__ import annotations
