@@ -68,7 +68,8 @@ def goals_of(places: Places, row: KeyframeTable, where: str) -> list[Goal]:
         body = places.body(name)
         if body is None:
             raise UserError(f"{where}: {unknown('body', name, places.bodies_listed)}")
-        body_goals = _body_goals(figure, name, body, table, f"{where}: bodies.{name}")
+        body_name = str(figure.model.body(body).name) or name  # in messages, that of a site on it would mislead
+        body_goals = _body_goals(figure, body_name, body, table, f"{where}: bodies.{name}")
         _check_moves(figure, body_goals[0], f"{where}: body '{name}'")
         goals += body_goals
     return goals

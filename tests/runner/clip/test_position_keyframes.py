@@ -158,6 +158,11 @@ def test_all_places_without_a_pose_are_reported_at_once():
     assert all(words in told for words in (hand, "'right_hand'", "keyframe 3 (t = 2 s)"))
 
 
+def test_an_unmet_position_of_a_body_is_not_reported_as_that_of_the_site_that_names_it():
+    with pytest.raises(UserError, match=r"no pose found that puts body '(?!left_hand)\w+' at \(3, 0, 1\)"):
+        read_arms('others = "rest"\n', "bodies.left_hand = {position = [3, 0, 1]}\n")
+
+
 def test_a_place_without_a_pose_is_as_near_as_it_comes_where_that_is_wanted():
     unmet: list[str] = []
     text = arms('others = "rest"\n', "sites.left_hand = [0, 0.2, 3]\n")
