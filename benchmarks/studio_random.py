@@ -55,8 +55,11 @@ PLACE = """(body) => { const { stage, model } = studio, box = stage.canvas.getBo
   const at = stage.placeOf(body, [0, 0, 0]).project(stage.camera);
   return [box.left + (at.x + 1) / 2 * box.width, box.top + (1 - at.y) / 2 * box.height]; }"""
 HIT = "([clientX, clientY]) => studio.hands.hit({ clientX, clientY })?.body ?? null"
-FIELDS = """() => [...document.querySelectorAll('aside input.number')].filter((each) => each.offsetParent)
-  .map((each) => each.getAttribute('aria-label'))"""
+FIELDS = """async () => {
+  await new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))); // of the present panel
+  return [...document.querySelectorAll('aside input.number')].filter((each) => each.offsetParent)
+    .map((each) => each.getAttribute('aria-label'));
+}"""
 FIRST_VIEW = """() => {
   for (const menu of ['which', 'ghosts']) {
     document.getElementById(menu).selectedIndex = 0;
