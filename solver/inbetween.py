@@ -251,8 +251,7 @@ class _Loop:
         The first search starts from `timeline`, the second from the straight path between keyframes. The order is
         reversed if `timeline` is a pose outlier. If violations dominate or the cost increased in the better of both,
         two more starts follow: minima without limits of joints, near the straight path and near `timeline`. With one
-        evaluation, only the initial path is evaluated. A single search ends with its best timeline, as every round
-        starts from the last, unless a quaternion is short between samples.
+        evaluation, only the initial path is evaluated.
         """
         ends: list[tuple[Timeline, Stop]] = []
         quadrature, cuts = self.objective.quadrature, set[float]()
@@ -270,10 +269,8 @@ class _Loop:
             if self.stop is Stop.INTERRUPTED or not self._is_poor(ends[-1][0], minima):
                 break
         self.objective = replace(self.objective, quadrature=quadrature).cut_at(cuts)
-        selected, stop = ends[-1]
-        if len(minima) > 1 or self.stop is Stop.INTERRUPTED or not is_resolved(self.objective.figure, selected):
-            selected = select_best(self.objective, [timeline for timeline, _ in reversed(ends)])
-            stop = next(stop for timeline, stop in reversed(ends) if timeline is selected)
+        selected = select_best(self.objective, [timeline for timeline, _ in reversed(ends)])
+        stop = next(stop for timeline, stop in reversed(ends) if timeline is selected)
         self.stop = Stop.INTERRUPTED if self.stop is Stop.INTERRUPTED else stop
         return selected
 
