@@ -123,7 +123,9 @@ class _Request:
     def pose(self, home: Array, ground: Sequence[Surface]) -> Posed:
         """Return the pose nearest to `home` (nq,), if possible in balance on `ground`, with soles out of surfaces."""
         best, figure = self._find(home), self.stander.figure
-        if best.is_met and (preferred := _unmet_balance(figure, best.qpos, self.goals, self.soles, ground)):
+        if best.is_met and (
+            preferred := _unmet_balance(figure, best.qpos, self.key.fixed, self.goals, self.soles, ground)
+        ):
             other = self._find(home, preferred=preferred)
             best = other if other.is_met else best
         if not best.is_met or not self.soles or not self.stander.surfaces:
@@ -217,20 +219,32 @@ def _kept_headings(figure: Figure, before: Frame, goals: Sequence[Goal]) -> list
 
 
 def _unmet_balance(
-    figure: Figure, pose: Array, goals: Sequence[Goal], soles: Sequence[Point], surfaces: Sequence[Surface]
+    figure: Figure,
+    pose: Array,
+    fixed: Mask,
+    goals: Sequence[Goal],
+    soles: Sequence[Point],
+    surfaces: Sequence[Surface],
 ) -> list[tuple[float, Goal]]:
     """Return balance as a preference with its weight if a pose (nq,) for goals misses it by far, else none.
 
     A figure of which all feet have goals is balanced, unless another body touches one of the surfaces; without
-    surfaces, it need not be.
+    surfaces, it need not be. If it may shift sideways, it is balanced over the feet on the ground alone.
     """
-    preferred = balance_of(figure, soles, goals) if surfaces else []
-    data, most = kinematics(figure.model, pose), Thresholds.of(figure).near_surface
-    if all(np.linalg.norm(goal.residual(figure.model, data)) <= most for _, goal in preferred):
+    preferred, root = balance_of(figure, soles, goals) if surfaces else [], figure.root
+    if not preferred or root is None:
         return []
-    feet = {point.link for point in soles}
-    others = [point for point in body_points(figure) if point.link not in feet]
-    return [] if np.any(_depths(figure, pose, others, surfaces) > -most) else preferred
+    limits, feet, body = Thresholds.of(figure), {point.link for point in soles}, body_points(figure)
+    if not fixed[figure.links[root.link].columns][:2].all():
+        soles = [*soles, *(point for point in body if point.link in feet)]  # a sole is wider than its marks
+        depths = _depths(figure, pose, soles, surfaces)
+        standing = [sole for sole, depth in zip(soles, depths, strict=True) if depth > -limits.near_surface]
+        preferred = balance_of(figure, standing, goals)
+    data = kinematics(figure.model, pose)
+    if all(np.linalg.norm(goal.residual(figure.model, data)) <= limits.near_surface for _, goal in preferred):
+        return []
+    others = [point for point in body if point.link not in feet]
+    return [] if np.any(_depths(figure, pose, others, surfaces) > -limits.near_surface) else preferred
 
 
 def _is_slow(figure: Figure, path: Timeline, k: int) -> bool:

@@ -306,6 +306,19 @@ def test_free_legs_keep_their_feet_and_balance_between_keyframes_that_are_put_do
             assert np.linalg.norm(site(problem, qpos, name) - place) < 0.01
 
 
+def test_a_figure_with_one_foot_in_the_air_is_posed_above_the_other():
+    lifted = """others = "previous"
+root.position = "free"
+sites = {left_heel = [-0.055, 0.09, 0.2], right_heel = [-0.055, -0.09, 0]}
+bodies = {left_foot = {flat = true}, right_foot = {flat = true}}
+"""
+    keys = [f"[[keyframe]]\ntime = {time}\n{body}" for time, body in ((0, STANDING), (1.5, lifted), (3, STANDING))]
+    problem = recordings.from_text(HEAD + "".join(keys), name="c")
+    centre = kinematics(problem.figure.model, problem.keys[1].state).subtree_com[1]
+    assert centre[1] == pytest.approx(-0.09, abs=0.025)  # above the right foot, whose sole is 27 mm wide
+    assert "unbalanced" not in {violation.kind for violation in inbetween(problem).violations}
+
+
 def test_feet_that_are_far_from_where_they_stood_do_not_drag_the_root_along():
     lunge = """others = "rest"
 joints.left_hip = {rotvec = [0, -50, 0]}
