@@ -1,6 +1,6 @@
 """Free falls around keyframes in the air, in which nothing can support the figure.
 
-A keyframe does not tell when the figure leaves the ground or reaches it. But the centre of mass follows an arc through
+A keyframe does not state when the figure leaves the ground or reaches it. But the centre of mass follows an arc through
 the keyframe, and as long as it is higher than that of a stretched figure on its toes, no leg reaches the ground.
 """
 
