@@ -47,6 +47,7 @@ def test_no_items_give_no_results():
     assert list(in_order(Bench, crew.squared, [], 2)) == []
 
 
+NEEDS_PROC = pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="needs /proc")
 ENDED = r"a worker process ended.* --workers 1 does without"
 
 
@@ -139,7 +140,7 @@ def assert_gone(numbers: list[int]) -> None:
         time.sleep(0.05)
 
 
-@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="needs /proc")
+@NEEDS_PROC
 @pytest.mark.parametrize("at_work", ["squared"], indirect=True)
 def test_workers_go_when_their_parent_is_killed(at_work):
     process, numbers = at_work
@@ -148,7 +149,7 @@ def test_workers_go_when_their_parent_is_killed(at_work):
     assert_gone(numbers)
 
 
-@pytest.mark.skipif(not Path("/proc/self/stat").exists(), reason="needs /proc")
+@NEEDS_PROC
 @pytest.mark.parametrize("at_work", ["lasts"], indirect=True)
 def test_ctrl_c_ends_the_workers_and_only_the_parent_speaks(at_work):
     process, numbers = at_work
