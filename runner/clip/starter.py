@@ -12,7 +12,6 @@ import mujoco
 import numpy as np
 
 from dynsplines import models
-from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure, JointKind, Link
@@ -204,9 +203,10 @@ def _comment(notes: Sequence[str]) -> str:
 
 def _name_lines(figure: Figure, qpos: Array, soles: Sequence[Point]) -> str:
     model = figure.model
-    lines = ["# Joints, by their keys in keyframes:"]
+    lines = ["# Joints, by their keys in keyframes; axes in the rest pose, angles by the right-hand rule:"]
+    axes = kinematics(model).xaxis
     for link in figure.links[1:]:
-        lines.append(f"#   {_joint_line(figure, link)}")
+        lines.append(f"#   {_joint_line(figure, link, axes[link.joint])}")
     bodies = [model.body(i).name for i in range(1, model.nbody) if model.body(i).name]
     lines += _list("Bodies, for bodies.NAME = {flat = true}, a rotation or {position = [x, y, z]}", bodies)
     ground = "Sole points"
@@ -238,13 +238,14 @@ def _place_lines(figure: Figure, qpos: Array, soles: Sequence[Point]) -> list[st
     lines = [f"# {AT_REST}"]
     centres, _ = places_of([point for *_, point in positions], Samples.of_qpos(figure, qpos))
     for (key, form, point), place in zip(positions, centres[:, :, 0].T, strict=True):
-        thick = f"  # the middle of a ball of radius {point.radius:.3g} m" if point.radius else ""
+        thick = f"  # centre of a sphere of radius {point.radius:.3g} m" if point.radius else ""
         where = ", ".join(f"{round(float(x), 4) + 0.0:g}" for x in place)
         lines.append(f"#   {key} = {form.format(f'[{where}]')}{thick}")
     return lines
 
 
-def _joint_line(figure: Figure, link: Link) -> str:
+def _joint_line(figure: Figure, link: Link, axis: Array) -> str:
+    """Return the comment on a joint; axis (3,): that of a hinge or slide in the world."""
     if link.kind is JointKind.FREE:
         main_root = figure.root
         is_root = main_root is not None and not main_root.is_ambiguous and figure.links[main_root.link] is link
@@ -253,12 +254,21 @@ def _joint_line(figure: Figure, link: Link) -> str:
     name, limited = f"joints.{_key(link.name)}", bool(figure.model.jnt_limited[link.joint])
     low, high = (float(bound) for bound in figure.model.jnt_range[link.joint])
     if link.kind is JointKind.SLIDE:
-        direction = quat.rotate(link.turn, link.axis).round(2) + 0.0
-        return f"{name:40} slide, metres along {direction.tolist()}" + (f", {low:g} to {high:g}" if limited else "")
+        return f"{name:40} slide, metres along {_direction(axis)}" + (f", {low:g} to {high:g}" if limited else "")
     low, high = np.degrees([low, high])
     if link.kind is JointKind.HINGE:
-        return f"{name:40} hinge, degrees" + (f", {low:.4g} to {high:.4g}" if limited else "")
+        bounds = f", {low:.4g} to {high:.4g}" if limited else ""
+        return f"{name:40} hinge, degrees about {_direction(axis)}{bounds}"
     return f"{name:40} ball, a rotation such as {{rotvec = [0, 30, 0]}}" + (f", up to {high:.4g}°" if limited else "")
+
+
+def _direction(axis: Array) -> str:
+    """Return a unit vector (3,) as text, such as "y", "-x" or "[0, 0.6, 0.8]"."""
+    rounded = axis.round(2) + 0.0
+    main = int(np.abs(rounded).argmax())
+    if np.count_nonzero(rounded) == 1:
+        return f"{'-' if rounded[main] < 0 else ''}{'xyz'[main]}"
+    return f"[{', '.join(f'{part:g}' for part in rounded)}]"
 
 
 def _key(name: str) -> str:

@@ -59,7 +59,7 @@ def test_a_model_with_any_kind_of_joint_gets_a_clip_at_rest(kind, tmp_path):
     np.testing.assert_allclose(second, first, atol=1e-6)
     assert all(key.fixed.all() for key in problem.keys)
     if kind == "limited hinge":
-        assert "joints.swing" in problem.text and "hinge, degrees, -10 to 20" in problem.text
+        assert "joints.swing" in problem.text and "hinge, degrees about y, -10 to 20" in problem.text
         assert tomllib.loads(problem.text)["figure"] == "models/it.xml"
 
 
@@ -137,8 +137,8 @@ def test_positions_of_feet_and_hands_are_written_as_in_a_keyframe(tmp_path):
     problem = written(f"<mujoco><worldbody>{TRUNK.format(ARMS)}</worldbody></mujoco>", tmp_path)
     told = [line[4:] for line in problem.text.splitlines() if line.startswith(("#   sites.", "#   bodies."))]
     assert told == [
-        "sites.l = [0, 0.1, 0.02]  # the middle of a ball of radius 0.02 m",
-        "sites.r = [0, -0.1, 0.02]  # the middle of a ball of radius 0.02 m",
+        "sites.l = [0, 0.1, 0.02]  # centre of a sphere of radius 0.02 m",
+        "sites.r = [0, -0.1, 0.02]  # centre of a sphere of radius 0.02 m",
         "bodies.arm = {position = [0, 0, 0.42]}",
     ]
     said = "".join(
@@ -159,9 +159,24 @@ def test_followers_begin_where_they_belong_and_are_not_named(tmp_path, bend, key
     legs = BODY.format(joints[0], f'<body>{joints[1]}<geom size=".1"/></body>')
     problem = written(f"<mujoco><worldbody>{legs}</worldbody>{tie}{keys}</mujoco>", tmp_path)
     np.testing.assert_allclose(problem.keys[0].state, expected, atol=1e-8)
-    assert "joints.cap                               slide, metres along [0.0, 0.0, 1.0]" in problem.text
+    assert "joints.cap                               slide, metres along z" in problem.text
     assert "\njoints.cap" not in problem.text
     assert not [note for note in problem.notes if "off" in note]
+
+
+@pytest.mark.parametrize(
+    ("turn", "axis", "words"),
+    [
+        ("0 0 0", "0 -1 0", "-y"),
+        ("0 0 90", "1 0 0", "y"),
+        ("30 0 0", "0 2 0", "[0, 0.87, 0.5]"),
+        ("0 0 180", "0 1 0", "-y"),
+    ],
+)
+def test_axes_of_hinges_are_those_in_the_world_at_rest(tmp_path, turn, axis, words):
+    joint = f'<body><joint name="bend" axis="{axis}"/><geom size=".1"/></body>'
+    problem = written(f'<mujoco><worldbody><body euler="{turn}">{joint}</body></worldbody></mujoco>', tmp_path)
+    assert f"hinge, degrees about {words}\n" in problem.text
 
 
 @pytest.mark.parametrize(("x", "is_noted"), [(1, False), (0.6, True)])
