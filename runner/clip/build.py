@@ -33,11 +33,11 @@ CustomPenalties = Sequence[tuple[Penalty, float]]
 
 # end conditions of the spline, and a note on them, by whether the figure is at rest at its start and its end
 AT_REST = {
-    (True, True): ("clamped", "begins and ends at rest, like its first and last keyframes"),
-    (True, False): ("clamped start", "begins at rest, like its first keyframe"),
-    (False, True): ("clamped end", "ends at rest, like its last keyframe"),
+    (True, True): ("clamped", "the start and the end are at rest"),
+    (True, False): ("clamped start", "the start is at rest"),
+    (False, True): ("clamped end", "the end is at rest"),
 }
-FREE_NOTE = "; [solve] ends = 'free' leaves the speed there open"
+FREE_NOTE = "; with [solve] ends = 'free', the solver chooses the speed"
 NO_CYCLE = "no cycle: that takes three keyframes that fix every joint, not all alike, and one free joint or none"
 AROUND = ("travel", "turn")  # keys of [solve] for the displacement of a loop per period
 
