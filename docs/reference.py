@@ -27,7 +27,7 @@ PART = re.compile(r"(<!-- (\w+): written by docs/reference.py -->\n).*?(<!-- end
 HEADINGS = {"the clip": "The top level", "a rotation": "A rotation"}  # of tables without a name in the file
 ROTATION = {
     "rotvec": "axis times angle, in degrees",
-    "euler": "angles about the axes of `order`, in degrees, each about an axis rotated by those before",
+    "euler": "intrinsic angles about the axes of `order`, in degrees",
     "order": 'the axes of `euler`; default "xyz"',
     "quat": "a quaternion w, x, y, z",
     "heading": "an angle about the vertical axis, in degrees, applied last; only for rotations in the world",
@@ -69,9 +69,9 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "root": "the pose of the root, see [joints and roots](keyframes.md#joints-and-roots)",
             "roots": "the poses of other free bodies and robots, by the name of their joint or body",
             "joints": "joints by name: a rotation for a ball joint, degrees for a hinge, metres for a slide",
-            "sites": "target positions of sites, feet, geoms and bodies, by name, in metres in the world",
+            "sites": "target positions of sites, sole points, geoms and bodies, by name, in metres in the world",
             "bodies": "target orientations or positions of bodies, by name",
-            "others": "[joints that are not named](keyframes.md#unspecified-degrees-of-freedom), "
+            "others": "[unspecified joints and root](keyframes.md#unspecified-degrees-of-freedom), "
             'by "key:NAME" or one of these',
         },
     ),
@@ -86,8 +86,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
     "bodies.NAME": (
         table.BodyTable,
         {
-            "flat": "`true` makes the body as level as in the rest pose; of the rotations below, only `heading` may be "
-            "added",
+            "flat": "`true` makes the body as level as in the rest pose; of all rotations, only `heading` may be added",
             "position": "in the world, in metres, for the origin of the body or the point `at`",
             "at": "a point in the axes of the body, in metres",
         }
@@ -96,7 +95,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
     "[[contact]]": (
         table.ContactTable,
         {
-            "point": "a site, foot, geom or body",
+            "point": "a site, sole point, geom or body",
             "from": "the start, in seconds",
             "to": "the end, in seconds",
             "position": "in the world, in metres; default: the position in the keyframes of this interval, if there is "
@@ -106,7 +105,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
     "[[grasp]]": (
         table.GraspTable,
         {
-            "hand": "a site, foot, geom or body",
+            "hand": "a site, sole point, geom or body",
             "body": "the held body",
             "from": "the start, in seconds",
             "to": "the end, in seconds",
@@ -166,7 +165,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "tolerance": "the search ends when a step is predicted to decrease the objective by less than this share; "
             "default 0.001",
             "quadrature": "the quadrature rule of the objective",
-            "samples": f"samples in every {LONGEST_PANEL:g} s between two frames, default {POINTS}, and more where "
+            "samples": f"samples per {LONGEST_PANEL:g} s between spline points, default {POINTS}, and more where "
             'these would miss a collision; with "uniform": samples in the whole clip, default 100',
         },
     ),
@@ -286,7 +285,7 @@ def speed() -> Iterator[str]:
     time, length = seconds(solve[1]), duration("run_and_step")
     yield f"- The clip `run_and_step`, {length} of motion, is solved in {time}."
     yield (
-        f"- A simpler running figure is solved to 0.5 % of the optimum in {seconds(runner[1])}. CasADi with IPOPT "
+        f"- A simpler running problem is solved to 0.5 % of the optimum in {seconds(runner[1])}. CasADi with IPOPT "
         f"takes {factor(ipopt[2])} times as long."
     )
     dense = factor(row("barr", DENSE)[2])
@@ -331,7 +330,7 @@ def solvers() -> Iterator[str]:
     """Comparisons with other solvers."""
     yield "| task | time | other solver | factor |"
     yield "|---|---|---|---|"
-    task = "a runner with 39 degrees of freedom, to 0.5 % of the optimum"
+    task = "a runner with a simplified objective, to 0.5 % of the optimum"
     ours = seconds(row("runner39", "ours")[1])
     for name, solver in (
         ("CasADi + IPOPT, compiled by gcc -O3", "CasADi with IPOPT, compiled"),
