@@ -77,7 +77,64 @@ def test_shapes_that_overlap_at_rest_are_left_out_though_they_lie_far_from_their
     shifted[0] = 1.0  # the toe is where the heel is, and moves out in some direction
     samples = Samples.still(figure, figure.to_state(shifted)[None])
     penalty.evaluate(samples, into := Cotangent(samples))
-    assert np.linalg.norm(into.gradients()[0][:, :3]) > 0.1
+    assert np.linalg.norm(into.gradients()[0][:, :3]) == pytest.approx(2 * 0.6)  # twice the depth
+
+
+def clusters(rng: np.random.Generator, scale: float) -> tuple[Figure, Samples]:
+    """Three free bodies of five shapes each, far from each other at rest, and samples in which they are tangled."""
+    spec = mujoco.MjSpec()
+    for i in range(3):
+        body = spec.worldbody.add_body(pos=[10 * scale * i, 0, 0])
+        body.add_freejoint()
+        for kind in ("CAPSULE", "CAPSULE", "CAPSULE", "SPHERE", "SPHERE"):
+            shape, size = getattr(mujoco.mjtGeom, f"mjGEOM_{kind}"), [rng.uniform(0.02, 0.1), rng.uniform(0.05, 0.4), 0]
+            place = rng.normal(size=3) * [0.6, 0.2, 0.2]
+            body.add_geom(type=shape, size=scale * np.array(size), pos=scale * place, quat=rng.normal(size=4))
+    figure = Figure(spec.compile())
+    y = rng.normal(size=(300, figure.width))
+    y[:, [link.qpos + k for link in figure.links[1:] for k in range(3)]] *= 0.3 * scale
+    return figure, Samples.still(figure, figure.to_state(y))
+
+
+@pytest.mark.parametrize(("scale", "margin"), [(0.2, 0.0), (1.0, 0.03), (20.0, 0.0)])
+def test_no_pair_is_missed_among_links_of_many_shapes(rng, scale, margin):
+    figure, samples = clusters(rng, scale)
+    penalty, model = SelfContact.of(figure, margin), figure.model
+    pairs, data = geom_pairs(penalty), mujoco.MjData(model)
+    expected, deep = [], 0
+    for qpos in figure.to_qpos(samples.y):
+        kinematics(model, qpos, data)
+        depths = margin - np.array([mujoco.mj_geomDistance(model, data, a, b, scale, None) for a, b in pairs.T])
+        expected.append(np.sum(np.maximum(depths, 0) ** 2))
+        deep += np.count_nonzero(depths > 0)
+    np.testing.assert_allclose(penalty.evaluate(samples), expected, atol=1e-6 * scale**2)
+    assert deep > 300
+
+
+ARM_IN_SLEEVE = """<mujoco><worldbody><body pos="0 0 1"><freejoint/>
+  <geom name="sleeve" type="capsule" size=".1" fromto=".3 0 0 .3 0 .4"/>
+  <geom name="bone" type="capsule" size=".04" fromto="{}"/></body>
+<body pos="3 0 1"><freejoint/><geom name="far" size=".1"/></body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize(
+    ("ends", "kept"),
+    [
+        (".3 .02 .1 .3 .02 .3", False),
+        (".3 0 .2 .3 0 .474", False),  # 14 mm above the sleeve
+        (".3 0 .2 .3 0 .476", True),
+        (".3 0 -.074 .3 0 .2", False),
+        (".3 0 -.076 .3 0 .2", True),
+        (".3 .074 .2 .3 -.074 .1", False),
+        (".3 .076 .2 .3 0 .1", True),
+        (".3 0 .2 .3 -.076 .1", True),
+        (".3 -.2 .2 .3 .2 .2", True),
+    ],
+)
+def test_a_shape_is_left_out_up_to_15_mm_outside_a_thicker_one(ends, kept):
+    figure = figure_of(ARM_IN_SLEEVE.format(ends))
+    geoms = {figure.model.geom(geom).name for geom in geom_pairs(SelfContact.of(figure)).ravel()}
+    assert geoms == {"sleeve", "far"} | ({"bone"} if kept else set())
 
 
 def test_a_figure_at_rest_costs_nothing_and_nothing_to_meet_has_no_sides(figure, rng):
