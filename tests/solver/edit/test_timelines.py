@@ -5,9 +5,9 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE, TINY, figure_of
+from figures import BALL, BALL_TREE, TINY, figure_of
 from gradients import RESIDUALS, SMOOTH, assert_dense, every_penalty, taylor_slope
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from oracles import kinematics
 from problems import HOP_TERMS as TERMS
@@ -28,6 +28,7 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.search.descent import optimise
+from dynsplines.solver.tolerances import ROUNDING
 
 FIGURE_OF_A_HOP = figure_of(TINY)
 FIGURE = figure_of(BALL_TREE)
@@ -69,6 +70,8 @@ def test_a_retimed_motion_is_the_motion_at_other_times(seed, ends, speed):
 
 @settings(deadline=None, max_examples=40)
 @given(st.integers(0, 1000), st.sampled_from(ENDS), st.floats(FIRST, LAST), st.floats(FIRST, LAST))
+@example(0, "free", TIMES[1] + ROUNDING / 2, TIMES[2] - ROUNDING / 2)
+@example(0, "free", TIMES[1] - ROUNDING / 2, TIMES[2] + ROUNDING / 2)
 def test_a_trimmed_motion_is_the_same_inside(seed, ends, a, b):
     timeline = random_timeline(seed, ends)
     first, last = min(a, b), max(a, b)
@@ -83,6 +86,7 @@ def test_a_trimmed_motion_is_the_same_inside(seed, ends, a, b):
     assert part.ends == "free"
     assert part.frames[0].is_key
     assert part.frames[-1].is_key
+    assert np.diff(part.times).min() > ROUNDING
     inside = [frame for frame in timeline.frames if part.times[0] < frame.time < part.times[-1]]
     assert list(part.frames[1:-1]) == inside
 
@@ -105,6 +109,12 @@ def test_a_repeated_loop_continues_period_by_period(rng, way, count):
     assert Seam.of(figure, many).discontinuity(path_of(many)).max() < 1e-9
     first = timeline.states[0]
     np.testing.assert_allclose(Seam.of(figure, many).move(first), seam.move(first, count), atol=1e-12)
+    fast = path_of(timelines.retime(many, 2.0))
+    for order in range(3):
+        assert_close(
+            fast.at(np.append(t, many.times[-1]) / 2, order) / 2**order,
+            path_of(many).at(np.append(t, many.times[-1]), order),
+        )
     again = Unknowns.of(figure, many)
     np.testing.assert_allclose(again.rows(again.start), many.rows, atol=1e-9)
 
@@ -213,6 +223,28 @@ def test_a_walk_continues_the_way_that_its_trunk_faces_whichever_foot_is_ahead()
         before, after = Timeline(step(figure, 4.0, way), still), Timeline(step(figure, -4.0, 0.0), still)
         place = timelines.following(figure, before, after, LENGTH)
         np.testing.assert_allclose(timelines.heading(axes(place.turn)), way, atol=1e-9)
+
+
+ARM_AND_BALL = """<mujoco><worldbody><body><joint axis="0 1 0"/><geom size=".1" pos="0 0 1"/></body>
+<body><freejoint/><geom size=".1"/></body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize(("text", "moves"), [(TINY, True), (BALL, True), (ARM_AND_BALL, False)])
+def test_a_motion_follows_at_the_mean_velocity_of_both_and_as_high_as_before(rng, text, moves):
+    """Beside an arm on a base, everything stays."""
+    figure = figure_of(text)
+    place = figure.tables.position_columns[:, 0]
+    before, after = (raw_timeline(figure, random_keys(figure, rng)) for _ in range(2))
+    moved = timelines.following(figure, before, after, LENGTH).timeline(figure, after)
+    if not moves:
+        np.testing.assert_array_equal(moved.rows, after.rows)
+        return
+    (end, end_d), (start, start_d) = (
+        path_of(part).motion(np.array([t]))[:2, 0, place]
+        for part, t in ((before, before.times[-1]), (moved, moved.times[0]))
+    )
+    np.testing.assert_allclose(start[:2], (end + LENGTH * (end_d + start_d) / 2)[:2], atol=1e-12)
+    assert start[2] == after.states[0, place[2]]
 
 
 def step(figure: Figure, pelvis: float, way: float) -> tuple[Frame, Frame]:
