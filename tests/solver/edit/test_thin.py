@@ -101,15 +101,22 @@ def test_the_worst_is_reported_with_its_name_and_instant():
     assert 0 < instant < 29
 
 
-@pytest.mark.parametrize(("name", "tip"), [('name="arm"', "tip of arm"), ("", "tip of body 1")])
-def test_a_limb_without_a_site_is_measured_at_its_tip(name, tip):
-    geom = '<geom type="capsule" size=".1" fromto="0 0 0 0 0 -.9"/>'
-    figure = figure_of(f"<mujoco><worldbody><body {name}><joint axis='0 1 0'/>{geom}</body></worldbody></mujoco>")
+@pytest.mark.parametrize(
+    ("name", "tip", "more", "reach"),
+    [
+        ('name="arm"', "tip of arm", "", 1.0),
+        ("", "tip of body 1", '<geom size=".05"/>', 1.0),
+        ("", "tip of body 1", '<geom size=".5" pos=".36 0 -.48"/><geom size=".05" pos=".3 0 -.9"/>', 1.1),
+    ],
+)
+def test_a_limb_without_a_site_is_measured_at_its_tip(name, tip, more, reach):
+    geoms = f'<geom type="capsule" size=".1" fromto="0 0 0 0 0 -.9"/>{more}'
+    figure = figure_of(f"<mujoco><worldbody><body {name}><joint axis='0 1 0'/>{geoms}</body></worldbody></mujoco>")
     times, angles = np.linspace(0, 1, 21), 0.3 * np.sin(np.pi * np.linspace(0, 1, 21))
     recorded = Recorded(figure, times, angles[:, None], *WIDE)
     (distance, instant, where), _ = recorded.worst(recorded.spline(recorded.frames([0, 20])))
     assert (where, instant) == (tip, 10)
-    assert distance == pytest.approx(2 * np.sin(0.15))  # at 1 m, from the rest pose
+    assert distance == pytest.approx(reach * 2 * np.sin(0.15))  # from the rest pose
 
 
 SWAY = """<mujoco><worldbody><body name="foot"><joint type="slide" axis="1 0 0"/><geom size=".02"/>
