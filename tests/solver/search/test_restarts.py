@@ -5,7 +5,7 @@ from functools import cache
 
 import numpy as np
 import pytest
-from figures import BALL_TREE, KNEE, ONE_BALL, SMOOTHNESS, figure_of, limb, limits
+from figures import BALL_TREE, KNEE, ONE_BALL, SMOOTHNESS, UP, figure_of, limb, limits
 from oracles import by_scipy, kinematics
 from random_models import evenly, random_keys
 
@@ -16,7 +16,11 @@ from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.objective import Objective
+from dynsplines.solver.penalty import Collision, Flight
 from dynsplines.solver.search import restarts
+from dynsplines.solver.surface import Box
+from dynsplines.solver.surface.points import Point
 from dynsplines.solver.tolerances import ROUNDING
 
 VERB = sys.modules["dynsplines.solver.inbetween"]  # the package has the verb under the module's name
@@ -102,6 +106,39 @@ def test_a_limb_that_began_behind_its_knee_is_out_of_there_by_the_straight_way()
     assert after.trace[0][2] < 0.1 * after.objective.value(path_of(raw))
     fine = np.linspace(*after.path.span, 2000)
     assert after.objective.value(after.path, fine) < 0.5 * after.objective.value(path_of(after.raw), fine)
+
+
+WALL = Collision((Point("hand", 2, np.zeros(3)),), (Box("wall", 9 * UP, np.eye(3), np.ones(3), buried=False),))
+
+
+def test_a_minimum_is_poor_by_its_violations_and_by_the_cost_of_a_detour():
+    """The cost of motion, of joints beyond their bounds, of an obstacle and of physics, relative to the raw spline."""
+    smooth, limit = SMOOTHNESS[0][0].name, TERMS[-1][0].name
+    plain = Objective.of(LIMB, [*TERMS, (Flight(1, (), 1.0, 1.0), 1.0)])
+    walled = Objective.of(LIMB, [*TERMS, (WALL, 1.0)])
+    raw = plain.raw_cost
+    for motion in (0.5 * raw, 2 * raw):
+        for share, poor in ((0.999, False), (1.001, True)):
+            beyond = share * max(motion, raw)
+            assert restarts.violation_dominates(plain, {smooth: motion, limit: beyond}) == poor
+            assert restarts.violation_dominates(walled, {smooth: motion, WALL.name: beyond}) == poor
+            assert not restarts.violation_dominates(plain, {smooth: motion, "flight": 9 * beyond})
+    for share, increased in ((1.999, False), (2.001, True)):
+        assert restarts.cost_increased(walled, {smooth: share * raw, limit: 9 * raw}) == increased
+        assert restarts.cost_increased(walled, {smooth: raw, WALL.name: (share - 1) * raw}) == increased
+        assert not restarts.cost_increased(plain, {smooth: share * raw})
+    still = evenly(raw_timeline(LIMB, [Frame.key(t, LIMB.model.qpos0) for t in (0.0, 1.0)]), 1)
+    for degrees, length, share, poor in (
+        (40, 1.0, 0.0199, False),
+        (40, 1.0, 0.0201, True),  # two per cent is a bound, and the limb is far from its straight path
+        (20, 1.0, 0.4, False),
+        (0, 1.99, 0.0, False),
+        (0, 2.01, 0.0, True),
+    ):
+        rows = still.rows * np.where(np.arange(LIMB.width) < 3, 1.0, length)
+        rows[1, 3:7] = length * quat.from_rotation_vector(np.radians([0, degrees, 0]))
+        rows[1, 7:] = quat.product(rows[1, 3:7], [1, 0, 0, 0])
+        assert restarts.is_poor_minimum(plain, still.with_rows(rows), {smooth: 1 - share, limit: share}) == poor
 
 
 def test_keyframes_up_to_10_000_times_as_far_apart_as_their_neighbours_end_with_quaternions_near_unit_length():
