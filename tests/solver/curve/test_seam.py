@@ -320,5 +320,8 @@ def test_variable_frames_are_moved_and_what_keyframes_fix_stays_even_partly(figu
     expected = by_scipy(figure, first.times[told], figure.to_qpos(first.states[told]), first.times[inner])
     assert apart(figure, figure.to_qpos(found.states[inner]), expected) < 1e-12
     assert apart(figure, figure.to_qpos(first.states[inner]), expected) > 0.01
+    if ends == "free":
+        chords = np.diff(found.states, axis=0) / np.diff(found.times)[:, None]
+        np.testing.assert_allclose(found.rows[-2:], chords[[0, -1]], atol=1e-12)
     for key, state in zip(keys, path_of(found).at(TIMES), strict=True):
         assert distance_from_key(figure, state, key) < 1e-11
