@@ -457,7 +457,7 @@ KINDS = {
         )),
         Kind("no_slip", (Part(1.4, "speed of heels and toes near a surface", _no_slip),), ("reach",)),
         Kind("grounded", (
-            Part(0.003, "height of the lowest point of a figure that is on the ground in any keyframe", _hover),
+            Part(0.003, "height of the lowest point of a figure that is on the ground in some keyframe", _hover),
         ), ("reach",)),
         Kind("posture", (Part(0.7, "velocity of joints and roots", _posture),)),
         Kind("prior", (Part(1.0, "distance from the motion that is predicted for a person", _prior),)),
@@ -469,14 +469,17 @@ KINDS = {
         ), ("bend_joints", "least_bend", "sideways", "twist", "speed")),
         Kind("equality", (Part(300.0, "violation of <equality> constraints", _equality),)),
         Kind("upright", (
-            Part(1.0, "deviation of a trunk's tilt from its pose, if its rotation is free", _trunk, "trunk"),
+            Part(1.0, "tilt of a root away from its pose, near keyframes that free its rotation", _trunk, "trunk"),
             Part(30.0, "tilt of listed bodies, such as a head or a tray", _bodies, "bodies", "bodies"),
         ), ("bodies", "axis")),
         Kind("flight", (
             Part(6.0, "force on the figure during flights, except gravity", _flight),
         ), ("intervals", "angular")),
         Kind("support", (
-            Part(2.0, "force and moment that feet on the ground cannot supply", _support, tracking=1000.0),
+            Part(
+                2.0, "force and moment that feet on the ground cannot supply; also on if keyframes free x or y",
+                _support, tracking=1000.0,
+            ),
         ), ("friction",), is_default=False),
         Kind("peak", (
             Part(0.01, "peaks of angular acceleration of joints", lambda context, options: PeakAcceleration()),
