@@ -231,7 +231,6 @@ NUMBER = r"\d[\d.,]*"
 FIGURE = re.compile(rf"\b{NUMBER}(?: times\b| ×| ?(?:%|[MG]B\b|Hz\b|c?m/s\b)| (?:m?s|seconds|minutes?)\b)")
 FALL = np.sqrt(2 * np.array([0.1, 0.3, 0.5]) / 9.81)  # [s]
 STATED = {  # the only figures outside generated parts: text, and its numbers in the code
-    "unit length to {:g} %": 100 * UNIT_LIMIT,
     "unit length is below {:g} %": 100 * UNIT_LIMIT,
     "touches nothing for over {:g} s": Thresholds.moment,
     "between keyframes at most {:g} s apart": Thresholds.shortly,
