@@ -238,7 +238,7 @@ STATED = {  # the only figures outside generated parts: text, and its numbers in
     "first and last {:g} s": ground.WINDOW / 2,
     "clips under {:g} s": ground.WINDOW,
     "average under {:g} m/s": Thresholds.fast,
-    "root below {:g} m/s": Thresholds.travels,
+    "root slower than {:g} m/s": Thresholds.travels,
     "is slower than {:g} m/s": Thresholds.travels,
     "complete keyframes at least {:g} s apart": Thresholds.far_apart,
     "also more than {:g} %": 100 * bounds.SPEED_SHARE,
