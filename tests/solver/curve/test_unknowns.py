@@ -62,13 +62,16 @@ def test_the_raw_timeline_of_whole_keyframes_is_the_natural_spline(figure, rng):
         assert np.all(np.sum(track[1:] * track[:-1], axis=1) >= 0)
 
 
-def test_an_entry_missing_from_one_keyframe_starts_on_the_spline_of_its_neighbours(figure, rng):
-    keys = random_keys(figure, rng, {1: mask_without(figure, "root z")})
-    raw = raw_timeline(figure, keys)
-    others = [0, 2, 3]
-    times = np.array(TIMES)
-    expected = CubicSpline(times[others], [keys[i].state[2] for i in others], bc_type="natural")(times[1])
-    np.testing.assert_allclose(raw.states[1, 2], expected, atol=1e-12)
+@pytest.mark.parametrize("others", [[0, 2, 3], [0, 3], [1, 3]])
+def test_entries_missing_from_keyframes_start_on_the_spline_of_their_neighbours(figure, rng, others):
+    """Constant before the first neighbour."""
+    columns = [2, *(link.qpos for link in figure.links[1:] if link.kind in (JointKind.HINGE, JointKind.SLIDE))]
+    mask = np.ones(figure.width, bool)
+    mask[columns] = False
+    keys = random_keys(figure, rng, {i: mask for i in range(4) if i not in others})
+    times, values = np.array(TIMES), np.array([keys[i].state[columns] for i in others])
+    expected = CubicSpline(times[others], values, bc_type="natural")(np.maximum(times, times[others[0]]))
+    np.testing.assert_allclose(figure.to_qpos(raw_timeline(figure, keys).states)[:, columns], expected, atol=1e-12)
 
 
 def test_a_free_joint_starts_as_its_own_keyframes_say_however_its_parents_turn(figure, rng):

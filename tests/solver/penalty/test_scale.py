@@ -46,7 +46,8 @@ def test_a_centimetre_counts_as_the_reference_specifies(name):
     assert penalty.role.is_violation
     assert penalty.normalization.time_power == 0
     np.testing.assert_allclose(penalty.evaluate(still), penalty.normalization.reference, rtol=1e-5)
-    assert kinds.Sum((penalty,), "both").normalization == penalty.normalization
+    both = kinds.Sum((penalty, kinds.UnitMagnitude()), "both")
+    assert (both.normalization, both.is_sharp, both.role) == (penalty.normalization, penalty.is_sharp, penalty.role)
 
 
 @pytest.mark.parametrize("degrees", [-1.0, 1.0])

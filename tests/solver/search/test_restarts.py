@@ -138,7 +138,7 @@ def test_a_minimum_is_poor_by_its_violations_and_by_the_cost_of_a_detour():
         rows = still.rows * np.where(np.arange(LIMB.width) < 3, 1.0, length)
         rows[1, 3:7] = length * quat.from_rotation_vector(np.radians([0, degrees, 0]))
         rows[1, 7:] = quat.product(rows[1, 3:7], [1, 0, 0, 0])
-        assert restarts.is_poor_minimum(plain, still.with_rows(rows), {smooth: 1 - share, limit: share}) == poor
+        assert restarts.is_poor_minimum(plain, still.with_rows(rows), {smooth: 5 - 5 * share, limit: 5 * share}) == poor
 
 
 def test_keyframes_up_to_10_000_times_as_far_apart_as_their_neighbours_end_with_quaternions_near_unit_length():

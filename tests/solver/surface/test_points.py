@@ -16,7 +16,7 @@ from dynsplines.clip.build import Clip
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.surface import Ellipsoid, cover
-from dynsplines.solver.surface.cover import covering_points
+from dynsplines.solver.surface.cover import covering_points, wide_points
 from dynsplines.solver.surface.points import DIRECTIONS, Point, all_round, arrays_of, body_points, sets_places
 
 LIMBS_OF_SHAPES = read_data("limbs_of_shapes.xml")
@@ -330,6 +330,31 @@ def test_the_edge_of_a_step_in_a_foot_between_its_corners_is_a_violation(half, d
     expected, reported = depths(clip, "foot", "step")
     assert expected == pytest.approx(depth, abs=1e-3)
     assert 0.6 * expected < reported < expected + 0.001
+
+
+@pytest.mark.parametrize(
+    ("kind", "half", "count"),
+    [
+        ("box", (0.019, 0.0205, 0.01), "none"),  # length plus width of the largest face: 0.079 m
+        ("box", (0.0205, 0.01, 0.021), "few"),
+        ("box", (0.021, 0.0205, 0.009), "none"),  # too thin
+        ("box", (0.08, 0.069, 0.03), "few"),  # 0.298 m
+        ("box", (0.03, 0.08, 0.071), "all"),
+        ("box", (0.08, 0.071, 0.009), "all"),
+        ("cylinder", (0.015, 0.0245), "none"),
+        ("cylinder", (0.015, 0.026), "few"),
+        ("cylinder", (0.0205, 0.015), "few"),
+        ("cylinder", (0.05, 0.101), "all"),
+        ("capsule", (0.2, 0.5), "none"),
+    ],
+)
+def test_an_edge_may_enter_wide_shapes_anywhere_and_smaller_ones_by_5_mm(kind, half, count):
+    points = wide_points(figure_of(ONE_SHAPE.format(kind, " ".join(map(str, half)))))
+    centres, radii = spheres(kind, *half, gap={"all": cover.GAP}.get(count, cover.STEP_GAP))
+    expected = centres[radii >= (0 if count == "all" else cover.THIN)] + [0.1, 0, 0]
+    positions = np.array([point.position for point in points]).reshape(-1, 3)
+    assert len(positions) == (0 if count == "none" else len(np.unique(expected, axis=0)))
+    assert all(np.abs(expected - place).max(axis=1).min() < 1e-9 for place in positions)
 
 
 PAIR = read_data("mesh_pair.xml")
