@@ -14,7 +14,11 @@ from scipy.spatial import ConvexHull
 
 from dynsplines import models
 from dynsplines.clip import load
+from dynsplines.clip.build import constraints
+from dynsplines.clip.kinds import KINDS
 from dynsplines.clip.load import Clip
+from dynsplines.clip.parse import options_of
+from dynsplines.clip.table import PenaltyTable
 from dynsplines.scene.compose import compose
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Contact, footings, stances
@@ -22,8 +26,10 @@ from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.raw import raw_timeline
+from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.dynamics import Size
 from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.objective import Objective
 from dynsplines.solver.problem import Problem
 from dynsplines.solver.surface.points import Point
 
@@ -147,6 +153,25 @@ def test_a_doll_and_a_giant_stand_when_an_adult_does(figure, factor, gravity):
     expected = schedule(adult, 1.0)
     assert schedule(other, slower) == expected
     assert {row[0].split()[0] for row in expected} >= {"stance", "footing"}
+
+
+@pytest.mark.parametrize(("figure", "gravity"), [("human", False), ("biped", True)])
+def test_every_soft_constraint_costs_a_giant_what_it_costs_an_adult(figure, gravity, rng):
+    """On splines through poses that violate most constraints, relative to the raw splines."""
+    poses, costs = np.array(keyframes(figure)[2]), []
+    poses += 0.1 * rng.normal(size=poses.shape)
+    for factor in (1.0, 3.0):
+        clip = clip_of(figure, factor, gravity=gravity)
+        problem = summed(clip, 1.0 if gravity else float(np.sqrt(factor)))
+        kinds = [PenaltyTable.of(kind, weight=1.0) for kind in KINDS]
+        _, penalties, _ = constraints(clip.context, options_of(kinds, "every kind"))
+        objective = Objective.of(clip.figure, penalties, quadrature=problem.settings.quadrature)
+        violating = enlarged(clip.figure.model, poses, factor)
+        keys = [Frame.key(key.time, pose) for key, pose in zip(clip.keys, violating, strict=True)]
+        discretised = objective.renormalise(path_of(problem.raw)).on(raw_timeline(clip.figure, keys))
+        costs.append(discretised(discretised.unknowns.start).parts)
+    assert costs[1] == pytest.approx(costs[0], rel=1e-5)
+    assert sum(cost > 0 for cost in costs[0].values()) >= 13
 
 
 @pytest.mark.slow
