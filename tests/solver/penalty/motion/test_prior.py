@@ -92,6 +92,18 @@ def test_keyframes_moved_and_turned_about_the_vertical_have_the_same_prediction(
     np.testing.assert_allclose(moved.weights, prior.weights, rtol=1e-6)
 
 
+def test_the_height_of_keyframes_matters_only_over_known_ground(walk: Clip) -> None:
+    person, keys = walker(walk), walk.context.keys
+    shift = np.zeros(51)
+    shift[2] = 0.2
+    states = keys.states.copy()
+    states[:, person.position] += shift[:3]
+    lifted = timeline(keys, keys.times, states)
+    for ground, same in ((None, True), (0.0, False)):
+        one, other = (Prior.of(person, each, models.prior(), ground).predicted for each in (keys, lifted))
+        assert np.allclose(other, one + shift, atol=1e-9) == same
+
+
 def test_mirrored_keyframes_have_the_mirrored_prediction(walk: Clip) -> None:
     person, keys = walker(walk), walk.context.keys
     other = people.MIRRORED
