@@ -28,7 +28,7 @@ from dynsplines.solver.penalty import Support
 from dynsplines.solver.penalty.ground.support import Reactions
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.heights import height_over
-from dynsplines.solver.surface.points import Point, body_points, hanging, places_of
+from dynsplines.solver.surface.points import Point, body_points, hanging, places_of, split_at_feet
 
 from ..clip import load as clip
 from ..clip.context import Context
@@ -86,9 +86,8 @@ class Forces:
             support = replace(support, footings=(*support.footings, *_landings(context, support, path)))
         stiff, elsewhere = None if support is None else support.stiff, np.zeros(samples.count, bool)
         if support is not None:
-            feet = {point.link for point in context.points}
-            elsewhere = _touches(context, support, samples, [p for p in body_points(figure) if p.link not in feet])[1]
-            elsewhere = np.asarray(elsewhere.any(axis=0))
+            _, others = split_at_feet(context.points, body_points(figure))
+            elsewhere = np.asarray(_touches(context, support, samples, others)[1].any(axis=0))
         return cls(sampled, samples, stiff, sampled.model if model is None else model, elsewhere)
 
     @cached_property
@@ -197,9 +196,9 @@ class Forces:
 
 def _landings(context: Context, support: Support, path: Path) -> list[Contact]:
     """Return the contacts of slow feet with the ground outside their stances, as measured along the path."""
-    figure, t, feet = context.figure, sparse_times(path), {point.link for point in context.points}
-    samples, points = samples_at(figure, path, t), [p for p in body_points(figure) if p.link in feet]
-    points, touches, centres, up = _touches(context, support, samples, [*context.points, *points])
+    figure, t = context.figure, sparse_times(path)
+    samples, (feet, _) = samples_at(figure, path, t), split_at_feet(context.points, body_points(figure))
+    points, touches, centres, up = _touches(context, support, samples, feet)
     speeds = np.linalg.norm(np.gradient(centres, t, axis=2), axis=0)
     touches &= (speeds < Thresholds.of(figure).fast) & ~within(support.flights, t)
     return touching(samples, points, touches, up)

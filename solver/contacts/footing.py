@@ -15,7 +15,7 @@ import numpy as np
 from ..array import Array, Index, Mask, segments_at
 from ..figure.figure import Figure
 from ..surface import Plane
-from ..surface.points import Point
+from ..surface.points import Point, split_at_feet
 from ..tolerances import ROUNDING
 from .contact import Contact
 from .keyframe_points import KeyframePoints
@@ -29,8 +29,7 @@ def footings(soles: KeyframePoints, standing: Sequence[Contact], body: Sequence[
     Their points are those of the sole and the `body` that touch a surface in one of the two keyframes, at the spot that
     touches it. Points inside the convex hull of the others are omitted.
     """
-    feet = set(soles.links.tolist())
-    spots = soles.with_points((*soles.points, *(point for point in body if point.link in feet)))
+    spots = soles.with_points(split_at_feet(soles.points, body)[0])
     begin, end = np.array([(contact.first, contact.last) for contact in standing]).reshape(-1, 2).T
     links = np.array([contact.point.link for contact in standing], np.intp)
     result = []

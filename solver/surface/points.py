@@ -66,6 +66,16 @@ def hanging(figure: Figure, link: int, points: Sequence[Point]) -> tuple[Point, 
     return tuple(point for point in points if figure.tables.path[point.link, link])
 
 
+def split_at_feet(soles: Sequence[Point], body: Sequence[Point]) -> tuple[tuple[Point, ...], tuple[Point, ...]]:
+    """Return the points of feet, which are soles and the points of the body on their links, and the rest of the body.
+
+    A foot is wider than the marks of its sole.
+    """
+    feet = {point.link for point in soles}
+    on_feet = tuple(point for point in body if point.link in feet)
+    return (*soles, *on_feet), tuple(point for point in body if point.link not in feet)
+
+
 def free_root(figure: Figure, points: Sequence[Point]) -> int | None:
     """Return the first free link with any of the points on it or its descendants; None if there is none."""
     return next((int(link) for link in figure.tables.free_links if hanging(figure, int(link), points)), None)

@@ -32,7 +32,7 @@ from dynsplines.solver.posing import (
 )
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import heights
-from dynsplines.solver.surface.points import Point, body_points, hanging, places_of
+from dynsplines.solver.surface.points import Point, body_points, hanging, places_of, split_at_feet
 
 from ...errors import UserError, unknown
 from ..table import BodyTable, KeyframeTable
@@ -234,16 +234,14 @@ def _unmet_balance(
     preferred, root = balance_of(figure, soles, goals) if surfaces else [], figure.root
     if not preferred or root is None:
         return []
-    limits, feet, body = Thresholds.of(figure), {point.link for point in soles}, body_points(figure)
+    limits, (feet, others) = Thresholds.of(figure), split_at_feet(soles, body_points(figure))
     if not fixed[figure.links[root.link].columns][:2].all():
-        soles = [*soles, *(point for point in body if point.link in feet)]  # a sole is wider than its marks
-        depths = _depths(figure, pose, soles, surfaces)
-        standing = [sole for sole, depth in zip(soles, depths, strict=True) if depth > -limits.near_surface]
+        depths = _depths(figure, pose, feet, surfaces)
+        standing = [point for point, depth in zip(feet, depths, strict=True) if depth > -limits.near_surface]
         preferred = balance_of(figure, standing, goals)
     data = kinematics(figure.model, pose)
     if all(np.linalg.norm(goal.residual(figure.model, data)) <= limits.near_surface for _, goal in preferred):
         return []
-    others = [point for point in body if point.link not in feet]
     return [] if np.any(_depths(figure, pose, others, surfaces) > -limits.near_surface) else preferred
 
 
