@@ -44,6 +44,7 @@ from .system.quantity import LARGEST
 
 FORMAT_VERSION = 2  # 1: without assets
 RATE = 240.0  # [1/s] of the samples at which motions are measured: a foot at 4 m/s moves 17 mm between two
+RESAMPLED = 120.0  # [1/s] least rate of samples that stand for a motion: as a recording, for thinning, in curves
 MOST_SAMPLES = 1_000_000  # maximum number of samples of a motion
 PLACES = ("qpos", "frame_state", "time")  # endings of names of arrays that `LARGEST` limits
 NEEDED = (

@@ -27,7 +27,7 @@ from ..clip.parse import SHORTEST
 from ..errors import UserError
 from ..exchange.formats import is_foreign, stem
 from ..exchange.motion_import import import_recording
-from ..motion import RATE, Saved
+from ..motion import RESAMPLED, Saved
 from ..system.output import check_target
 from ..system.progress import Progress
 from ..system.quantity import length
@@ -96,7 +96,7 @@ def thin_motion(
 
 
 def recorded_of(saved: Saved, distance: float, angle: float) -> Recorded:
-    """Return the samples for comparison: those of a recording; of a solved motion at half of RATE and its keyframes."""
+    """Return the samples for comparison: of a recording, its own; of a solved motion, dense ones and its keyframes."""
     for value, what, example in ((distance, "metres", "0.02"), (angle, "radians", "0.1")):
         if not (np.isfinite(value) and value > 0):
             raise UserError(
@@ -114,7 +114,7 @@ def _instants(saved: Saved, keys: Array) -> Array:
     first, last = keys[0], keys[-1]
     if np.diff(keys).mean() <= 1.01 / saved.fps:
         return keys
-    rate = min(saved.fps * np.ceil(RATE / 2 / saved.fps), 1 / SHORTEST)
+    rate = min(saved.fps * np.ceil(RESAMPLED / saved.fps), 1 / SHORTEST)
     grid = first + np.arange(int((last - first) * rate) + 1) / rate
     after = keys[np.searchsorted(keys, grid).clip(1, keys.size - 1)]
     before = keys[np.searchsorted(keys, grid, side="right").clip(1, keys.size - 1) - 1]

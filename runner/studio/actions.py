@@ -10,8 +10,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from dynsplines.solver.tolerances import SINGLE
-
 from ..errors import UserError, unknown
 from .session import Session
 
@@ -329,8 +327,10 @@ class Actions:
         return np.array(self.session.loaded["keys"][index]["qpos"], float)
 
     def key_at(self, time: float) -> int | None:
+        from ..clip.parse import is_too_near  # imported here because it needs the solver's imports
+
         times = [float(row["time"]) for row in self.session.document.tree_rows()]
-        return next((i for i, key_time in enumerate(times) if abs(key_time - time) < SINGLE), None)
+        return next((i for i, key_time in enumerate(times) if is_too_near(key_time, time)), None)
 
     def _row(self, index: int) -> TomlTable:
         rows = self.session.document.tree_rows()

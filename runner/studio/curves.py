@@ -19,9 +19,9 @@ from dynsplines.solver.problem import Solution
 from dynsplines.solver.tolerances import ROUNDING
 
 from ..measure.bounds import BOUNDS
-from ..motion import RATE, samples_at
+from ..motion import RESAMPLED, samples_at
+from .paths import MOST_SAMPLES
 
-MOST = 1500  # number of samples of a long motion
 UNITS = {"angle": "°", "position": "m", "speed": "°/s", "torque": "N m"}
 AXES = {JointKind.BALL: ("x", "y", "z"), JointKind.FREE: ("x", "y", "z", "turn x", "turn y", "turn z")}
 
@@ -63,7 +63,7 @@ def overshoots(figure: Figure, keys: Sequence[Frame], timeline: Timeline) -> lis
 
 def _times(timeline: Timeline) -> Array:
     first, last = float(timeline.times[0]), float(timeline.times[-1])
-    return np.linspace(first, last, int(np.clip((last - first) * RATE / 2, 20, MOST)) + 1)
+    return np.linspace(first, last, int(np.clip((last - first) * RESAMPLED, 20, MOST_SAMPLES)) + 1)
 
 
 def _series(figure: Figure, samples: Samples) -> list[tuple[str, Link, int | None, Array]]:

@@ -20,14 +20,13 @@ from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.root import subtree
 
-from ..motion import RATE
-
+RATE = 60.0  # [1/s] of samples, that of most displays
 MOST_SAMPLES = 1200  # number of samples of a long motion, few enough to be sent quickly
 
 
 def rate_of(duration: float) -> float:
     """Return the sampling rate [1/s] for a motion of this duration [s]."""
-    return MOST_SAMPLES / duration if duration * RATE / 4 > MOST_SAMPLES else RATE / 4
+    return min(RATE, MOST_SAMPLES / duration)
 
 
 def pack(figure: Figure, timeline: Timeline, header: Mapping[str, object], key_times: Sequence[float] = ()) -> bytes:

@@ -28,12 +28,12 @@ from dynsplines.solver.surface.points import Point, places_of, sets_places
 from dynsplines.solver.tolerances import ROUNDING
 
 from ...errors import UserError
-from ...motion import RATE, Saved, continuous, sample_count
+from ...motion import RESAMPLED, Saved, continuous, sample_count
 from ..context import Context
 from ..kinds import Options
 from ..parse import TOLERANCE
 from ..table import RecordingTable
-from .problem import NEXT_TO, tracking_problem
+from .problem import tracking_problem
 
 EASE = 0.4  # [s] interval before and after a keyframe over which its change of the recording fades out
 DETAIL = 0.02  # [1] cost per segment of detail that the spline may lose, less than 1 mm; see `TrackingPenalty.times`
@@ -54,7 +54,7 @@ class TrackedRecording:
     @classmethod
     def of_motion(cls, figure: Figure, raw: Timeline, table: RecordingTable, where: str) -> TrackedRecording:
         """Return the recording that a saved motion follows, which is its raw path."""
-        recorded = Track.of(figure, *_taken_down(figure, raw, RATE / 2), exact=True)
+        recorded = Track.of(figure, *_taken_down(figure, raw, RESAMPLED), exact=True)
         return cls(recorded, table, where)
 
     def pose(self, time: float) -> Array:
@@ -140,11 +140,11 @@ def recording_to_follow(table: RecordingTable, figure: Figure, motion: Saved | N
 
 
 def _taken_down(figure: Figure, timeline: Timeline, fps: float) -> tuple[Array, Array]:
-    """Return times (T,) [s] and qpos (T, nq) of a motion, with its end, at half of RATE or more samples per second."""
-    path, rate = path_of(timeline), max(fps, RATE / 2)
+    """Return times (T,) [s] and qpos (T, nq) of a motion at a rate [1/s], at least RESAMPLED, with its end."""
+    path, rate = path_of(timeline), max(fps, RESAMPLED)
     first, last = path.span
     time = first + np.arange(sample_count(last - first, rate)) / rate
-    if last - time[-1] > NEXT_TO / 2:
+    if last - time[-1] > 0.5 / rate:
         time = np.append(time, last)
     time[-1] = last
     return time, continuous(figure, figure.to_qpos(path.at(time)))
