@@ -290,20 +290,6 @@ def trim(
 
 
 @app.command(rich_help_panel="Edit")
-def join(
-    first: option.Source,
-    second: option.Source,
-    output: option.Edited = None,
-    transition: Annotated[float, seconds("Duration of the transition")] = 0.4,
-    overwrite: option.Overwrite = False,
-    allow_outside: option.Outside = False,
-) -> None:
-    """Append a motion to another one, with a transition.
-    Clips are solved first. The second motion is moved and rotated, so that it continues from the end of the first."""
-    _edit(files.join, first, second, transition, output=output, overwrite=overwrite)
-
-
-@app.command(rich_help_panel="Edit")
 def thin(
     source: Annotated[str, typer.Argument(metavar="MOTION", help="Motion (.npz), recording, or clip")],
     output: Annotated[Path | None, option.output("MOTION_thin.toml")] = None,

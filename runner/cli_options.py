@@ -213,9 +213,7 @@ Speed = Annotated[
     float | None,
     value("SPEED", "Largest joint speed, e.g. 20rad/s or 1200deg/s", "none", "--speed-limit", parser=parsed_speed),
 ]
-Edited = Annotated[
-    Path | None, output("name of the first input with the suffix _mirrored, _retimed, _trimmed or _joined")
-]
+Edited = Annotated[Path | None, output("name of the input with the suffix _mirrored, _retimed or _trimmed")]
 Map = Annotated[
     Path | None,
     value(

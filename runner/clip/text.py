@@ -178,5 +178,4 @@ def _defines_scene(saved: Saved) -> bool:
 
 def _solve_table(saved: Saved) -> SolveTable:
     """Return the [solve] table of a motion's ends."""
-    ends = {"ends": saved.timeline.ends} if saved.timeline.ends != "held" else {}
-    return SolveTable.without_checks(**ends, **around(saved).specified)
+    return SolveTable.without_checks(ends=saved.timeline.ends, **around(saved).specified)

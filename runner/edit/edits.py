@@ -1,9 +1,9 @@
-"""Edits of motions: mirror, retime, trim, repeat, join. The results are motions without a clip."""
+"""Edits of motions: mirror, retime, trim, repeat. The results are motions without a clip."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from dataclasses import replace
 
 import numpy as np
@@ -14,25 +14,14 @@ from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.edit import timelines
-from dynsplines.solver.edit.timelines import LEAST_FRAMES
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.problem import renormalise
-from dynsplines.solver.search.descent import optimise
-from dynsplines.solver.search.minimum import TOLERANCE
 
 from ..clip.build import Clip
-from ..clip.contacts import contacts
-from ..clip.load import of_motion
 from ..clip.mirror import figure_mirror
-from ..clip.parse import LONGEST, SHORTEST, check_times, is_too_near, table_of
-from ..clip.table import ClipTable, GraspTable
-from ..clip.text import keyframe_tables, text_of
+from ..clip.parse import LONGEST, check_times, is_too_near, table_of
+from ..clip.table import ClipTable
 from ..errors import UserError
 from ..motion import Saved
-from ..system.progress import Progress
-
-FRAME_SECONDS = 0.025  # [s] spacing of variable frames in a transition, short enough to avoid the floor near its ends
 
 
 @contextmanager
@@ -136,57 +125,6 @@ def repeat(saved: Saved, count: int) -> Saved:
     states = saved.figure.to_qpos(path_of(raw).at(np.array([key.time for key in keys])))
     keys = tuple(replace(key, state=state) for key, state in zip(keys, states, strict=True))
     return replace(saved, keys=keys, timeline=timeline, raw=raw)
-
-
-def join(before: Saved, after: Saved, transition: float, progress: Progress) -> Saved:
-    """Return two motions in sequence, with a transition [s] that is solved as an in-between. What a hand holds at the
-    end of the first and at the start of the second, according to their clips, it also holds in the transition."""
-    check_transition(transition)
-    check_alike(before, after)
-    held = [
-        row for row in _grasps(before, -1) if (row.point, row.body) in {(r.point, r.body) for r in _grasps(after, 0)}
-    ]
-    before, after = without_clip(before), without_clip(after)
-    figure = before.figure
-    one, two = (timelines.trim(part.timeline, *part.timeline.times[[0, -1]].tolist()) for part in (before, after))
-    two = timelines.signed_like(figure, one, timelines.following(figure, one, two, transition).timeline(figure, two))
-    shift = float(one.times[-1]) + transition - float(two.times[0])
-    two = Timeline(tuple(replace(frame, time=frame.time + shift) for frame in two.frames), two.end_slope)
-    timeline = timelines.join(one, _transition(before, one, two, held, progress), two)
-    times = [*(key.time for key in before.keys), *(key.time + shift for key in after.keys)]
-    check_times(times, "join")
-    return _with_keys(before, timeline, times)
-
-
-def check_transition(transition: float) -> None:
-    """Raise UserError for a transition [s] that is too short or too long."""
-    if not SHORTEST <= transition <= LONGEST:
-        raise UserError(f"a transition lasts {SHORTEST:g} to {LONGEST:g} s, not {transition:g}")
-
-
-def _grasps(saved: Saved, number: int) -> list[GraspTable]:
-    """Return the grasps of a motion's clip at its first (0) or last (-1) keyframe."""
-    time = saved.keys[number].time
-    return [row for row in _table(saved).grasp if row.start - SHORTEST <= time <= row.end + SHORTEST]
-
-
-def _transition(saved: Saved, one: Timeline, two: Timeline, held: Sequence[GraspTable], progress: Progress) -> Timeline:
-    """Return the in-between from the end of one timeline to the start of the other, with default soft constraints."""
-    figure = saved.figure
-    ends = (*_complete(figure, one, one.times[-1:]), *_complete(figure, two, two.times[:1]))
-    grasps, between = list[GraspTable](), raw_timeline(figure, list(ends))
-    samples = Samples.still(figure, between.states)
-    for row in held:
-        with suppress(UserError):  # a hand that holds another place
-            contacts(samples, between, [row := row.change(start=ends[0].time, end=ends[1].time)], "join")
-            grasps.append(row)
-    count = max(LEAST_FRAMES, round((ends[1].time - ends[0].time) / FRAME_SECONDS))
-    begin = timelines.bridge(figure, one, two, variable=count)
-    text = text_of(ClipTable.without_checks(figure="", grasp=grasps, keyframe=keyframe_tables(figure, ends)))
-    clip = of_motion(replace(saved, text=text, keys=ends, timeline=one))
-    objective = renormalise(clip.problem.plain_objective, saved.raw)
-    progress.step("solving the transition", 0.0, force=True)
-    return optimise(objective, begin, max_evaluations=clip.settings.max_evaluations, tolerance=TOLERANCE)
 
 
 def check_alike(before: Clip | Saved, after: Clip | Saved) -> None:

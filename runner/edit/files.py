@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -34,7 +34,7 @@ def mirror(source: str, target: Path | None, *, overwrite: bool, progress: Progr
     Args:
         append: Whether to keep the keyframes of half a gait cycle, and to append their mirror image.
     """
-    target, (one,) = _prepare([source], target, "mirrored", overwrite, writes_clips=True)
+    target, one = _prepare(source, target, "mirrored", overwrite, writes_clips=True)
     if append:
         table = table_of(one.text, source) if target.suffix == ".toml" else None
         if table is None or table.solve.ends != MIRRORED:
@@ -49,7 +49,7 @@ def mirror(source: str, target: Path | None, *, overwrite: bool, progress: Progr
         scene = table_of(saved.text, saved.name).scene
         if mirrored_tables(ClipTable(figure="", scene=scene), saved.figure, symmetry).scene != scene:
             progress.report("note: step and obstacles are not mirrored; to mirror them, mirror the clip: -o NAME.toml")
-    return _write_motion(edits.mirror(saved), "mirrored", target, [one])
+    return _write_motion(edits.mirror(saved), "mirrored", target, one)
 
 
 def retime(
@@ -67,11 +67,11 @@ def retime(
     for name, value in (("speed", speed), ("duration", duration)):
         if value is not None and not 1e-6 <= value <= 1e6:
             raise UserError(f"--{name} {value:g}: give a number above 0")
-    target, (one,) = _prepare([source], target, "retimed", overwrite, writes_clips=True)
+    target, one = _prepare(source, target, "retimed", overwrite, writes_clips=True)
     rate = speed if speed is not None else (one.keys[-1].time - one.keys[0].time) / (duration or 1.0)
     if target.suffix == ".toml":
         return _write_clip(retimed_tables(table_of(one.text, source), rate), source, target)
-    return _write_motion(edits.retime(solving.saved_motion(one, progress), rate), "retimed", target, [one])
+    return _write_motion(edits.retime(solving.saved_motion(one, progress), rate), "retimed", target, one)
 
 
 def trim(
@@ -80,53 +80,40 @@ def trim(
     """Cut a motion to the interval from `first` to `last` [s]; None: the motion's start or end."""
     if first is None and last is None:
         raise UserError("give --from, --to, or both, in seconds")
-    target, (one,) = _prepare([source], target, "trimmed", overwrite)
+    target, one = _prepare(source, target, "trimmed", overwrite)
     interval = one.keys[0].time if first is None else first, one.keys[-1].time if last is None else last
     edits.check_interval(one, *interval)
-    return _write_motion(edits.trim(solving.saved_motion(one, progress), *interval), "trimmed", target, [one])
-
-
-def join(
-    first: str, second: str, transition: float, target: Path | None, *, overwrite: bool, progress: Progress
-) -> Written:
-    """Append a motion to another one, with a transition [s]."""
-    edits.check_transition(transition)
-    target, inputs = _prepare([first, second], target, "joined", overwrite)
-    edits.check_alike(*inputs)
-    before, after = (solving.saved_motion(each, progress) for each in inputs)
-    if before.scene != after.scene:
-        progress.report(f"note: the scene is that of '{before.name}'")
-    return _write_motion(edits.join(before, after, transition, progress), "joined", target, inputs)
+    return _write_motion(edits.trim(solving.saved_motion(one, progress), *interval), "trimmed", target, one)
 
 
 def _prepare(
-    sources: Sequence[str], target: Path | None, word: str, overwrite: bool, *, writes_clips: bool = False
-) -> tuple[Path, list[Clip | Saved]]:
-    """Return the output, by default the first input's name with a word, and the loaded inputs.
+    source: str, target: Path | None, word: str, overwrite: bool, *, writes_clips: bool = False
+) -> tuple[Path, Clip | Saved]:
+    """Return the output, by default the input's name with a word, and the loaded input.
 
     writes_clips  whether the edit of a clip can be a clip
     """
     if target is None:
-        is_clip = writes_clips and Path(sources[0]).suffix.lower() == ".toml"
-        target = Path(f"{Path(sources[0]).stem}_{word}{'.toml' if is_clip else '.npz'}")
+        is_clip = writes_clips and Path(source).suffix.lower() == ".toml"
+        target = Path(f"{Path(source).stem}_{word}{'.toml' if is_clip else '.npz'}")
     if target.suffix not in (".npz", ".toml"):
         raise UserError(f"{target}: an edit is written as a motion, .npz, or as a clip, .toml")
     check_target(target, overwrite=overwrite)
-    inputs = [motion.load(Path(item)) if motion.is_motion(item) else recordings.load(item) for item in sources]
-    if target.suffix == ".toml" and not (writes_clips and isinstance(inputs[0], Clip) and inputs[0].text):
+    one = motion.load(Path(source)) if motion.is_motion(source) else recordings.load(source)
+    if target.suffix == ".toml" and not (writes_clips and isinstance(one, Clip) and one.text):
         raise UserError(
             f"{target}: only `mirror` and `retime` of a clip write a clip; write a motion, .npz, which a clip can "
             "follow as its recording"
         )
-    return target, inputs
+    return target, one
 
 
-def _write_motion(edited: Saved, word: str, target: Path, inputs: Sequence[Clip | Saved]) -> Written:
-    """Write a motion. Messages do not refer to keyframes that are samples of a recording."""
+def _write_motion(edited: Saved, word: str, target: Path, source: Clip | Saved) -> Written:
+    """Write a motion edited from another one. Messages do not refer to keyframes that are samples of a recording."""
     saved = replace(edited, name=target.stem, search={"stopped because": f"not searched: {word}"})
     motion.save(saved, target)
     violations = Solved.of(saved).violations
-    if any(edits.follows_recording(one) or (isinstance(one, Saved) and is_recording(one)) for one in inputs):
+    if edits.follows_recording(source) or (isinstance(source, Saved) and is_recording(source)):
         violations = tuple(each for each in violations if each.keyframe is None)
     return target, violations
 

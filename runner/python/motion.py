@@ -513,30 +513,6 @@ class Motion:
         return Motion(edits.repeat(self.saved, count))
 
     @as_python_warnings()
-    def joined(self, other: Motion, transition: float = 0.4) -> Motion:
-        """Return the motion followed by another one, which is moved and rotated so that it continues this one.
-
-        The transition matches position, velocity and acceleration of both motions.
-
-        Args:
-            other: The second motion, of the same figure.
-            transition: Duration of the transition between them [s].
-
-        Returns:
-            The joined motion, in the scene of the first one.
-
-        Raises:
-            UserError: For another figure, or an invalid duration.
-
-        Examples:
-            >>> from dynsplines import inbetween
-            >>> motion = inbetween("tumble")
-            >>> motion.joined(motion.trimmed(0.5, 2.0), transition=0.5).duration
-            5.0
-        """
-        return Motion(edits.join(self.saved, other.saved, transition, silent()))
-
-    @as_python_warnings()
     def cleaned(self) -> Motion:
         """Return a cleaned recording: repaired, smoothed as much as its estimated noise requires, with planted feet.
 

@@ -19,7 +19,6 @@ from pydantic import ValidationError
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.frame import Frame
-from dynsplines.solver.edit.timelines import heading
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.model import set_qpos
 from dynsplines.solver.penalty.joints.bend import BendLimits
@@ -33,6 +32,7 @@ from dynsplines.solver.posing import (
 )
 from dynsplines.solver.surface import static_surfaces
 from dynsplines.solver.surface.points import Point
+from dynsplines.solver.tolerances import ROUNDING
 
 from ..clip.kinds import posing_limits
 from ..clip.parse import options_of
@@ -295,7 +295,7 @@ class Poser:
         aloft = self.data.xpos[:, 2].copy()
         start, out = self.figure.links[self.figure.root.link].qpos, np.array(qpos)
         turned = slice(start + 3, start + 7)
-        before, after = heading(quat.matrices(np.stack([qpos[turned], home[turned]])))
+        before, after = _heading(quat.matrices(np.stack([qpos[turned], home[turned]])))
         turn = quat.from_rotation_vector([0.0, 0.0, after - before])
         out[start : start + 2], out[turned] = home[start : start + 2], quat.product(turn, qpos[turned])
         set_qpos(self.figure.model, self.data, out)
@@ -382,3 +382,9 @@ def _round(value: Any, digits: int = DIGITS) -> Any:
     if isinstance(value, dict):
         return {key: _round(entry, PLACES.get(key, digits)) for key, entry in value.items()}
     return [_round(entry, digits) for entry in value] if isinstance(value, tuple) else round(value, digits) + 0.0
+
+
+def _heading(rotation: Array) -> Array:
+    """Return the rotation about z in rotation matrices (..., 3, 3), without their shortest tilt, (...) [rad]."""
+    sine, cosine = rotation[..., 1, 0] - rotation[..., 0, 1], rotation[..., 0, 0] + rotation[..., 1, 1]
+    return np.where(np.hypot(sine, cosine) > ROUNDING, np.arctan2(sine, cosine), 0.0)

@@ -111,7 +111,7 @@ class Frame:
         return bool(self.fixed.all())
 
 
-ENDS = ("free", "clamped", "clamped start", "clamped end", "periodic", "held")
+ENDS = ("free", "clamped", "clamped start", "clamped end", "periodic")
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,8 +125,7 @@ class Timeline:
             entries that the seam turns and quaternions that return as −q.
         ends: "free": both end slopes are unknowns. "clamped": they are `end_slope`. "clamped start", "clamped end": one
             is `end_slope`, the other an unknown. "periodic": the last frame repeats the first, with its free roots
-            moved and turned as in the two frames, and the curve is C² across the seam. "held": y, y' and y'' of both
-            ends are fixed; the adjacent variable frames depend on the other rows.
+            moved and turned as in the two frames, and the curve is C² across the seam.
     """
 
     frames: tuple[Frame, ...]
@@ -152,10 +151,6 @@ class Timeline:
             raise TimelineError(f"end_slope has shape {self.end_slope.shape}, not (2, {self.width})")
         if self.ends not in ENDS:
             raise TimelineError(f"ends = {self.ends!r}: not one of {', '.join(map(repr, ENDS))}")
-        if self.ends == "held" and not (
-            len(self.frames) > 3 and self.frames[1].is_variable and self.frames[-2].is_variable
-        ):
-            raise TimelineError("held ends need a variable frame next to each end")
 
     @property
     def free_slopes(self) -> tuple[bool, bool]:

@@ -149,18 +149,6 @@ class Spline:
         change = factor - 1
         return np.linalg.solve(np.eye(2) - change * by_rows[:, -2:], change * by_rows[:, :-2]).astype(complex)
 
-    def end_shares(self) -> Array:
-        """Return the states of the second and second-last frame that keep y'' at both ends, as a map (2, M + 2).
-
-        The columns of these two frames are zero.
-        """
-        curvature = self.basis(self.times[[0, -1]], 2).toarray()
-        by_rows = self.coefficients_transposed(curvature.T).T
-        adjacent = [1, self.times.size - 2]
-        adjacent_rows = by_rows[:, adjacent]
-        by_rows[:, adjacent] = 0
-        return np.negative(np.linalg.solve(adjacent_rows, by_rows), dtype=float)
-
     def evaluate(self, rows: Array, t: ArrayLike, order: int = 0) -> Array:
         """Return the order-th derivative, 0 to 3, at t (S,) [s] for rows (M + 2, N): (S, N)."""
         return self.basis(t, order) @ self.coefficients(rows)

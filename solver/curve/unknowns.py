@@ -68,7 +68,7 @@ class Unknowns:
 
     @classmethod
     def of(cls, figure: Figure, timeline: Timeline) -> Unknowns:
-        width, rows = figure.width, timeline.rows
+        rows = timeline.rows
         last = len(timeline.frames) - 1
         loose = _loose(figure, timeline)
         place = np.flatnonzero(loose)
@@ -82,12 +82,6 @@ class Unknowns:
             seam = Seam.of(figure, timeline)
             ties.repeat(0, last, seam)
             ties.jump(np.array([last + 1, last + 2]), spline_of(timeline), seam)
-        if timeline.ends == "held":
-            adjacent = np.array([1, last - 1])
-            shares = spline_of(timeline).end_shares()
-            columns = np.arange(width)
-            constant[adjacent] = rows[adjacent] - shares @ rows
-            ties.follow(adjacent, shares, columns, columns)
         return cls(constant, start, place, ties.matrix())
 
 
@@ -100,8 +94,6 @@ def _loose(figure: Figure, timeline: Timeline) -> Mask:
     loose[-2:] = np.array(timeline.free_slopes)[:, None]
     if timeline.ends == "periodic":
         loose[-3] = False
-    if timeline.ends == "held":
-        loose[[1, -4]] = False
     return loose
 
 

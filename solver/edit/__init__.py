@@ -1,5 +1,5 @@
-"""Edits of motions: retimed, joined, thinned.
+"""Edits of motions: retimed, trimmed, repeated, thinned.
 
-timelines  speed, trimming, repetition, and two motions in sequence
+timelines  speed, trimming and repetition
 thin       few keyframes that approximate a recorded motion within a bound
 """

@@ -233,10 +233,6 @@ class Layout:
         matrix, times = self.empty(), timeline.times
         if self.is_loop:
             self._tie_seam(matrix, times)
-        if timeline.ends == "held":
-            ends = self._sample(times[[0, -1]])
-            for first, weights in zip(ends.first, ends.values[:, 2], strict=True):
-                self._hold(matrix, int(first), weights, np.eye(self.width))
         is_tied: Mask = np.take(self.tied, self._held)
         for i in self._held[is_tied]:
             block: Any = unknowns.matrix[i * self.width : (i + 1) * self.width]  # SciPy has no type for a slice

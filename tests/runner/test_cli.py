@@ -384,11 +384,8 @@ def test_edits_write_a_motion_named_after_what_is_done(run, motion_file, tmp_pat
     assert told_last(run("trim", motion_file, "--from", 0.1, "--to", 0.3)) == "wrote tiny_trimmed.npz"
     assert told_last(run("retime", motion_file, "--speed", 2)) == "wrote tiny_retimed.npz"
     assert told_last(run("retime", "tiny.toml", "--duration", 3)) == "wrote tiny_retimed.toml"
-    assert run("join", motion_file, "tiny_trimmed.npz", "--transition", 0.2).code == 0
-    with np.load("tiny_joined.npz") as joined:
-        np.testing.assert_allclose(joined["key_time"], [0, 0.2, 0.41, 0.61, 0.71, 0.81])
-    report = json.loads(run("report", "tiny_joined.npz", "--json").out)
-    assert report["stopped because"] == "not searched: joined"
+    report = json.loads(run("report", "tiny_trimmed.npz", "--json").out)
+    assert report["stopped because"] == "not searched: trimmed"
 
 
 # what is wrong with a motion

@@ -12,12 +12,12 @@ import problems
 import pytest
 import shipped
 from motions import moved
-from oracles import aligned, kinematics
+from oracles import aligned
 from processes import quiet
 from rich.console import Console
 from texts import read_data
 
-from dynsplines import Keyframe, Motion, build, inbetween, models, motion, recordings, solving
+from dynsplines import models, motion, recordings, solving
 from dynsplines.clip import text as clip_text
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
@@ -31,7 +31,6 @@ from dynsplines.solver.curve.mirror import Mirror
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solver.search.descent import optimise
 from dynsplines.system.progress import Progress
 
 FOLLOWING = 'figure = "tiny.xml"\nfps = 20\n[recording]\nfile = "own.npz"\n'
@@ -142,20 +141,6 @@ def assert_plain(edited: Saved, folder: Path) -> None:
     assert solving.Solved.of(again).measure(quiet(), "edited").report["stopped because"]
 
 
-@pytest.mark.slow
-def test_joined_motions_have_the_samples_of_both(motions, tmp_path, monkeypatch):
-    monkeypatch.setattr(edits, "optimise", lambda *problem, **_: optimise(*problem, max_evaluations=5))
-    saved, times = motions["plain"], np.linspace(0, 0.41, 19)
-    both = edits.join(saved, saved, 0.2, quiet())
-    assert_same(saved, at(both, times), at(saved, times))
-    second, wanted = at(both, times + 0.61), at(saved, times)
-    np.testing.assert_allclose(second[:, 2], wanted[:, 2], rtol=0, atol=1e-9)  # elsewhere in the plane
-    np.testing.assert_allclose(np.abs(np.sum(second[:, 7:] * wanted[:, 7:], axis=1)), 1, atol=1e-9)
-    assert [key.time for key in both.keys] == pytest.approx([k.time + t for t in (0, 0.61) for k in saved.keys])
-    assert all(key.is_key for key in both.keys)
-    assert_plain(both, tmp_path)
-
-
 def test_an_edited_motion_is_followed_as_a_recording(motions, tmp_path):
     """To change a motion without a clip."""
     problems.written(tmp_path)
@@ -194,13 +179,6 @@ REFUSED: dict[str, tuple[Callable[[Saved], object], str]] = {
     "too fast": (lambda saved: edits.retime(saved, 500), r"less than 0\.001 s"),
     "too slow": (lambda saved: edits.retime(saved, 1e-4), "over 600 s"),
     "no loop": (lambda saved: edits.repeat(saved, 2), "only a loop"),
-    "another figure": (lambda saved: edits.join(saved, shipped.unsolved("tumble"), 0.4, quiet()), "differ in: "),
-} | {
-    f"transition {value}": (
-        lambda saved, value=value: edits.join(saved, saved, value, quiet()),
-        r"a transition lasts 0\.001 to 600 s",
-    )
-    for value in (0.0, -1.0, np.nan, np.inf)
 }
 
 
@@ -211,13 +189,13 @@ def test_edits_that_make_no_motion_are_refused(motions, way):
         edit(motions["plain"])
 
 
-def test_loops_of_other_coordinates_figures_and_lengths_are_refused(motions, tmp_path):
+def test_loops_of_other_coordinates_figures_and_lengths_are_refused(motions):
     with pytest.raises(UserError, match="over 600 s"):
         edits.repeat(motions["loop"], 2000)
     plain = motions["plain"]  # motions of older versions may have other coordinates
     other = replace(plain, figure=Figure(plain.scene.model(), "joint"), name="tiny")
     with pytest.raises(UserError, match="is in world coordinates, 'tiny' in joint coordinates"):
-        edits.join(motions["plain"], other, 0.4, quiet())
+        edits.check_alike(plain, other)
     with pytest.raises(UserError, match="puppet: no partner on the other side for: "):
         edits.mirror(moved())
 
@@ -305,7 +283,7 @@ def test_only_tables_of_clips_are_edited_to_a_clip(motions, tmp_path, name):
     motion.save(motions["plain"], tmp_path / "own.npz")
     (tmp_path / "following.toml").write_text(FOLLOWING, encoding="utf-8")
     source, target = str(tmp_path / name), tmp_path / "out.toml"
-    ways: list[tuple[Any, ...]] = [(edit_files.trim, source, 0.1, 0.3), (edit_files.join, source, source, 0.2)]
+    ways: list[tuple[Any, ...]] = [(edit_files.trim, source, 0.1, 0.3)]
     ways += [] if name == "tiny.toml" else [(edit_files.mirror, source), (edit_files.retime, source, 2.0, None)]
     for edit, *arguments in ways:
         with pytest.raises(UserError, match=r"out\.toml: only `mirror` and `retime` of a clip|-o NAME\.npz"):
@@ -325,35 +303,6 @@ def test_a_motion_as_a_clip_has_its_tables_or_else_its_keyframes(motions, tmp_pa
     clip_text.write(shipped.unsolved("step_on_kerb"), tmp_path / "kerb.toml", overwrite=False)  # follows what ships
     again = recordings.load(str(tmp_path / "kerb.toml"))
     assert [key.time for key in again.authored_keys] == [2.24, 2.86, 3.24]
-
-
-ARM = """<mujoco><worldbody>
-<body><joint name="shoulder" axis="0 0 1"/><geom type="capsule" size=".02" fromto=".02 0 0 .3 0 0"/>
- <body pos=".3 0 0"><joint name="elbow" axis="0 0 1"/><geom type="capsule" size=".02" fromto=".02 0 0 .3 0 0"/>
-  <site name="hand" pos=".3 0 0"/></body></body>
-<body name="ball"><freejoint name="ball"/><geom size=".03"/></body></worldbody></mujoco>"""
-
-
-def holding(poses: dict[float, tuple[float, float]]) -> Motion:
-    """A motion of the arm with the ball in its hand; angles [degrees] of shoulder and elbow by time."""
-    keys = []
-    for time, (shoulder, elbow) in poses.items():
-        x, y = (0.3 * wave(np.radians([shoulder, shoulder + elbow])).sum() for wave in (np.cos, np.sin))
-        ball = {"position": [x, y, 0], "rotation": {"heading": 0}}
-        keys.append(Keyframe(time, joints={"shoulder": shoulder, "elbow": elbow}, roots={"ball": ball}))
-    grasps = [{"hand": "hand", "body": "ball", "from": 0.0, "to": 0.5}]
-    return inbetween(build(ARM, keys, grasps=grasps, solve={"evaluations": 2, "frames": 2}))
-
-
-def test_an_arm_on_a_base_keeps_what_it_holds_when_motions_are_joined(monkeypatch):
-    """The ball is in the hand before, in and after the transition, although free objects move with a root."""
-    monkeypatch.setattr(edits, "optimise", lambda *problem, **_: optimise(*problem, max_evaluations=10))
-    both = holding({0: (0, 20), 0.5: (20, 40)}).joined(holding({0: (80, 90), 0.5: (90, 80)}), transition=0.4)
-    sampled_ = both.sampled(100)
-    seen = [kinematics(both.model, qpos) for qpos in sampled_.qpos]
-    apart = [np.linalg.norm(data.site("hand").xpos - data.body("ball").xpos) for data in seen]
-    assert sampled_.time[-1] == pytest.approx(1.4)
-    assert max(apart) < 1e-3
 
 
 THING = """
