@@ -115,7 +115,7 @@ def new_clip(
     allow_outside: option.Outside = False,
 ) -> None:
     """Write a commented starter clip for a model.
-    It contains the keyframes of the model. If there are none, it contains the rest pose.
+    It contains the pose of the first <key> of the model. If there is none, it contains the rest pose.
     Comments in the file list joints, sites and the options of soft constraints."""
     target = _target(output, f"{Path(model).stem}.toml", "clip", overwrite)
     text = starter.starter(model, target, lambda note: print(f"note: {note}", file=sys.stderr))

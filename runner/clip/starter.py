@@ -1,4 +1,4 @@
-"""A starting clip for any model: its keyframes, or its rest pose, and every available name in comments."""
+"""A starting clip for any model: the pose of its first key, or its rest pose, and every available name in comments."""
 
 from __future__ import annotations
 
@@ -27,13 +27,12 @@ from ..scene.compose import compile_model, compose, figure_spec
 from ..scene.configuration import first_wrong
 from ..scene.model_notes import fixed_base, vertical_notes
 from ..system.mujoco_warnings import quietly
-from .parse import keyframe_label
 from .pose import follow
 from .posing.places import Places, posable_sites, rest_within_ranges, sole_points
 from .table import KEY, KeyframeTable
 from .text import keyframe_tables, tables, text_of
 
-APART = 0.5  # [s] distance of keyframes if the model's times do not rise
+APART = 0.5  # [s] distance of the two keyframes
 DIGITS = 6  # decimal places of degrees and metres
 WIDE = 110  # characters per line of comments
 AT_REST = "Positions in the first keyframe, in metres. Such a line in a keyframe is a target position:"
@@ -75,67 +74,50 @@ def starter(source: str, target: Path, report: Callable[[str], None] = lambda _:
     """
     with quietly():
         spec = figure_spec(source)
-    times, model_poses, displaced = _model_keys(spec, Path(source).name)
-    names, has_keys = [key.name for key in spec.keys], bool(len(model_poses))
+    key = _first_key(spec, Path(source).name)
     scene = compose(spec)
     try:
         figure = Figure(scene.model())
     except ValueError as error:
         raise UserError(f"{Path(source).name}: {words_of(error)}") from None
-    soles = sole_points(figure, model_poses)
-    notes = [*([line] if (line := fixed_base(source, figure.model)) else []), *vertical_notes(figure.model), *displaced]
+    soles = sole_points(figure, np.zeros((0, figure.width)) if key is None else key[1][None])
+    notes = [*([line] if (line := fixed_base(source, figure.model)) else []), *vertical_notes(figure.model)]
     for note in notes:
         report(note)
-    if not has_keys:
-        times, model_poses = np.zeros(1), rest_within_ranges(figure)[None]
-    coupled = np.array([_with_followers(figure, qpos) for qpos in model_poses])
-    poses = np.array([_on_floor(figure, qpos, lowers=bool(soles) and not has_keys) for qpos in coupled])
-    frames = [Frame.key(t, q) for t, q in zip(times, poses, strict=True)]
-    rows = [_without_followers(figure, row) for row in keyframe_tables(figure, frames)]
-    for k in range(len(names)):
-        if names[k] and np.array_equal(poses[k], model_poses[k]):
-            rows[k] = KeyframeTable.without_checks(time=rows[k].time, others=KEY + names[k])
-    if len(rows) == 1:
-        rows.append(KeyframeTable.without_checks(time=float(times[0]) + APART, others="previous"))
+    coupled = _with_followers(figure, rest_within_ranges(figure) if key is None else key[1])
+    pose = _on_floor(figure, coupled, lowers=bool(soles) and key is None)
+    (table,) = keyframe_tables(figure, [Frame.key(0.0, pose)])
+    first = _without_followers(figure, table)
+    if key is not None and key[0] and np.array_equal(pose, key[1]):
+        first = KeyframeTable.without_checks(time=0.0, others=KEY + key[0])
+    rows = [first, KeyframeTable.without_checks(time=APART, others="previous")]
     head = {"figure": source if source in models.figures() else _path(source, target), "fps": 30}
     blocks = [
-        _head(source, len(poses) if has_keys else 0, float(max((poses - coupled).flat, key=abs))),
+        _head(source, "its rest pose" if key is None else "its first key", float(max((pose - coupled).flat, key=abs))),
         text_of(head).rstrip("\n"),
         *([_comment(notes)] if notes else []),
-        _name_lines(figure, poses[0], soles),
+        _name_lines(figure, pose, soles),
         PENALTIES.rstrip("\n"),
         "\n\n".join(text_of({"keyframe": [_round(tables(row))]}).strip("\n") for row in rows),
-        *([NEXT] if len(poses) == 1 else []),
+        NEXT,
     ]
     return "\n\n".join(blocks) + "\n"
 
 
-def _model_keys(spec: mujoco.MjSpec, where: str) -> tuple[Array, Array, list[str]]:
-    """Return times (K,) [s] and qpos (K, nq) of a model's keys, and a note on mocap bodies that they place elsewhere.
-
-    If the times do not rise, they are half a second apart.
-    """
-    configurations = [np.array(key.qpos) for key in spec.keys]
+def _first_key(spec: mujoco.MjSpec, where: str) -> tuple[str, Array] | None:
+    """Return the name and the pose (nq,) of the first key of a model; None without keys."""
+    written = [np.array(key.qpos) for key in spec.keys[:1]]  # compiling changes them
     model = compile_model(spec, where)
-    count = len(configurations)  # <size nkey> may exceed it
-    times, poses = np.array(model.key_time)[:count], np.array(model.key_qpos).reshape(model.nkey, model.nq)[:count]
-    for i, values in enumerate(configurations):
-        if values.size not in (0, model.nq):
-            at = keyframe_label(i + 1, times[i])
-            raise UserError(f"{where}: {at}: qpos has {values.size} numbers, not the figure's {model.nq}")
-        if values.size:
-            poses[i] = values  # the values in the file: MuJoCo replaces a zero quaternion by the identity
     if not model.njnt:
         raise UserError(f"{where}: the model has no joints: nothing can move")
-    if wrong := first_wrong(model, times, poses):
-        raise UserError(f"{where}: keyframe {wrong[0] + 1}: {wrong[1]}")
-    if times.size and not np.all(np.diff(times) >= 1e-3):
-        times = np.array([APART * k for k in range(times.size)])
-    places = np.array(model.key_mpos).reshape(model.nkey, model.nmocap, 3)[:count]
-    mocap = [(i, int(model.body_mocapid[i])) for i in range(model.nbody) if model.body_mocapid[i] >= 0]
-    names = [f"'{model.body(i).name or i}'" for i, at in mocap if np.any(places[:, at] != model.body_pos[i])]
-    notes = [f"mocap bodies do not move; mpos of <key> elements is ignored for {', '.join(names)}"] if names else []
-    return times, poses, notes
+    if not written:
+        return None
+    qpos = written[0] if written[0].size else np.array(model.qpos0)
+    if qpos.size != model.nq:
+        raise UserError(f"{where}: qpos of its first key has {qpos.size} numbers, not the figure's {model.nq}")
+    if wrong := first_wrong(model, np.zeros(1), qpos[None]):
+        raise UserError(f"{where}: its first key: {wrong[1]}")
+    return spec.keys[0].name, qpos
 
 
 def _path(source: str, target: Path) -> str:
@@ -183,8 +165,7 @@ def _short(value: float) -> float | int:
     return int(number) if number == int(number) else number
 
 
-def _head(source: str, key_count: int, raised: float) -> str:
-    content = f"its {key_count} keyframe{'s' * (key_count > 1)}" if key_count else "its rest pose"
+def _head(source: str, content: str, raised: float) -> str:
     up = ""
     if abs(raised) >= NEGLIGIBLE:
         verb = "Raised" if raised > 0 else "Lowered"

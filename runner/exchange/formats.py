@@ -67,7 +67,7 @@ FORMATS = (
     Format("csv", ".csv", "table: time and qpos, a column per joint coordinate", "csv_table", reads=True,
            containers=(".tsv", ".txt"), options=("columns",)),
     Format("npz", ".qpos.npz", "plain arrays: time, qpos, qvel, qacc, names, figure", "arrays", reads=True),
-    Format("mjcf", ".keys.xml", "MJCF of figure and scene, a <key> per sample", "mjcf_keys", reads=True,
+    Format("mjcf", ".keys.xml", "MJCF of figure and scene, a <key> per sample", "mjcf_keys",
            options=("assets",)),
     Format("simulate", ".simulate.xml", "the same with actuators that follow the motion, for mj_step", "simulate",
            options=("assets",)),

@@ -224,7 +224,6 @@ KINDS = {
         Kind("model.xml", MODEL.encode, _mjcf_source, _read_mjcf, 3_000, 4),
         _kind_of("csv", "robot.xml", _of_text, 2_000),
         _kind_of("npz", None, _of_arrays, 2_000),
-        _kind_of("mjcf", None, _of_text, 2_000),
         _kind_of("mjlab", "robot.xml", _of_arrays, 2_000),
         _kind_of("mjlab-csv", "robot.xml", _of_text, 1_500),
         _kind_of("locomujoco", "robot.xml", _of_arrays, 2_000),

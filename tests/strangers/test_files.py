@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path, PurePosixPath
 from typing import Any
 
+import motions
 import mujoco
 import numpy as np
 import pytest
@@ -20,7 +21,6 @@ from dynsplines.batch.inputs import InputSource
 from dynsplines.batch.manifest import Manifest, check_below
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.motion_import import import_recording
 from dynsplines.motion import Saved
 from dynsplines.scene import file_access
 from dynsplines.scene.assets import Scene
@@ -29,7 +29,7 @@ from dynsplines.scene.compose import compose, figure_spec
 POSIX = pytest.mark.skipif(os.name == "nt", reason="needs POSIX links")
 MODEL = """<mujoco><compiler meshdir="{folder}"/>{more}<asset>{asset}</asset><worldbody>
   <body name="trunk" pos="0 0 1"><freejoint name="root"/><geom size=".1"/><geom type="mesh" mesh="bone"/></body>
-</worldbody><keyframe><key qpos="0 0 1 1 0 0 0"/><key time="0.6" qpos="0.5 0 1 1 0 0 0"/></keyframe></mujoco>"""
+</worldbody></mujoco>"""
 BONE = '<mesh file="bone.stl"/>'
 Run = Callable[..., tuple[int, str]]
 
@@ -64,7 +64,8 @@ def tree(folder: Path) -> dict[str, bytes]:
 @pytest.fixture
 def meshed(tmp_path: Path) -> Saved:
     """A motion that brings a mesh along."""
-    return import_recording(model(tmp_path / "model"))
+    keys = np.array([[0.0, 0, 1, 1, 0, 0, 0], [0.5, 0, 1, 1, 0, 0, 0]])
+    return motions.through(str(model(tmp_path / "model")), np.array([0, 0.6]), keys)
 
 
 def tampered(saved: Saved, target: Path, **changes: Any) -> Path:

@@ -64,22 +64,19 @@ def test_a_model_with_any_kind_of_joint_gets_a_clip_at_rest(kind, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("keys", "times", "values"),
+    ("keys", "value", "row"),
     [
-        ("<keyframe><key time='0.1' qpos='0.2'/><key time='0.7' qpos='-1.3'/></keyframe>", [0.1, 0.7], [0.2, -1.3]),
-        (
-            "<size nkey='9'/><keyframe><key qpos='0.2'/><key qpos='-1.3'/><key qpos='0'/></keyframe>",
-            [0, 0.5, 1],
-            [0.2, -1.3, 0],
-        ),
-        ("<keyframe><key name='home' qpos='0.2'/></keyframe>", [0, 0.5], [0.2, 0.2]),
+        ("<key name='home' qpos='0.2'/><key name='away' qpos='-1.3'/>", 0.2, 'others = "key:home"'),
+        ("<key time='0.1' qpos='0.2'/>", 0.2, "joints.swing = 11.459156"),
+        ("<key name='home'/>", 0.0, 'others = "key:home"'),
     ],
 )
-def test_keyframes_of_the_model_without_times_are_half_a_second_apart(tmp_path, keys, times, values):
-    problem = written(f"{RADIANS}<worldbody>{ARM.format('')}</worldbody>{keys}</mujoco>", tmp_path)
-    assert [key.time for key in problem.keys] == times
-    for key, value in zip(problem.keys, values, strict=True):
-        assert key.state[0] == pytest.approx(value, abs=1e-7)
+def test_a_clip_begins_with_the_first_key_of_the_model(tmp_path, keys, value, row):
+    text = f"{RADIANS}<size nkey='9'/><worldbody>{ARM.format('')}</worldbody><keyframe>{keys}</keyframe></mujoco>"
+    problem = written(text, tmp_path)
+    assert [key.time for key in problem.keys] == [0, 0.5]
+    np.testing.assert_allclose([key.state[0] for key in problem.keys], value, atol=1e-7)
+    assert row in problem.text and ": its first key.\n" in problem.text
 
 
 @pytest.mark.slow
@@ -125,11 +122,12 @@ REACH = '<geom type="capsule" size=".02" fromto="0 0 0 .3 0 0"/>'
 ARMS = f'{PAIR}<body name="arm" pos="0 0 .1"><joint axis="0 1 0"/>{REACH}</body>'
 
 
-def test_keyframes_in_the_floor_are_raised(tmp_path):
-    key = "<keyframe><key qpos='0 0 .25 1 0 0 0 0 0'/><key qpos='0 0 .5 1 0 0 0 0 0'/></keyframe>"
+@pytest.mark.parametrize(("height", "raised"), [(0.25, " Raised by up to 70.0 mm, out of the floor."), (0.5, "")])
+def test_a_key_in_the_floor_is_raised(tmp_path, height, raised):
+    key = f"<keyframe><key name='home' qpos='0 0 {height} 1 0 0 0 0 0'/></keyframe>"
     problem = written(f"<mujoco><worldbody>{TRUNK.format(PAIR)}</worldbody>{key}</mujoco>", tmp_path)
-    np.testing.assert_allclose([key.state[2] for key in problem.keys], [0.32, 0.5], atol=1e-5)
-    assert "its 2 keyframes. Raised by up to 70.0 mm, out of the floor.\n" in problem.text
+    assert problem.keys[0].state[2] == pytest.approx(max(height, 0.32), abs=1e-5)
+    assert f"its first key.{raised}\n" in problem.text
 
 
 @pytest.mark.slow
@@ -151,7 +149,7 @@ def test_positions_of_feet_and_hands_are_written_as_in_a_keyframe(tmp_path):
 
 @pytest.mark.parametrize(
     ("bend", "keys", "expected"),
-    [(0, "", [0, 0.05]), (0.1, '<keyframe><key qpos=".2 0"/><key time="1" qpos=".4 .09"/></keyframe>', [0.2, 0.07])],
+    [(0, "", [0, 0.05]), (0.1, '<keyframe><key name="home" qpos=".2 0"/></keyframe>', [0.2, 0.07])],
 )
 def test_followers_begin_where_they_belong_and_are_not_named(tmp_path, bend, keys, expected):
     joints = '<joint name="knee" axis="0 1 0"/>', '<joint name="cap" type="slide" axis="0 0 1"/>'
@@ -177,14 +175,3 @@ def test_axes_of_hinges_are_those_in_the_world_at_rest(tmp_path, turn, axis, wor
     joint = f'<body><joint name="bend" axis="{axis}"/><geom size=".1"/></body>'
     problem = written(f'<mujoco><worldbody><body euler="{turn}">{joint}</body></worldbody></mujoco>', tmp_path)
     assert f"hinge, degrees about {words}\n" in problem.text
-
-
-@pytest.mark.parametrize(("x", "is_noted"), [(1, False), (0.6, True)])
-def test_a_mocap_body_that_keys_move_is_noted(tmp_path, x, is_noted):
-    keys = f'<keyframe><key time="0" qpos="0"/><key time="1" qpos="0.5" mpos="{x} 0 .5"/></keyframe>'
-    text = """<mujoco><worldbody><body name="goal" mocap="true" pos="1 0 .5"><geom size=".1"/></body>
-     <body><joint/><geom size=".1"/></body></worldbody>"""
-    (tmp_path / "arm.xml").write_text(f"{text}{keys}</mujoco>", encoding="utf-8")
-    notes = list[str]()
-    starter(str(tmp_path / "arm.xml"), tmp_path / "a.toml", notes.append)
-    assert ("mocap bodies do not move; mpos of <key> elements is ignored for 'goal'" in notes) is is_noted

@@ -21,7 +21,7 @@ from dynsplines.solver.array import Array, Mask
 
 WITHIN = 0.05  # [rad], [m]
 EXACT = 1e-6  # [m], [rad]
-EVERY = ("csv", "npz", "mjcf")
+EVERY = ("csv", "npz")
 FREE, SLIDE = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_SLIDE)
 
 ROBOTS = {  # tests/data/robot_*.xml, and the formats that can hold their motions

@@ -8,7 +8,6 @@ from typing import Any
 import motions
 import mujoco
 import numpy as np
-import problems
 import pytest
 from scipy.spatial.transform import Rotation
 
@@ -169,24 +168,11 @@ def test_bad_files_are_reported_in_one_line_that_names_file_and_fault(
     assert str(target) in str(error.value) and "\n" not in str(error.value)
 
 
-KEYS = '<keyframe><key time="0" qpos="0 0"/><key time="0.5" qpos="0.1 1.2"/></keyframe>'
-
-
-def test_keys_of_others_are_read_with_their_figure(tmp_path):
-    """A key without qpos is the rest pose."""
-    keys = KEYS.replace("</keyframe>", '<key time="0.8"/></keyframe>')
-    (tmp_path / "own.xml").write_text(problems.HINGE.format(keys=keys))
-    qpos = motions.samples(import_recording(tmp_path / "own.xml"), 10).qpos
-    np.testing.assert_allclose(qpos[[0, 5, 8]], [[0, 0], [0.1, 1.2], [0, 0]], atol=1e-9)
-
-
 @pytest.mark.parametrize(
     ("name", "content", "figure", "says"),
     [
-        ("own.xml", "", None, "no <key> elements; a motion needs two or more"),
-        ("own.xml", KEYS.replace("0.5", "0"), None, "all its keys are of the time 0"),
-        ("own.xml", KEYS, "human", "its qpos has 2 numbers; the figure's 51"),
-        ("own.xml", "<keyframe><key nonsense='1'/></keyframe>", None, "MuJoCo cannot"),
+        ("own.keys.xml", "", None, "the format 'mjcf' is only written; read are: csv"),
+        ("own.xml", "<mujoco/>", None, "its ending is of no known format"),
         ("some.mjlab.csv", "x,y\n1,2\n", None, "name the figure: --figure, or figure= in Python"),
         ("bare.npz", {"qpos": np.zeros((9, 51))}, None, "no 'mjcf', the figure; name the figure: --figure"),
         ("other.npz", {"a": 1}, "human", "of no known format, with the arrays a; give --from"),
@@ -197,7 +183,7 @@ def test_files_that_lack_something_are_refused(name: str, content: Any, figure: 
     if isinstance(content, dict):
         np.savez(tmp_path / name, **content)
     elif content is not None:
-        (tmp_path / name).write_text(problems.HINGE.format(keys=content) if name == "own.xml" else content)
+        (tmp_path / name).write_text(content)
     with pytest.raises(UserError, match=says):
         import_recording(tmp_path / name, figure=figure)
 

@@ -16,7 +16,6 @@ from dynsplines.clip import load as clip
 from dynsplines.clip import starter
 from dynsplines.clip.load import obstacles
 from dynsplines.clip.table import SceneTable
-from dynsplines.exchange.motion_import import import_recording
 from dynsplines.picture.show import Look, images
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.scene.model_notes import fixed_base, vertical_notes
@@ -197,10 +196,15 @@ def test_all_files_come_along_once_and_files_of_one_name_stay_apart(model):
     np.testing.assert_array_equal(after.tex_data[at : at + own[1] - own[0]], before.tex_data[own[0] : own[1]])
 
 
+def at_rest(model: Path) -> motion.Saved:
+    scene = compose(figure_spec(str(model)))
+    rest = np.tile(scene.model().qpos0, (2, 1))
+    return solving.raw_spline(clip.from_qpos("it", scene, np.arange(2.0), rest, 30.0, "it")).motion
+
+
 @pytest.mark.slow
 def test_a_motion_file_needs_no_other_files(model):
-    found = import_recording(model)
-    target = model.parent.parent / "it.npz"
+    found, target = at_rest(model), model.parent.parent / "it.npz"
     motion.save(found, target)
     for path in sorted(model.parent.rglob("*"), reverse=True):
         path.unlink() if path.is_file() else path.rmdir()
@@ -221,9 +225,7 @@ def test_a_motion_file_of_the_first_format_still_loads(motion_file, tmp_path):
 
 def test_a_motion_file_with_damaged_assets_is_refused(model, tmp_path):
     target, bad = tmp_path / "it.npz", tmp_path / "bad.npz"
-    scene = compose(figure_spec(str(model)))
-    rest = np.tile(scene.model().qpos0, (2, 1))
-    motion.save(solving.raw_spline(clip.from_qpos("it", scene, np.arange(2.0), rest, 30.0, "it")).motion, target)
+    motion.save(at_rest(model), target)
     for damage in ("asset_0", "asset_names"):
         with np.load(target) as data:
             assert damage in data
