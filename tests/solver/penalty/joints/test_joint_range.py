@@ -11,6 +11,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from oracles import kinematics
 from random_models import random_samples
+from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import penalty as kinds
@@ -23,6 +24,7 @@ from dynsplines.solver.figure.adjoint import Cotangent
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
+from dynsplines.solver.penalty.joints.overshoot import SAME, SWINGS, holds, overshoot
 from dynsplines.solver.problem import Problem, Settings
 
 LIMITS = {"shoulder": 60, "elbow": 100, "hip": 20, "wrist": 50, "swing": 30}
@@ -351,3 +353,49 @@ def test_slides_hinges_balls_and_the_root_are_held_alike() -> None:
     raw, held = swings(first, last)
     assert np.all(raw > [0.2, 0.15, 0.5, 0.3, 0.4])
     assert np.all(held < [0.025, 0.025, 0.06, 0.06, 0.06])
+
+
+HELD = """<mujoco><worldbody><body><freejoint name="root"/><geom size=".1"/>
+  <body><joint name="hinge" axis="0 1 0"/><geom size=".1"/></body>
+  <body><joint name="slide" type="slide"/><geom size=".1"/></body>
+  <body><joint name="ball" type="ball"/><geom size=".1"/></body></body></worldbody></mujoco>"""
+
+
+@pytest.mark.parametrize("name", ["root", "hinge", "slide", "ball"])
+@pytest.mark.parametrize(
+    ("duration", "off", "swing", "flights", "held"),
+    [
+        (1.0, 0.9, 1.25, [(0.0, 2.3), (3.3, 3.6)], True),
+        (1.0, 0.9, 1.25, [(3.2, 3.6)], True),  # roots in flight hold no position
+        (1.0, 1.1, 1.25, [], False),
+        (1.0, 0.9, 0.95, [], False),
+        (0.31, 0.9, 1.25, [], True),
+        (0.29, 0.9, 1.25, [], False),
+    ],
+)
+def test_joints_hold_values_of_two_keyframes_that_the_spline_would_leave(name, duration, off, swing, flights, held):
+    """By SciPy's spline: nearly the same value at 2.3 s and `duration` later, with a `swing` in between."""
+    figure, times = figure_of(HELD), np.cumsum([2, 0.3, duration, 0.3])
+    link = next(link for link in figure.links if link.name == name)
+    unit = "angle" if name in ("hinge", "ball") else "length"
+    shape = CubicSpline(times, [-1, 0, 0, 1], bc_type="natural")(np.linspace(times[1], times[2], 200))
+    away = swing * SWINGS[unit] / np.abs(shape).max()
+    qpos = np.tile([0.1, 0.2, 0.3, 1, 0, 0, 0, 0.4, 0.5, 1, 0, 0, 0], (4, 1))
+    for row, value in zip(qpos, (-away, 0, off * SAME[unit], away), strict=True):
+        if name == "ball":
+            row[link.columns] = quat.from_rotation_vector([0, value, 0])
+        else:
+            row[link.qpos] += value
+    found = holds(figure, raw_timeline(figure, list(map(Frame.key, times, qpos))), flights)
+    positions = [] if len(flights) == 1 else [("root", value, times[1], times[2]) for value in (0.1, 0.2, 0.3)]
+    if not held or (name == "root" and not positions):
+        assert not found
+        return
+    others = [("hinge", 0.4, times[1], times[2]), ("slide", 0.5, times[1], times[2])]
+    assert sorted((r.name, r.low, r.first, r.last) for r in found if not r.home) == [*others[:1], *positions, others[1]]
+    assert {r.name: r.home for r in found if r.home} == dict.fromkeys(["root", "ball"], (1, 0, 0, 0))
+    penalty = overshoot(found)
+    assert penalty is not None
+    for loose, joint in zip(penalty.joints, found, strict=True):
+        room = {JointKind.SLIDE: 0.01}.get(joint.kind, np.radians(1))
+        assert (loose.low, loose.high) == (joint.low - (0 if joint.home else room), joint.high + room)
