@@ -79,7 +79,8 @@ def _cylinder(name: str, centre: Array, axis: Array, size: Array, floor: float) 
 
 
 def _hull(model: mujoco.MjModel, name: str, centre: Array, axes: Array, mesh: int, floor: float) -> Hull | None:
-    """Return a mesh's convex hull as MuJoCo computed it; None for a flat mesh, which encloses no volume."""
+    """Return a mesh's convex hull as MuJoCo computed it, with the corners of triangles counterclockwise from outside;
+    None for a flat mesh, which encloses no volume."""
     graph = int(model.mesh_graphadr[mesh])
     first, count = int(model.mesh_vertadr[mesh]), int(model.mesh_vertnum[mesh])
     vertices = centre + np.array(model.mesh_vert[first : first + count], float) @ axes.T
@@ -94,7 +95,7 @@ def _hull(model: mujoco.MjModel, name: str, centre: Array, axes: Array, mesh: in
     order = np.zeros(count, np.intp)
     order[used] = np.arange(corners)
     hull = vertices[used].T
-    return Hull(name, hull, _outward(hull, order[triangles]), bool(hull[2].min() <= floor + GROUNDED))
+    return Hull(name, hull, order[triangles], bool(hull[2].min() <= floor + GROUNDED))
 
 
 def hull_of(vertices: Array, most: int = -1) -> tuple[Array, Index] | None:
@@ -118,13 +119,6 @@ def _computed_hull(name: str, vertices: Array, floor: float, most: int = -1) -> 
         return None
     data = kinematics(model)
     return _hull(model, name, data.geom_xpos[0], data.geom_xmat[0].reshape(3, 3), 0, floor)
-
-
-def _outward(corners: Array, faces: Index) -> Index:
-    """Return triangles (f, 3) with their corners counterclockwise from outside."""
-    a, b, c = (corners[:, faces[:, k]].T for k in range(3))
-    inward = np.sum(np.cross(b - a, c - a) * (a - corners.mean(axis=1)), axis=1) < 0
-    return np.where(inward[:, None], faces[:, ::-1], faces)
 
 
 def _height_field(model: mujoco.MjModel, name: str, centre: Array, axes: Array, field: int) -> HeightField:
