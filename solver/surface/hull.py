@@ -87,7 +87,7 @@ class Hull(Solid):
     def _edges(self) -> Index:
         """Pairs of corners (e, 2), each edge once."""
         pairs = np.concatenate([self.faces[:, [0, 1]], self.faces[:, [1, 2]], self.faces[:, [2, 0]]])
-        return np.unique(np.sort(pairs, axis=1), axis=0)
+        return pairs[pairs[:, 0] < pairs[:, 1]]  # two triangles have each edge, in opposite directions
 
     def _from_edges(self, points: Array) -> Array:
         """Return the vectors to points (3, p) from the nearest point of any edge."""
