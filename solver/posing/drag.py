@@ -16,7 +16,7 @@ import numpy as np
 from ..array import Array, Index, Mask
 from ..figure.figure import Figure
 from ..penalty.joints.bend import BendLimits
-from ..tolerances import NEGLIGIBLE
+from ..tolerances import NEGLIGIBLE, TINY
 from .goals import Goal, PointGoal
 from .inverse_kinematics import Posed, PoseSearch
 from .least_squares import Part, Residuals, join
@@ -37,40 +37,77 @@ NEAR_FLOOR = 0.05  # [m] height below which a body's clearance is linearise
 
 @dataclass(frozen=True, eq=False)
 class SupportPolygon:
-    """Limit: the centre of mass c of a tree stays above a convex polygon, normals · c <= distances.
+    """Limit: the centre of mass of a tree stays above a convex polygon.
 
     Attributes:
         root: MuJoCo's id of the tree's root body.
-        normals: The outward unit normals of the edges, (k, 2).
-        distances: The distances of the edges from the origin, (k,) [m].
+        corners: The corners of the polygon, counterclockwise, (k, 2) [m].
     """
 
     root: int
-    normals: Array
-    distances: Array
+    corners: Array
 
     @classmethod
     def of(cls, root: int, points: Array, share: float = SUPPORT_SHARE) -> SupportPolygon | None:
-        """Return the polygon inside the convex hull of contact points (n, 3) [m], or None if they are collinear."""
+        """Return the convex hull of contact points (n, 3) [m], scaled by `share` about its centroid, or None if they
+        are collinear."""
         from scipy.spatial import ConvexHull  # slow to import
 
         rays = points[1:, :2] - points[0, :2]
         if len(points) < 3 or np.linalg.eigvalsh(rays.T @ rays)[0] < NEGLIGIBLE**2:
             return None
-        hull = ConvexHull(points[:, :2])
-        normals, distances = hull.equations[:, :2], -hull.equations[:, 2]
-        centre = points[hull.vertices, :2].mean(axis=0)
-        return cls(root, normals, share * distances + (1 - share) * normals @ centre)
+        corners = points[ConvexHull(points[:, :2]).vertices, :2]
+        return cls(root, share * corners + (1 - share) * _centroid(corners))
 
     def linearise(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
         """Return the excess (k,) [m] over every edge and its Jacobian (k, nv)."""
-        rows = np.zeros((3, model.nv))
-        mujoco.mj_jacSubtreeCom(model, data, rows, self.root)
-        return self.normals @ data.subtree_com[self.root, :2] - self.distances, self.normals @ rows[:2]
+        normals, distances = self._edges
+        return normals @ self._centre(data) - distances, normals @ self._rows(model, data)
+
+    def linearise_away(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
+        """Return the vector from the nearest point of the polygon to the centre of mass (2,) [m], 0 inside, and its
+        Jacobian (2, nv)."""
+        edges, to_centre = self._sides, self._centre(data) - self.corners
+        if (edges[:, 0] * to_centre[:, 1] > edges[:, 1] * to_centre[:, 0]).all():
+            return np.zeros(2), np.zeros((2, model.nv))
+        squares = np.maximum(np.einsum("ij,ij->i", edges, edges), TINY)
+        along = np.clip(np.einsum("ij,ij->i", edges, to_centre) / squares, 0, 1)
+        away = to_centre - along[:, None] * edges
+        k = int(np.argmin(np.einsum("ij,ij->i", away, away)))
+        across = np.eye(2) - (np.outer(edges[k], edges[k]) / squares[k] if 0 < along[k] < 1 else 0.0)
+        return away[k], across @ self._rows(model, data)
 
     def excess(self, data: mujoco.MjData) -> float:
         """Return the distance [m] of the centre of mass beyond the polygon, negative inside."""
-        return float((self.normals @ data.subtree_com[self.root, :2] - self.distances).max())
+        normals, distances = self._edges
+        return float((normals @ self._centre(data) - distances).max())
+
+    @cached_property
+    def _sides(self) -> Array:
+        """The vectors from the corners to the next ones, (k, 2) [m]."""
+        return np.roll(self.corners, -1, axis=0) - self.corners
+
+    @cached_property
+    def _edges(self) -> tuple[Array, Array]:
+        """The outward unit normals of the edges (k, 2), and their distances from the origin (k,) [m]."""
+        normals = self._sides[:, ::-1] * [1.0, -1.0] / np.linalg.norm(self._sides, axis=1)[:, None]
+        return normals, np.einsum("ij,ij->i", normals, self.corners)
+
+    def _centre(self, data: mujoco.MjData) -> Array:
+        return np.asarray(data.subtree_com[self.root, :2])
+
+    def _rows(self, model: mujoco.MjModel, data: mujoco.MjData) -> Array:
+        """Return the Jacobian of the horizontal position of the centre of mass, (2, nv)."""
+        rows = np.zeros((3, model.nv))
+        mujoco.mj_jacSubtreeCom(model, data, rows, self.root)
+        return rows[:2]
+
+
+def _centroid(corners: Array) -> Array:
+    """Return the centroid (2,) of the area of a convex polygon with corners (n, 2) in order."""
+    a, b = corners[1:-1] - corners[0], corners[2:] - corners[0]
+    areas = a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]
+    return np.asarray(corners[0] + areas @ (a + b) / (3 * areas.sum()))
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +117,7 @@ class Balance:
     Attributes:
         root: MuJoCo's id of the tree's root body.
         points: The points of feet; their target positions are not used.
-        share: The size of the permitted polygon, relative to the support polygon.
+        share: The size of the permitted polygon, relative to the support polygon; 0: its centroid.
     """
 
     name: str
@@ -95,14 +132,11 @@ class Balance:
         return self.linearise(model, data)[0]
 
     def linearise(self, model: mujoco.MjModel, data: mujoco.MjData) -> Part:
-        """Return the largest excess (1,) [m] over an edge, 0 inside, and its Jacobian (1, nv) for feet at rest."""
+        """Return the vector from the polygon to the centre of mass (2,) [m], 0 inside, and its Jacobian (2, nv) for
+        feet at rest."""
         places = np.concatenate([point.places(data) for point in self.points])
         polygon = SupportPolygon.of(self.root, places, self.share)
-        if polygon is None:
-            return np.zeros(1), np.zeros((1, model.nv))
-        values, rows = polygon.linearise(model, data)
-        k = int(values.argmax())
-        return (values[[k]], rows[[k]]) if values[k] > 0 else (np.zeros(1), np.zeros((1, model.nv)))
+        return (np.zeros(2), np.zeros((2, model.nv))) if polygon is None else polygon.linearise_away(model, data)
 
 
 @dataclass(frozen=True, eq=False)

@@ -41,6 +41,7 @@ from .standing_feet import Stander, balance_of
 
 RISES = 10  # [1] most attempts to raise the root until soles are out of the ground
 ALIKE = 0.5  # [1] largest deviation of a foot's displacement from the mean, relative to the mean
+SHIFTED = 0.5  # [1] size of the polygon above which a pose that may shift is balanced, relative to that of its feet
 
 
 def released_links(figure: Figure, row: KeyframeTable, goals: Sequence[Goal]) -> list[int]:
@@ -238,7 +239,7 @@ def _unmet_balance(
     if not fixed[figure.links[root.link].columns][:2].all():
         depths = _depths(figure, pose, feet, surfaces)
         standing = [point for point, depth in zip(feet, depths, strict=True) if depth > -limits.near_surface]
-        preferred = balance_of(figure, standing, goals)
+        preferred = balance_of(figure, standing, goals, SHIFTED)
     data = kinematics(figure.model, pose)
     if all(np.linalg.norm(goal.residual(figure.model, data)) <= limits.near_surface for _, goal in preferred):
         return []

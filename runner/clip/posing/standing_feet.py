@@ -42,7 +42,6 @@ from .grounding import Grounding
 
 STARTS = 4  # most starting poses
 BALANCE = 100.0  # [1/m] weight of the preference of balance, relative to 1 rad of a limb joint
-STANDING = 0.6  # [1] size of the polygon above which a standing figure is posed, relative to that of its feet
 OWN_TURN = 1e-3  # weight of a foot's orientation relative to its points, two of which do not determine it
 TURNS = 4  # iterations, each from the previous orientation, which remove this bias
 
@@ -67,7 +66,7 @@ def balance_of(
     """Return balance as a preference with its weight, for a figure all of whose feet have goals; else none.
 
     Args:
-        share: The size of the permitted polygon, relative to the support polygon.
+        share: The size of the permitted polygon, relative to the support polygon; 0: its centroid.
     """
     placed_bodies = {body for goal in goals for body in goal.bodies(figure.model)}
     feet = {figure.links[point.link].body for point in soles}
@@ -197,7 +196,7 @@ class Stander:
         is_determined, missed = np.zeros(figure.width, bool), list[Goal]()
         while groups:
             goals = [goal for group in groups for goal in group]
-            preferred = balance_of(figure, schedule.points, goals, STANDING) if may_shift else []
+            preferred = balance_of(figure, schedule.points, goals, 0.0) if may_shift else []
             pose = find_pose(figure, home, ~frame.fixed, goals, self.bends, STARTS, preferred=preferred)
             if pose.worst <= NEGLIGIBLE:
                 home, is_determined = pose.qpos, pose.fixed & ~frame.fixed

@@ -3,12 +3,13 @@
 import mujoco
 import numpy as np
 import pytest
+from figures import BIPED
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from oracles import kinematics
 from rekeyed import with_keys
 
-from dynsplines import inbetween, recordings
+from dynsplines import Keyframe, build, inbetween, recordings
 from dynsplines.clip.build import Clip
 from dynsplines.clip.posing.places import sole_points, sphere_at
 from dynsplines.solver.array import Array
@@ -304,6 +305,18 @@ def test_free_legs_keep_their_feet_and_balance_between_keyframes_that_are_put_do
         assert np.all((centre[:2] > lower) & (centre[:2] < upper))
         for name, place in at.items():
             assert np.linalg.norm(site(problem, qpos, name) - place) < 0.01
+
+
+@pytest.mark.parametrize("height", [0.7, 0.5, 0.3])
+def test_a_squat_is_posed_over_the_middle_of_the_feet(height, tmp_path):
+    """From straight legs, leaning is nearer in angles than bending both knees."""
+    (tmp_path / "biped.xml").write_text(BIPED, encoding="utf-8")
+    squat = Keyframe(1, root={"position": ["free", "free", height]})
+    clip = build(str(tmp_path / "biped.xml"), [Keyframe(0, others="rest"), squat, Keyframe(2, others="rest")])
+    state = kinematics(clip.figure.model, clip.keys[1].state)
+    feet = [state.body(f"{side}_foot").xpos + np.array([0.04, 0, 0]) for side in ("left", "right")]
+    np.testing.assert_allclose(state.subtree_com[1][:2], np.mean(feet, axis=0)[:2], atol=0.006)
+    assert state.qpos[1] == pytest.approx(0, abs=1e-3)
 
 
 def test_a_figure_with_one_foot_in_the_air_is_posed_above_the_other():

@@ -6,8 +6,8 @@ import pytest
 from figures import figure_of
 from oracles import kinematics
 from random_models import random_qpos
-from scipy.optimize import minimize
-from scipy.spatial import ConvexHull
+from scipy.optimize import minimize, nnls
+from scipy.spatial import ConvexHull, Delaunay
 from scipy.spatial.transform import Rotation
 from texts import read_data
 
@@ -81,11 +81,13 @@ def test_derivatives_are_differences(human, rng):
     above = posing.FloorClearance(
         np.array([chest, chest, foot, foot]), offsets, np.full(4, 0.1), np.zeros(4), np.eye(3)[2], 3.0
     )
-    feet = posing.Balance(
-        "feet", 1, tuple(posing.PointGoal("foot", 0, place[None], np.zeros((1, 3))) for place in polygon + 5.0)
-    )
+    feet = tuple(posing.PointGoal("foot", 0, place[None], np.zeros((1, 3))) for place in polygon + 5.0)
+    over = [posing.Balance("feet", 1, feet, share) for share in (0.0, 0.5, 1.0)]
     terms = [
-        (lambda data: feet.residual(model, data), lambda data: feet.linearise(model, data)[1]),
+        *(
+            (lambda data, goal=goal: goal.residual(model, data), lambda data, goal=goal: goal.linearise(model, data)[1])
+            for goal in over
+        ),
         (lambda data: pins.residual(model, data), lambda data: pins.linearise(model, data)[1]),
         (lambda data: balance.linearise(model, data)[0], lambda data: balance.linearise(model, data)[1]),
         (lambda data: above.linearise(model, data)[0], lambda data: above.linearise(model, data)[1]),
@@ -93,6 +95,10 @@ def test_derivatives_are_differences(human, rng):
     for value, rows in terms:
         expected = differences(model, qpos, lambda end, value=value: value(kinematics(model, end)))
         np.testing.assert_allclose(rows(kinematics(model, qpos)), expected, atol=1e-7)
+    data, corners = kinematics(model, qpos), polygon[:, :2] + 5.0
+    stiff = np.vstack([corners.T, np.full(len(corners), 1e4)])  # convex combinations
+    _, distance = nnls(stiff, [*data.subtree_com[1, :2], 1e4])
+    assert np.linalg.norm(over[2].residual(model, data)) == pytest.approx(distance, rel=1e-6)
 
 
 def differences(model: mujoco.MjModel, qpos, value) -> np.ndarray:
@@ -125,9 +131,10 @@ def test_a_support_polygon_is_the_convex_hull_made_smaller(rng):
         polygon, hull = posing.SupportPolygon.of(1, points, share=0.7), ConvexHull(points[:, :2])
         assert polygon is not None
         corners = points[hull.vertices, :2]
-        smaller = ConvexHull(corners.mean(axis=0) + 0.7 * (corners - corners.mean(axis=0)))
-        found = np.column_stack([polygon.normals, -polygon.distances])
-        np.testing.assert_allclose(sorted(found.tolist()), sorted(smaller.equations.tolist()), atol=1e-12)
+        triangles = corners[Delaunay(corners).simplices]
+        areas = np.abs(np.linalg.det(triangles[:, 1:] - triangles[:, :1]))
+        centroid = areas @ triangles.mean(axis=1) / areas.sum()
+        np.testing.assert_allclose(polygon.corners, centroid + 0.7 * (corners - centroid), atol=1e-12)
     line = np.linspace(0, 1, 5)[:, None] * [1, 2, 0]
     assert posing.SupportPolygon.of(1, line) is None and posing.SupportPolygon.of(1, points[:2]) is None
 
