@@ -7,6 +7,7 @@ import json
 import os
 import sys
 from collections.abc import Sequence
+from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -248,6 +249,7 @@ def list_penalties(figure: option.PenaltyFigure = None, as_json: option.AsJson =
 def mirror(
     source: option.Source,
     output: option.Edited = None,
+    append: Annotated[bool, flag("--append", "Append the mirror image of half a gait cycle")] = False,
     overwrite: option.Overwrite = False,
     allow_outside: option.Outside = False,
 ) -> None:
@@ -255,7 +257,7 @@ def mirror(
     If the input is a clip (.toml), the output is a clip too, unless -o names a
     motion (.npz). In a clip, step and obstacles are mirrored; in a motion, the
     scene is unchanged. A mirrored motion has no clip."""
-    _edit(files.mirror, source, output=output, overwrite=overwrite)
+    _edit(partial(files.mirror, append=append), source, output=output, overwrite=overwrite)
 
 
 @app.command(rich_help_panel="Edit")

@@ -22,6 +22,7 @@ from ..scene.assets import Scene
 from ..scene.compose import KINDS, Obstacle, stage
 from ..scene.configuration import first_wrong
 from .build import Clip, build, build_following, edits_of, solve_of
+from .half_cycle import whole_cycle
 from .parse import Parsed, check_times, keyframe_label, table_of
 from .pose import pose
 from .posing import notes
@@ -57,6 +58,8 @@ def from_parsed(
         scene, figure = like.scene, like.figure
     else:
         scene, figure = scene_and_figure(source, figure_file, spec)
+    source = whole_cycle(source, figure)
+    table = source.table
     follows = None if table.recording is None else recording_to_follow(table.recording, figure, recording, where)
     keys, unreached = pose(source, figure, None if follows is None else follows.pose)
     if unreached and unmet is None:
@@ -168,6 +171,7 @@ def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | No
 def of_motion(saved: Saved) -> Clip:
     """Return the clip that a saved motion solves, with the keyframes and the ends of the motion itself."""
     source = Parsed.of(saved.text, saved.name, saved.name)
+    source = whole_cycle(source, saved.figure)
     source = source.with_solve(solve_of(saved, source.table.solve), [key.time for key in saved.keys])
     return build(source, saved.scene, saved.figure, saved.keys, saved.fps)
 

@@ -327,7 +327,7 @@ class StanceTable(Table):
 class SolveTable(Table):
     """End conditions of the spline and settings of the search; None: chosen automatically."""
 
-    ends: Literal["free", "clamped", "clamped start", "clamped end", "periodic"] = "free"
+    ends: Literal["free", "clamped", "clamped start", "clamped end", "periodic", "mirrored"] = "free"
     travel: Place | None = None
     turn: Annotated[Real, Field(ge=-360, le=360)] | None = None
     variable: Annotated[Whole, Field(ge=0, le=50)] | None = None

@@ -11,8 +11,9 @@ from dynsplines import models
 
 from .. import motion, recordings, solving
 from ..clip.build import Clip
+from ..clip.half_cycle import MIRRORED, whole_cycle
 from ..clip.mirror import mirrored_tables
-from ..clip.parse import table_of
+from ..clip.parse import Parsed, table_of
 from ..clip.table import ClipTable, PenaltyTable
 from ..clip.text import text_of
 from ..errors import UserError
@@ -27,9 +28,19 @@ from . import edits
 Written = tuple[Path, tuple[Violation, ...]]  # a written motion or clip, and the violations of a motion
 
 
-def mirror(source: str, target: Path | None, *, overwrite: bool, progress: Progress) -> Written:
-    """Exchange left and right in a motion or a clip. The scene of a motion is unchanged."""
+def mirror(source: str, target: Path | None, *, overwrite: bool, progress: Progress, append: bool = False) -> Written:
+    """Exchange left and right in a motion or a clip. The scene of a motion is unchanged.
+
+    Args:
+        append: Whether to keep the keyframes of half a gait cycle, and to append their mirror image.
+    """
     target, one = _prepare(source, target, "mirrored", overwrite, writes_clips=True)
+    if append:
+        table = table_of(one.text, source) if target.suffix == ".toml" else None
+        if table is None or table.solve.ends != MIRRORED:
+            raise UserError("--append: give half a gait cycle, a clip with ends = 'mirrored', and write a clip, .toml")
+        half = Parsed.of(one.text, one.name, source)
+        return _write_clip(whole_cycle(half, one.figure).table, source, target)
     symmetry = edits.mirror_of(one)
     if target.suffix == ".toml":
         return _write_clip(mirrored_tables(table_of(one.text, source), one.figure, symmetry), source, target)

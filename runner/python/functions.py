@@ -111,7 +111,7 @@ def build(
         penalties: Changes of the default soft constraints: {"torque": 0.1, "collision": {"weight": 100, "margin":
             0.002}}.
         solve: The clip file's [solve] table: {"ends": "clamped"} starts and ends the motion at rest, {"ends":
-            "periodic"} makes it a loop.
+            "periodic"} makes it a loop, {"ends": "mirrored"} completes half a gait cycle.
         recording: The clip file's [recording] table: {"file": "walk.npz"}. The path is relative to the
             current folder. The motion then follows the recording, except near keyframes.
         mirror: The clip file's [mirror] table: {"pairs": [["joint1", "joint4"]]}, for joints without left and right in

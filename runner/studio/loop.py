@@ -28,6 +28,8 @@ from dynsplines.solver.search.minimum import Stop, StopSearch
 
 from .. import recordings
 from ..clip.build import Clip
+from ..clip.half_cycle import MIRRORED
+from ..clip.parse import table_of
 from ..errors import UserError, locate, one_line
 from ..scene.file_access import allow
 from . import paths
@@ -135,6 +137,10 @@ class SolverLoop:
     ) -> None:
         """Load a text and send its clip and keyframes. With `go`, a search starts from the present path."""
         before = self.clip
+        if table_of(text, place).solve.ends == MIRRORED:
+            raise UserError(
+                f"{place}: the studio edits whole cycles; write one: dynsplines mirror {place} --append -o NEW.toml"
+            )
         clip = recordings.from_text(text, name=name, where=place, folder=Path(folder), like=before)
         is_same = before is not None and before.name == name
         present = self.solution.timeline if is_same and self.solution is not None else None
