@@ -46,8 +46,8 @@ if TYPE_CHECKING:
     from .edit import files, thinning
     from .exchange import formats, motion_import, quantities
     from .exchange.skeleton import maps
+    from .measure import chart, measurement, violation
     from .measure import report as reports
-    from .measure import violation
     from .picture import film, show
     from .studio import document, launch
     from .system import progress as terminal
@@ -61,7 +61,7 @@ else:
     files, thinning = _lazy(".edit", "files thinning")
     (clean_command,) = _lazy(".clean", "command")
     formats, motion_import, quantities, maps = _lazy(".exchange", "formats motion_import quantities skeleton.maps")
-    violation, reports = _lazy(".measure", "violation report")
+    chart, measurement, violation, reports = _lazy(".measure", "chart measurement violation report")
     film, show = _lazy(".picture", "film show")
     document, launch = _lazy(".studio", "document launch")
 
@@ -142,7 +142,7 @@ def solve(
     with terminal.Progress() as progress:
         clip = inputs.load(source, fps=fps)
         if isinstance(clip, motion.Saved):
-            raise UserError(f"{source}: a motion is solved already; report and render take it")
+            raise UserError(f"{source}: a motion is solved already; report, plot and render take it")
         first, last = inputs.span(clip, repeat)
         motion.sample_count(last - first, clip.fps)
         saved, violations = inputs.solution_of(clip, progress, repeat)
@@ -342,6 +342,25 @@ def report(
             raise UserError(f"{source}: its report is not complete: {type(error).__name__} {error}") from None
         Console(highlight=False).print(text, markup=False)
     _judge(measured["violations"], strict)
+
+
+@app.command(rich_help_panel="Analyse")
+def plot(
+    source: option.Source,
+    output: Annotated[Path | None, option.output("CLIP.png")] = None,
+    allow_outside: option.Outside = False,
+) -> None:
+    """Plot the measured faults of a motion over time.
+    The chart shows the amount of every kind of violation, divided by its bound, before and after solving.
+    The extension of -o selects .png, .svg or .pdf. An existing file is overwritten."""
+    target = output or Path(f"{Path(source).stem}.png")
+    outputs.check_target(target, endings=chart.ENDINGS)
+    with terminal.Progress() as progress:
+        clip = inputs.load(source)
+        is_motion = isinstance(clip, motion.Saved)
+        solved = solving.Solved.of(clip) if is_motion else solving.solve(clip, progress)
+        chart.draw(clip.name, *measurement.Measurement.sides(solved.clip, solved.motion), target)
+    print(f"wrote {target}", file=sys.stderr)
 
 
 @app.command(rich_help_panel="Exchange")

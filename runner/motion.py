@@ -1,4 +1,4 @@
-"""MOTION.npz: a solved clip as plain arrays, without pickles, with everything that `report` and `render` need.
+"""MOTION.npz: a solved clip as plain arrays, without pickles, with everything that `report`, `plot` and `render` need.
 
 fps, time (T,)                      time[i] = t0 + i / fps
 qpos (T, nq), qvel, qacc (T, nv)    MuJoCo's conventions; unit quaternions of continuous sign

@@ -91,10 +91,14 @@ class Measurement:
         before = cls.of(clip, motion.raw, motion.raw)
         return before, before if motion.is_raw else cls.of(clip, motion.timeline, motion.raw)
 
-    def by_kind(self) -> dict[str, Array]:
-        """Return the largest amount (T,) of every kind of violation at the times of the grid, at least 0."""
+    def by_kind(self, *, relative: bool = False) -> dict[str, Array]:
+        """Return the largest amount (T,) of every kind of violation at the times of the grid, at least 0.
+
+        relative  whether amounts are divided by their bounds
+        """
         kinds: dict[str, Array] = {}
         for check, hits in self.checks:
+            hits = replace(hits, amount=hits.amount / check.bounds[hits.row]) if relative else hits
             rows, which = np.unique(hits.row, return_inverse=True)
             kind_of_row = np.array([check.row(row).kind for row in rows.tolist()])
             for kind in np.unique(kind_of_row).tolist():

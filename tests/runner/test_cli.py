@@ -108,6 +108,13 @@ def test_report_of_a_motion_does_not_solve(run, motion_file, solving_forbidden):
     assert strict["keyframes"] == 3
 
 
+@pytest.mark.slow
+def test_plot_of_a_motion_does_not_solve(run, motion_file, solving_forbidden, tmp_path):
+    done = run("plot", motion_file)
+    assert (done.code, done.out, done.err) == (0, "", "wrote tiny.png\n")
+    assert size_of(tmp_path / "tiny.png") == (1440, 540)
+
+
 @pytest.mark.parametrize(
     ("ending", "only", "at", "magic"),
     [("mp4", "", 4, b"ftyp"), ("gif", "before", 0, b"GIF8"), ("webm", "after", 0, b"\x1aE\xdf\xa3"),
@@ -192,7 +199,7 @@ def test_help_is_quick_because_it_imports_nothing_heavy(option):
     script = (
         f"import sys; from dynsplines import cli; sys.argv = ['dynsplines', '{option}']\n"
         "try: cli.main()\nexcept SystemExit: pass\n"
-        "print(sorted({'mujoco', 'numpy', 'scipy', 'nlopt', 'pydantic', 'av', 'PIL'} & set(sys.modules)))"
+        "print(sorted({'mujoco', 'numpy', 'scipy', 'nlopt', 'matplotlib', 'pydantic', 'av', 'PIL'} & set(sys.modules)))"
     )
     done = subprocess.run([sys.executable, "-c", script], check=True, capture_output=True, text=True)
     assert done.stdout.splitlines()[-1] == "[]"
@@ -205,7 +212,7 @@ def test_what_draws_nothing_needs_no_graphics_and_the_threads_requested_change_n
         "for words in (['solve', 'tiny.toml'], ['report', 'tiny.npz']):\n"
         "    sys.argv = ['dynsplines', *words]\n"
         "    try: cli.main()\n    except SystemExit as end: assert not end.code\n"
-        "    imported.append(sorted({'glfw', 'OpenGL', 'av', 'PIL'} & set(sys.modules)))\n"
+        "    imported.append(sorted({'glfw', 'OpenGL', 'matplotlib', 'av', 'PIL'} & set(sys.modules)))\n"
         "print(imported)"
     )
     settings = os.environ | {"MUJOCO_GL": "nonsense", "OMP_NUM_THREADS": "4", "OPENBLAS_NUM_THREADS": "4"}

@@ -232,7 +232,7 @@ def test_the_option_counts_for_its_command_alone(run: Run, tmp_path: Path):
 
 
 def test_every_command_that_reads_models_has_the_option():
-    words = ("render", "solve", "report", "new", "mirror", "retime", "trim", "thin", "export", "clean")
+    words = ("render", "solve", "report", "plot", "new", "mirror", "retime", "trim", "thin", "export", "clean")
     having = {
         command.name or command.callback.__name__
         for command in cli.app.registered_commands

@@ -18,6 +18,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from dynsplines.measure.chart import INK, style
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.problem import Improvement, Settings
@@ -26,8 +27,6 @@ from ..orientations import FEW_FRAMES, PAPER, TENTHS, Run, figure_ten, strong_te
 from .captioned import Picture
 
 DPI = 120  # dots an inch
-INK = "#22303a"
-STYLE = {"axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": INK, "font.size": 10}
 RATE = 500  # [1/s] points of a curve
 SHOWN_STEPS = 3  # dashed paths, the raw spline among them: the next ones lie on the solid one
 PAPERS_LIMIT = 0.002  # deviation from unit length that the paper reports
@@ -180,7 +179,7 @@ def _curves(axes: Axes, curves: dict[str, Array], title: str, label: str) -> Non
 
 
 def _sheet(count: int) -> tuple[Figure, list[Axes]]:
-    with plt.rc_context(STYLE):
+    with plt.rc_context(style(10)):
         figure, axes = plt.subplots(1, count, figsize=(10, 4.4), dpi=DPI, layout="constrained", squeeze=False)
     return figure, list(axes[0])
 
