@@ -77,6 +77,7 @@ FORMATS = (
     Format("locomujoco", ".loco.npz", "LocoMuJoCo: trajectory", "locomujoco", reads=True),
     Format("gmr", ".gmr.pkl", "GMR: root pose (xyzw), hinge angles, body positions", "gmr", reads=True,
            containers=(".pickle",)),
+    Format("mimickit", ".mimickit.pkl", "MimicKit: rotation vectors of root and ball joints", "mimickit", reads=True),
     Format("amass", ".amass.npz", "AMASS: motion capture of an SMPL body", "amass", writes=False, reads=True),
     Format("bvh", ".bvh", "skeleton and joint angles, y up, in centimetres", "bvh", reads=True, options=("scale",)),
     Format("gltf", ".glb", "meshes and an animation, for Blender, game engines and the web", "gltf"),

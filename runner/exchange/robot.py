@@ -103,7 +103,7 @@ def refuse_balls(model: mujoco.MjModel, joints: Sequence[int], form: str) -> Non
     if ball is not None:
         raise UserError(
             f"the format '{form}' contains hinges and slides only; '{model.joint(ball).name or f'joint{ball}'}' is a "
-            "ball joint: use a figure of hinges, or one of the formats csv, npz, mjcf and bvh"
+            "ball joint: use a figure of hinges, or one of the formats csv, npz, mjcf, mimickit and bvh"
         )
 
 

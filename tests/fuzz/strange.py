@@ -228,6 +228,7 @@ KINDS = {
         _kind_of("mjlab-csv", "robot.xml", _of_text, 1_500),
         _kind_of("locomujoco", "robot.xml", _of_arrays, 2_000),
         _kind_of("gmr", "robot.xml", _of_pickle, 3_000),
+        _kind_of("mimickit", "human", _of_pickle, 2_500),
         _kind_of("bvh", "human", _of_text, 2_000),
         Kind(
             "amass.amass.npz", _amass, partial(_of_arrays, _amass), partial(_import, "amass", "human"), 1_500, 6

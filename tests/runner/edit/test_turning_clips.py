@@ -1,5 +1,6 @@
 """Clips that turn: headings beside rotations, loops that come back turned, what edits and files make of them."""
 
+import pickle
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.table import ClipTable, KeyframeTable, RootTable, RotationTable, SolveTable
 from dynsplines.edit import edits
 from dynsplines.edit.thinning import recorded_of
+from dynsplines.exchange import formats
 from dynsplines.motion import Saved
 from dynsplines.scene.compose import figure_spec
 from dynsplines.solver.curve.mirror import Mirror
@@ -113,6 +115,13 @@ def test_a_turning_loop_is_saved_retimed_and_thinned_as_one(circle, tmp_path):
     _, few = thin(recorded)
     assert recorded.excess(few).max() <= 1
     assert np.degrees(Seam.of(again.figure, few).headings) == pytest.approx([45])
+
+
+def test_formats_whose_loops_only_travel_get_no_loop_and_a_note(circle, tmp_path):
+    notes = []
+    target = formats.export(circle, "mimickit", tmp_path / "a.mimickit.pkl", fps=20.0, report=notes.append)
+    assert pickle.loads(target.read_bytes())["loop_mode"] == 0
+    assert notes == ["the format has no loops that rotate: one period is written, without a loop"]
 
 
 def test_a_mirrored_clip_turns_the_other_way():

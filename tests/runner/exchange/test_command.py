@@ -33,7 +33,7 @@ def test_an_imported_motion_is_measured_when_a_report_is_requested(run, tmp_path
 
 def test_formats_are_listed_and_a_wrong_one_is_reported(run):
     rows = {line.split()[0]: line for line in run("formats").out.splitlines()}
-    assert {"csv", "npz", "mjcf", "mjlab", "mjlab-csv", "locomujoco", "gmr"} <= rows.keys()
+    assert {"csv", "npz", "mjcf", "mjlab", "mjlab-csv", "locomujoco", "gmr", "mimickit"} <= rows.keys()
     assert "reads and writes" in rows["gmr"] and "writes" not in rows["amass"]
     assert "read only; written are: csv" in refusal(run("export", "wild.npz", "--to", "amass"))
     assert "did you mean 'mjlab" in refusal(run("export", "wild.npz", "--to", "mjlb"))

@@ -25,8 +25,8 @@ EVERY = ("csv", "npz")
 FREE, SLIDE = int(mujoco.mjtJoint.mjJNT_FREE), int(mujoco.mjtJoint.mjJNT_SLIDE)
 
 ROBOTS = {  # tests/data/robot_*.xml, and the formats that can hold their motions
-    "free": (*EVERY, "mjlab", "mjlab-csv", "locomujoco", "gmr"),
-    "balls": EVERY,
+    "free": (*EVERY, "mjlab", "mjlab-csv", "locomujoco", "gmr", "mimickit"),
+    "balls": (*EVERY, "mimickit"),
     "planar": EVERY,
     "fixed": EVERY,
 }

@@ -9,6 +9,7 @@ import motions
 import mujoco
 import numpy as np
 import pytest
+import shipped
 
 from dynsplines import motion
 from dynsplines.errors import UserError
@@ -27,7 +28,7 @@ REST = motions.ROBOT.replace('name="left_knee"', 'name="left_knee" ref="0.5"').r
 )
 OF_ROBOTS = ("mjlab", "mjlab-csv", "locomujoco", "gmr")
 CASES = [
-    *((kind, figure) for kind in ("npz", "csv") for figure in ("human", "robot", "rest", "meshed")),
+    *((kind, figure) for kind in ("npz", "csv", "mimickit") for figure in ("human", "robot", "rest", "meshed")),
     *((kind, figure) for kind in OF_ROBOTS for figure in ("robot", "rest")),
 ]
 
@@ -71,6 +72,21 @@ def test_a_file_that_holds_its_figure_holds_its_meshes(folder: Path, tmp_path: P
     target, notes = motions.exported(saved, "mjcf", tmp_path)
     assert f"wrote {tmp_path / 'trunk.obj'}" in notes
     assert mujoco.MjModel.from_xml_path(str(target)).nmesh == 1
+
+
+def test_a_loop_wraps_and_its_last_frame_is_the_first_moved_on(tmp_path: Path):
+    walk = shipped.unsolved("walk_loop")  # of a period that is not a whole number of samples
+    period = walk.timeline.times[-1] - walk.timeline.times[0]
+    target, _ = motions.exported(walk, "mimickit", tmp_path)
+    held = pickle.loads(target.read_bytes())
+    frames = np.array(held["frames"])
+    assert held["loop_mode"] == 1 and (len(frames) - 1) / held["fps"] == pytest.approx(period, abs=1e-12)
+    assert frames[-1, 0] - frames[0, 0] > 0.5
+    np.testing.assert_allclose(frames[-1, 3:], frames[0, 3:], atol=1e-9)
+    back = import_recording(target, figure="human")
+    assert back.timeline.times[-1] - back.timeline.times[0] == pytest.approx(period, abs=1e-9)
+    assert len(motions.samples(back).time) == len(frames)
+    motions.same_poses(walk.figure.model, motions.samples(walk, held["fps"]).qpos, motions.samples(back).qpos, 1e-4)
 
 
 def test_locomujoco_of_its_own_tool_has_joints_in_any_order(folder: Path, tmp_path: Path):

@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
+from dynsplines.exchange.format import mimickit
 from dynsplines.exchange.motion_import import import_recording
 from dynsplines.motion import Sampled, Saved
 from dynsplines.solver.array import Array
@@ -106,6 +107,40 @@ def test_locomujoco_holds_every_array_that_its_trajectory_has(robot, at, tmp_pat
     # its `load` refuses names that are not fields of TrajectoryInfo, TrajectoryModel and TrajectoryData
     known = {"qpos", "qvel", "xpos", "xquat", "cvel", "subtree_com", "site_xpos", "site_xmat", "split_points"}
     assert set(file) == known | {"joint_names", "body_names", "site_names", "frequency"}
+
+
+def test_mimickit_frames_are_root_and_joints_as_rotation_vectors(human, tmp_path):
+    target, _ = motions.exported(human, "mimickit", tmp_path)
+    held, model = pickle.loads(target.read_bytes()), human.figure.model
+    assert (held["fps"], held["loop_mode"]) == (motions.FPS, 0)
+    frames, truth = np.array(held["frames"]), motions.poses(model, motions.samples(human).qpos)
+    bodies = [i for i in range(1, model.nbody) if model.body_jntnum[i]]
+    for t in (0, 17, 60):  # forward_kinematics of kin_char_model.py: parent, then the body's rest, then the joint
+        position, rotation = {bodies[0]: frames[t, :3]}, {bodies[0]: Rotation.from_rotvec(frames[t, 3:6])}
+        for n, body in enumerate(bodies[1:], 1):
+            above = int(model.body_parentid[body])
+            rest = Rotation.from_quat(model.body_quat[body], scalar_first=True)
+            position[body] = position[above] + rotation[above].apply(model.body_pos[body])
+            rotation[body] = rotation[above] * rest * Rotation.from_rotvec(frames[t, 3 + 3 * n : 6 + 3 * n])
+        np.testing.assert_allclose(list(position.values()), truth["xpos"][t, bodies], atol=1e-9)
+        own = np.array([each.as_matrix() for each in rotation.values()])
+        np.testing.assert_allclose(own, truth["xmat"][t, bodies].reshape(-1, 3, 3), atol=1e-9)
+
+
+def test_mimickit_takes_three_hinges_on_a_body_for_a_ball_joint_whose_angles_are_zero_at_rest(tmp_path):
+    text = motions.ROBOT.replace('name="left_knee"', 'name="left_knee" ref="0.5"')
+    (tmp_path / "robot.xml").write_text(text.replace('name="left_hip_roll"', 'name="left_hip_roll" ref="-0.3"'))
+    robot = motions.motion_of(str(tmp_path / "robot.xml"))
+    target, notes = motions.exported(robot, "mimickit", tmp_path)
+    frames = np.array(pickle.loads(target.read_bytes())["frames"])
+    assert frames.shape[1] == 6 + 3 + 1 + 1 and notes == []
+    turned = motions.samples(robot).qpos[:, 7:] - robot.figure.model.qpos0[7:]
+    leg = Rotation.from_euler("YXZ", turned[:, :3])
+    np.testing.assert_allclose(Rotation.from_rotvec(frames[:, 6:9]).as_matrix(), leg.as_matrix(), atol=1e-12)
+    np.testing.assert_allclose(frames[:, 9:], turned[:, 3:], atol=1e-12)
+    slides = motions.ROBOT.replace('name="arm_pitch" type="hinge"', 'name="arm" type="slide"')
+    with pytest.raises(UserError, match="a body; 'arm' has others"):
+        mimickit.parts(mujoco.MjModel.from_xml_string(slides))
 
 
 def test_plain_arrays_and_keys_hold_every_digit_and_the_figure(human, tmp_path):
