@@ -23,6 +23,7 @@ import mujoco
 import numpy as np
 from bench import NOT_INSTALLED, Effort, Section, Target, alternated, median, peer
 from numpy.typing import NDArray
+from paper.nearest import optimise
 
 from dynsplines import models
 from dynsplines.solver import (
@@ -42,7 +43,6 @@ from dynsplines.solver.curve.spline import Spline
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Collision, CovariantAcceleration, RootAcceleration, UnitMagnitude
 from dynsplines.solver.refine.subdivision import split
-from dynsplines.solver.search.descent import optimise
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import site_points
 

@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 from bench import NOT_INSTALLED, Effort, Section, Target, median, peer, seconds, worst
+from paper.nearest import optimise
 from rotations import KINDS, Track, energy, exact_energy, exact_energy_from, solved, track
 from shooting import energy_of, has_closed, quaternions_of, shot
 
 from dynsplines.solver import Settings, Solution
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.refine.subdivision import by_weak_form, midpoints, split
-from dynsplines.solver.search.descent import optimise
 
 FIRST_SEED = 3000
 RATIO = 50.0

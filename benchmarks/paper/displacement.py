@@ -16,7 +16,8 @@ from dynsplines.solver.curve.quadrature import gauss_nodes
 from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.refine.subdivision import residual
-from dynsplines.solver.search.descent import optimise
+
+from .nearest import optimise
 
 NODES = 6  # nodes per span of Gauss's rule
 MOST_EVALUATIONS = 60  # of a segment's search

@@ -22,7 +22,8 @@ from dynsplines.solver.penalty import CovariantAcceleration
 from dynsplines.solver.penalty.block import Block, Dense, every
 from dynsplines.solver.penalty.curvature import Curvature
 from dynsplines.solver.refine.subdivision import CRITERIA, midpoints, split
-from dynsplines.solver.search.descent import optimise
+
+from .nearest import optimise
 
 
 @dataclass(frozen=True)

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from ..curve.frame import Timeline
-from ..objective import Discretised, Objective
-from .minimum import MOST_EVALUATIONS, TOLERANCE, Improved, Minimum, Optimiser, Stop
+from ..objective import Discretised
+from .minimum import MOST_EVALUATIONS, TOLERANCE, Improved, Minimum, Optimiser
 from .newton import GaussNewton
 from .nlopt_methods import LBFGS, METHODS, algorithm
 
@@ -58,18 +57,3 @@ def minimise(
     """
     minimise = optimiser_of(optimiser, problem.timeline.width, tolerance)
     return minimise(problem, max_evaluations=max_evaluations, tolerance=tolerance, improved=improved)
-
-
-def optimise(
-    objective: Objective, timeline: Timeline, *, max_evaluations: int = MOST_EVALUATIONS, tolerance: float = TOLERANCE
-) -> Timeline:
-    """Return the timeline with its variable frames at the nearest minimum of E.
-
-    Raises:
-        KeyboardInterrupt: The search was interrupted.
-    """
-    problem = objective.on(timeline)
-    minimum = minimise(problem, max_evaluations=max_evaluations, tolerance=tolerance)
-    if minimum.stop is Stop.INTERRUPTED:
-        raise KeyboardInterrupt
-    return timeline.with_rows(problem.unknowns.rows(minimum.x))

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 import shipped
 from matplotlib.figure import Figure
+from paper.nearest import optimise
 from problems import FIGURE, names, written
 from processes import largest_file, quiet
 from random_models import evenly
@@ -25,7 +26,6 @@ from dynsplines.measure.measurement import Measurement
 from dynsplines.measure.report import report, tables
 from dynsplines.motion import Sampled
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.search.descent import optimise
 from dynsplines.solving import Solved
 
 FOOT = read_data("foot.xml")
