@@ -42,7 +42,7 @@ if TYPE_CHECKING:
     from . import batch as batches
     from . import inputs, motion, solving
     from .clean import command as clean_command
-    from .clip import kinds, person, starter
+    from .clip import context, kinds, starter
     from .edit import files, thinning
     from .exchange import formats, motion_import, quantities
     from .exchange.skeleton import maps
@@ -57,7 +57,7 @@ else:
         return [_Lazy(f"{package}.{name}") for name in names.split()]
 
     inputs, motion, solving, terminal = _lazy("", "inputs motion solving system.progress")
-    batches, kinds, person, starter = _lazy("", "batch clip.kinds clip.person clip.starter")
+    batches, context, kinds, starter = _lazy("", "batch clip.context clip.kinds clip.starter")
     files, thinning = _lazy(".edit", "files thinning")
     (clean_command,) = _lazy(".clean", "command")
     formats, motion_import, quantities, maps = _lazy(".exchange", "formats motion_import quantities skeleton.maps")
@@ -230,7 +230,7 @@ def list_models() -> None:
 def list_penalties(figure: option.PenaltyFigure = None, as_json: option.AsJson = False) -> None:
     """List the soft constraints, their weights and options.
     A clip configures them in [[penalty]] tables. The list shows default weights, and the units of options."""
-    notes = {} if figure is None else {"prior": person.note_on(figure)}
+    notes = {} if figure is None else {"prior": context.note_on(figure)}
     if as_json:
         print(json.dumps([kind.describe() for kind in kinds.KINDS.values()], indent=2))
         return

@@ -9,7 +9,6 @@ table_errors  errors of the tables in terms of the file
 text          tables as TOML text, keyframes as tables, and motions as clip files
 mirror        left and right exchanged in a clip's tables
 context       the inputs of soft constraints, inferred from keyframes and tables
-person        which bodies of a figure are the parts of a person
 kinds         the kinds of soft constraint
 contacts      the [[contact]] and [[grasp]] tables
 starter       a starting clip for any model

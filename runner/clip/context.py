@@ -21,14 +21,16 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.model import kinematics
 from dynsplines.solver.figure.root import has_fixed_base
 from dynsplines.solver.penalty import Bend, Lean, Person, Range, Support, holds, leans
+from dynsplines.solver.penalty.motion.people import PARTS
 from dynsplines.solver.surface import Plane, Surface
 from dynsplines.solver.surface.points import Point, body_points, bottoms_of, displacements
 from dynsplines.solver.surface.surface import UPRIGHT
 from dynsplines.solver.tolerances import NEGLIGIBLE
 
-from ..errors import UserError, unknown
+from ..errors import UserError, list_names, unknown
+from ..scene.compose import compile_model, figure_spec
+from ..scene.roles import roles
 from .contacts import schedule_of
-from .person import person_of
 from .posing.places import Places
 from .table import ContactTable, GraspTable
 
@@ -330,3 +332,31 @@ def _principal(direction: Array) -> Array:
     axis = np.zeros(3)
     axis[np.argmax(np.abs(direction))] = np.sign(direction[np.argmax(np.abs(direction))])
     return axis
+
+
+def person_of(figure: Figure, soles: Sequence[Point] = ()) -> Person:
+    """Return the figure as a person.
+
+    Args:
+        soles: The contact points of the soles; without them, ankles are as high as in the recordings.
+
+    Raises:
+        ValueError: Parts are unknown, the pelvis has no free joint, or the figure does not stand in its rest pose.
+    """
+    model = figure.model
+    names, parents = [model.body(i).name for i in range(1, model.nbody)], (model.body_parentid[1:] - 1).tolist()
+    parts = {part: int(figure.body_link[1 + body]) for part, body in roles(names, parents).items()}
+    missing = [part.replace("_", " ") for part in PARTS if part not in parts]
+    if missing:
+        raise ValueError(f"no body has a name of these parts: {list_names(missing)}")
+    rest = Samples.of_qpos(figure)
+    return Person.of(figure, parts, float(bottoms_of(tuple(soles), rest).min()) if soles else None)
+
+
+def note_on(figure: str) -> str:
+    """Return a note on the soft constraint `prior` in clips of a figure, by name or file; empty if it is on."""
+    try:
+        person = person_of(Figure(compile_model(figure_spec(figure), figure)))
+    except ValueError as error:
+        return f"; not for '{figure}': {error}"
+    return "; on if listed, as the figure has hinges" if person.is_robot else ""

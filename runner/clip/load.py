@@ -82,12 +82,12 @@ def scene_and_figure(
             keyframes with unknown joints or <key>s.
     """
     table = source.table
-    rows = list(zip(source.labels, table.keyframe, strict=True))
-    joints = [(label, name) for label, row in rows for name in row.joints]
-    keys = [(f"{label}: others", row.model_key) for label, row in rows if row.model_key is not None]
     figure = figure_file or table.figure if spec is None else spec
     try:
-        scene, model = stage(figure, source.folder, obstacles(table.scene), joints, keys)
+        around, rows = obstacles(table.scene), list(zip(source.labels, table.keyframe, strict=True))
+        joints = [(label, name) for label, row in rows for name in row.joints]
+        keys = [(f"{label}: others", row.model_key) for label, row in rows if row.model_key is not None]
+        scene, model = stage(figure, source.folder, around, joints, keys)
         return scene, Figure(model)
     except (UserError, ValueError) as error:
         raise UserError(f"{source.where}: {error}") from None

@@ -38,8 +38,9 @@ from ..clip import load as clip
 from ..errors import list_names
 from ..measure.forces import Forces
 from ..motion import Sampled
+from ..scene.compose import geoms_by_number
 from ..scene.framing import size_of, spread
-from ..scene.mujoco_versions import geoms_by_number, portable_text, remove
+from ..scene.mujoco_versions import portable_text, remove
 from ..scene.roles import unique
 from ..system.mujoco_warnings import quietly
 from .skeleton import hierarchy

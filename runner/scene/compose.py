@@ -28,7 +28,7 @@ from . import file_access
 from .assets import Assets, Scene, check_places, taken_along
 from .file_access import elements, is_there, models_in
 from .framing import STANDING, is_of_people_size, rest_box, size_of
-from .mujoco_versions import geoms_by_number, lamp, portable_text, remove
+from .mujoco_versions import lamp, portable_text, remove
 from .triangles import HIDDEN_GROUP
 
 PREFIX = "stage_"
@@ -329,3 +329,8 @@ def _compile_spec(spec: mujoco.MjSpec, assets: Assets) -> mujoco.MjModel:
         return _compile(spec, "the model")
     finally:
         spec.assets = {}  # otherwise MuJoCo warns about attached models without assets
+
+
+def geoms_by_number(spec: mujoco.MjSpec) -> list[mujoco.MjsGeom]:
+    """Return the geoms in the order of the compiled model, body by body."""
+    return [geom for body in spec.bodies for geom in body.geoms]

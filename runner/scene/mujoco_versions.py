@@ -112,8 +112,3 @@ def mesh_folder(spec: mujoco.MjSpec, element: Any) -> str:
 def texture_folder(spec: mujoco.MjSpec, texture: Any) -> str:
     """Return the folder of a texture's files."""
     return texture.compiler.texturedir if hasattr(texture, "compiler") else spec.texturedir
-
-
-def geoms_by_number(spec: mujoco.MjSpec) -> list[Any]:
-    """Return the geoms in the order of the compiled model, body by body."""
-    return [geom for body in spec.bodies for geom in body.geoms]

@@ -10,7 +10,7 @@ from texts import read_data
 
 from dynsplines import Keyframe, build, inbetween, models
 from dynsplines.clip.build import Clip
-from dynsplines.clip.person import note_on
+from dynsplines.clip.context import note_on
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Prior
 

@@ -12,7 +12,7 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines import models
 from dynsplines.clip.build import Clip
-from dynsplines.clip.person import person_of
+from dynsplines.clip.context import person_of
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
