@@ -20,9 +20,9 @@ from dynsplines.solver.figure.figure import Figure, JointKind, Link
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.figure.model import kinematics
 from dynsplines.solver.figure.root import has_fixed_base
-from dynsplines.solver.penalty import Bend, Lean, Person, Range, Support, holds, leans
+from dynsplines.solver.penalty import Bend, Person, Range, Support, holds
 from dynsplines.solver.penalty.motion.people import PARTS
-from dynsplines.solver.surface import Plane, Surface
+from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.points import Point, body_points, bottoms_of, displacements
 from dynsplines.solver.surface.surface import UPRIGHT
 from dynsplines.solver.tolerances import NEGLIGIBLE
@@ -144,12 +144,6 @@ class Context:
             return None
 
     @property
-    def ground(self) -> float | None:
-        """The height of level ground [m]; None if there are other surfaces, or none."""
-        planes = [surface for surface in self.surfaces if isinstance(surface, Plane) and surface.normal[2] == 1]
-        return float(planes[0].point[2]) if len(planes) == len(self.surfaces) == 1 else None
-
-    @property
     def is_stationary_at_ends(self) -> tuple[bool, bool]:
         """Whether the figure is stationary at the first and at the last keyframe.
 
@@ -261,12 +255,6 @@ class Context:
         if self.keys.ends == "periodic" or self.schedule.gait_cycle is not None:
             return []
         return holds(self.figure, self.keys, self.schedule.flights)
-
-    @property
-    def leans(self) -> tuple[Lean, ...]:
-        """The tilt of every root that is not grasped, in the keyframes posed with a free rotation."""
-        roots = [link for link in self.figure.tables.free_links.tolist() if link not in self.schedule.grasped]
-        return leans(self.figure, self.keys, roots)
 
     def sites(self, names: Sequence[str]) -> tuple[Point, ...]:
         """Return the points with these names. Raises UserError for unknown names."""

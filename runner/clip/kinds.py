@@ -5,7 +5,7 @@ A new kind is a class in the solver and a record here.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any
 
@@ -48,6 +48,7 @@ from dynsplines.solver.penalty import (
     closures,
     couplings,
     joint_ranges,
+    leans,
     overshoot,
 )
 from dynsplines.solver.surface import Box, Plane, Surface
@@ -393,8 +394,14 @@ def _prior(context: Context, options: Options) -> Penalty | None:
     person = context.person
     if person is None:
         return None
-    prior = Prior.of(person, context.keys, models.prior(), context.ground, context.schedule.gait_cycle)
+    prior = Prior.of(person, context.keys, models.prior(), _ground(context.surfaces), context.schedule.gait_cycle)
     return prior if prior.weights.any() else None
+
+
+def _ground(surfaces: Sequence[Surface]) -> float | None:
+    """Return the height of level ground [m]; None if there are other surfaces, or none."""
+    planes = [surface for surface in surfaces if isinstance(surface, Plane) and surface.normal[2] == 1]
+    return float(planes[0].point[2]) if len(planes) == len(surfaces) == 1 else None
 
 
 def _overshoot(context: Context, options: Options) -> Penalty | None:
@@ -408,7 +415,9 @@ def _speed(context: Context, options: Options) -> Penalty | None:
 def _trunk(context: Context, options: Options) -> Penalty | None:
     if not options.bodies and (options.bodies is not None or options.axis is not None):
         raise UserError(f"{context.where}: penalty 'upright' needs bodies = [...], the bodies to keep upright")
-    return Upright(context.leans) if context.leans else None
+    roots = [link for link in context.figure.tables.free_links.tolist() if link not in context.schedule.grasped]
+    tilts = leans(context.figure, context.keys, roots)
+    return Upright(tilts) if tilts else None
 
 
 def _bodies(context: Context, options: Options) -> Penalty | None:
