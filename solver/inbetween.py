@@ -25,7 +25,7 @@ from .curve.spline import path_of
 from .objective import Discretised, Evaluation, Objective, segment_integrals
 from .penalty import Role
 from .problem import Improvement, Problem, Settings, Solution, initial_guess
-from .refine.parts import SearchPart, Window, is_long, parts_of_edits, windows
+from .refine.parts import SearchPart, is_long, windows
 from .refine.subdivision import CRITERIA, midpoints, split
 from .search.descent import minimise, optimiser_of
 from .search.minimum import Optimiser, Stop
@@ -70,7 +70,6 @@ def continue_from(
     problem: Problem,
     begin: Timeline,
     *,
-    between: Sequence[tuple[float, float]] = (),
     improved: Callable[[Improvement], None] | None = None,
 ) -> Solution:
     """Continue from a warm start, such as the solution before a keyframe was moved.
@@ -80,7 +79,6 @@ def continue_from(
     Args:
         problem: The keyframes, soft constraints and settings.
         begin: A timeline through the keyframes with variable frames, see `refine.warm_start`.
-        between: The edited intervals [s]. If specified, only segments near them are searched.
 
     Returns:
         The best path and the trace of the search.
@@ -89,7 +87,7 @@ def continue_from(
         TimelineError: The keyframes are invalid.
     """
     raw = problem.raw
-    return _search_result(problem, raw, begin, improved, lambda loop: loop.continue_from(raw, begin, between))
+    return _search_result(problem, raw, begin, improved, lambda loop: loop.continue_from(raw, begin))
 
 
 def _search_result(
@@ -186,60 +184,28 @@ class _Loop:
             first = guess
         return self.search(first, len(raw.frames) - 1, settings.frames)
 
-    def continue_from(self, raw: Timeline, begin: Timeline, between: Sequence[tuple[float, float]]) -> Timeline:
-        """Return the nearest minimum from a timeline, over the whole clip or only near the edited intervals."""
-        segments, budget = len(raw.frames) - 1, self.settings.frames
-
-        def nearest(part: SearchPart, window: Window) -> Timeline:
-            count, least = window.end - window.begin, part.timeline.variable_count
-            limit = None if budget is None else max(least, budget * count // segments)
-            return self.run(part.timeline, count, limit)[-1][0]
-
-        parts = parts_of_edits(raw, between)
-        if parts:
-            return self.over_parts(raw, begin, parts, "clamped", nearest)
+    def continue_from(self, raw: Timeline, begin: Timeline) -> Timeline:
+        """Return the nearest minimum from a timeline."""
+        budget = self.settings.frames
         limit = None if budget is None else max(budget, begin.variable_count)
-        timeline, self.stop = self.run(begin, segments, limit)[-1]
+        timeline, self.stop = self.run(begin, len(raw.frames) - 1, limit)[-1]
         return timeline
 
-    def over_windows(self, raw: Timeline, first: Timeline) -> Timeline:
-        """Return the whole clip after solving its windows in order."""
+    def over_windows(self, raw: Timeline, timeline: Timeline) -> Timeline:
+        """Return the whole timeline after a search of its windows in order, from another one."""
         segments, budget = len(raw.frames) - 1, self.settings.frames
-
-        def best(part: SearchPart, window: Window) -> Timeline:
-            count, limit = window.last - window.first, budget
-            if budget is not None:
-                others = part.whole.variable_count - part.timeline.variable_count
-                limit = min(round(budget * count / segments), budget - others)
-            return self.search(part.timeline, count, limit)
-
-        return self.over_parts(raw, first, windows(segments), raw.ends, best)
-
-    def over_parts(
-        self,
-        raw: Timeline,
-        timeline: Timeline,
-        parts: Sequence[Window],
-        ends: str,
-        search: Callable[[SearchPart, Window], Timeline],
-    ) -> Timeline:
-        """Return the whole timeline after a search of parts in order.
-
-        Args:
-            raw: The timeline of the raw spline.
-            timeline: The timeline from which the search starts.
-            parts: The parts.
-            ends: The ends of every part, as those of a timeline.
-            search: Returns a better timeline of a part.
-        """
-        segments = len(raw.frames) - 1
         terms, changed = np.zeros((segments, len(self.objective.terms))), slice(0, segments)
-        for window in parts:
+        for window in windows(segments):
             path = path_of(timeline)
             terms[changed] = segment_integrals(self.objective, path, raw.times[changed.start : changed.stop + 1])
-            self.part = SearchPart.of(path, timeline, raw.times, window, ends, terms)
+            self.part = SearchPart.of(path, timeline, raw.times, window, terms)
             self.optimiser, self.ends = self.new_optimiser(), [timeline]
-            timeline, changed = self.part.put_back(search(self.part, window)), slice(window.begin, window.end)
+            count, limit = window.end - window.first, budget
+            if budget is not None:
+                others = timeline.variable_count - self.part.timeline.variable_count
+                limit = min(round(budget * count / segments), budget - others)
+            timeline = self.part.put_back(self.search(self.part.timeline, count, limit))
+            changed = slice(window.begin, window.end)
             if self.stop is Stop.INTERRUPTED:
                 break
             self.round += 1
@@ -388,7 +354,7 @@ class _Loop:
         most = min(max_count, max(1, round(self.settings.batch * scores.size)))
         middles = midpoints(timeline)
         if self.part is not None:  # its fixed segments are not split
-            scores = np.where((middles > self.part.since) & (middles < self.part.until), scores, -np.inf)
+            scores = np.where(middles > self.part.since, scores, -np.inf)
         order = np.argsort(scores)[::-1][:most]
         order = order[scores[order] > threshold]
         promise = float(scores[order].sum()) / present if present > 0 else 0.0

@@ -1,6 +1,5 @@
 """The main function of the solver: its inputs, its results, and what every callback guarantees."""
 
-from dataclasses import replace
 from functools import cache
 from itertools import cycle, pairwise
 
@@ -13,15 +12,15 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
-from dynsplines.solver.curve.frame import Frame, Timeline
+from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.quadrature import Quadrature, gauss_nodes
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import Path, path_of
-from dynsplines.solver.inbetween import continue_from, inbetween
+from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Collision, CovariantAcceleration, RootAcceleration, UnitMagnitude
 from dynsplines.solver.problem import SPACING, Improvement, Problem, Settings, Solution
-from dynsplines.solver.refine.subdivision import CRITERIA, split
+from dynsplines.solver.refine.subdivision import CRITERIA
 from dynsplines.solver.search.minimum import Stop, StopSearch
 from dynsplines.solver.search.nlopt_methods import METHODS
 from dynsplines.solver.surface import Box
@@ -146,50 +145,6 @@ def test_the_clock_does_not_matter(rng):
     assert np.degrees(quat.angle_between(*paths)).max() < 0.1
 
 
-def many_hinge_keys() -> list[Frame]:
-    angles = np.random.default_rng(2).normal(size=(13, 2))
-    return [Frame.key(0.5 * i, pose) for i, pose in enumerate(angles)]
-
-
-def resumed_between(*between: tuple[float, float], **settings: object) -> tuple[Problem, Timeline, Solution, list]:
-    """A problem of twelve segments, where a search began, what it came to, and what it told."""
-    chosen = Settings(**{"frames": 0, "max_evaluations": 3, **settings})  # type: ignore[arg-type]
-    problem = Problem(hinged(), many_hinge_keys(), PENALTIES, chosen)
-    rng, seen = np.random.default_rng(4), []
-    even = split(problem.raw, problem.raw.times[:-1] + 0.25)
-    begin = replace(
-        even,
-        frames=tuple(replace(f, state=f.state + 0.3 * rng.normal(size=2)) if f.is_variable else f for f in even.frames),
-    )
-    return problem, begin, continue_from(problem, begin, between=between, improved=seen.append), seen
-
-
-@pytest.mark.parametrize("between", [((2.0, 2.5),), ((0.5, 0.5), (4.5, 4.5)), ((1.5, 1.5), (2.0, 2.0))])
-def test_a_search_within_an_interval_moves_only_what_it_affects_and_reports_e_of_the_whole(between):
-    problem, begin, found, seen = resumed_between(*between)
-    t = begin.times
-    reached = np.any([(t > first - 0.5 - 1e-9) & (t < last + 0.5 + 1e-9) for first, last in between], axis=0)
-    np.testing.assert_array_equal(found.timeline.times, t)
-    np.testing.assert_array_equal(found.timeline.states[~reached], begin.states[~reached])
-    moved = begin.fixed.any(axis=1)
-    assert np.all(np.any(found.timeline.states != begin.states, axis=1)[reached & ~moved])
-    values = [each.value for each in seen]
-    assert np.all(np.diff(values) < 0)
-    assert found.evaluations == 3 * len(between)
-    assert values[-1] == pytest.approx(problem.objective.value(path_of(found.timeline)), rel=5e-3)
-    first = values[0]
-    assert first == pytest.approx(problem.objective.value(path_of(begin)), rel=5e-3)
-    for each in seen:
-        assert sum(each.parts.values()) == pytest.approx(each.value)
-
-
-@pytest.mark.parametrize("frames", [12, 24])
-def test_edits_add_as_many_frames_as_the_budget_has_for_their_segments(frames):
-    """Of twelve segments with a frame each, the search sees five and moves three."""
-    _, begin, found, _ = resumed_between((2.0, 2.5), frames=frames, variable=1, threshold=0.0, batch=1.0)
-    assert found.timeline.variable_count - begin.variable_count == 5 * frames // 12 - 3
-
-
 TWO_SLIDES = """<mujoco><worldbody><body><joint type="slide" axis="1 0 0"/><joint type="slide" axis="0 1 0"/>
 <geom size=".02"/></body></worldbody></mujoco>"""
 
@@ -261,23 +216,6 @@ def test_a_motion_is_seen_from_its_first_keyframe_to_its_last_and_a_rounding_bey
     for outside in (-1.1 * ROUNDING, 2 + 1.1 * ROUNDING):
         with pytest.raises(ValueError, match="from 0 to 2 s; give times within"):
             found.at([0.5, outside])
-
-
-def test_ctrl_c_between_two_parts_ends_it_and_keeps_what_the_first_came_to():
-    seen = []
-
-    def stop(each: Improvement) -> None:
-        seen.append(each)
-        if len(seen) == 2:
-            raise StopSearch
-
-    problem, begin, _, _ = resumed_between((0.5, 0.5))
-    found = continue_from(problem, begin, between=[(0.5, 0.5), (5.0, 5.0)], improved=stop)
-    assert found.stop is Stop.INTERRUPTED
-    assert len(seen) == 2
-    late = begin.times > 2
-    np.testing.assert_array_equal(found.timeline.states[late], begin.states[late])
-    assert np.any(found.timeline.states[~late] != begin.states[~late])
 
 
 EVEN = np.arange(7.0)
