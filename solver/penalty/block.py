@@ -202,7 +202,7 @@ class Dense:
 
 
 def sum_of_blocks(
-    blocks: Iterable[Block | Dense], samples: Samples, into: Cotangent | None = None, scale: Array | float = 1.0
+    blocks: Iterable[Block | Dense], samples: Samples, into: Cotangent | None, scale: Array | float
 ) -> Array:
     """Return f at every sample, (S,). If `into` is given, add the gradient of Σ_s scale_s f(s) to `into`."""
     values, scale = np.zeros(samples.count), scale + np.zeros(samples.count)
