@@ -1,5 +1,7 @@
 """The pose that follows a pulled point: the least of its cost, soles and balance first, derivatives as they are."""
 
+from dataclasses import replace
+
 import mujoco
 import numpy as np
 import pytest
@@ -83,6 +85,8 @@ def test_derivatives_are_differences(human, rng):
     )
     feet = tuple(posing.PointGoal("foot", 0, place[None], np.zeros((1, 3))) for place in polygon + 5.0)
     over = [posing.Balance("feet", 1, feet, share) for share in (0.0, 0.5, 1.0)]
+    depths, _ = above.linearise(model, kinematics(model, qpos))
+    beside = replace(above, level=above.level - depths.max() - 0.04)  # the foot is less than 5 cm above
     terms = [
         *(
             (lambda data, goal=goal: goal.residual(model, data), lambda data, goal=goal: goal.linearise(model, data)[1])
@@ -91,6 +95,7 @@ def test_derivatives_are_differences(human, rng):
         (lambda data: pins.residual(model, data), lambda data: pins.linearise(model, data)[1]),
         (lambda data: balance.linearise(model, data)[0], lambda data: balance.linearise(model, data)[1]),
         (lambda data: above.linearise(model, data)[0], lambda data: above.linearise(model, data)[1]),
+        (lambda data: beside.linearise(model, data)[0][1:], lambda data: beside.linearise(model, data)[1][1:]),
     ]
     for value, rows in terms:
         expected = differences(model, qpos, lambda end, value=value: value(kinematics(model, end)))
