@@ -2,6 +2,7 @@
 
 import io
 import json
+import re
 from collections.abc import Iterator
 from dataclasses import replace
 
@@ -23,7 +24,7 @@ from dynsplines.errors import UserError
 from dynsplines.measure import chart
 from dynsplines.measure.chart import draw
 from dynsplines.measure.measurement import Measurement
-from dynsplines.measure.report import report, tables
+from dynsplines.measure.report import report, rows, tables
 from dynsplines.motion import Sampled
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solving import Solved
@@ -173,6 +174,8 @@ def test_totals_are_of_the_search_in_strict_json_and_on_the_screen(solved: Solve
     words = ("3 keyframes (1 partial)", "largest whip", "keyframe error", "left_knee")
     assert not [each for each in words if each not in shown]
     assert "nan" not in shown
+    labels = [label for label, *_ in rows(data["before"], data["after"])]
+    assert not [label for label in labels if re.search(r", (m|s|N|degrees)\b", label)]
 
 
 @pytest.mark.slow
