@@ -11,7 +11,7 @@ from rekeyed import with_keys
 
 from dynsplines import Keyframe, build, inbetween, recordings
 from dynsplines.clip.build import Clip
-from dynsplines.clip.posing.places import sole_points, sphere_at
+from dynsplines.clip.posing.places import Places, sole_points, sphere_at
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
@@ -457,3 +457,9 @@ def test_in_a_loop_its_end_is_its_beginning():
     assert clearance(problem, problem.keys[1].state) == pytest.approx(0, abs=NEARLY)
     of_none = read(f"{CROUCHED}{OPEN}", STANDING, f"{CROUCHED}{OPEN}", tail=loop).problem.raw
     assert of_none.states[0, 2] == of_none.states[2, 2] < 0.7
+
+
+def test_named_bodies_are_as_high_as_their_lowest_point_at_rest_and_named_geoms_as_large_as_a_ball_in_them():
+    figure = figure_of({"left": (0, 0)}, BOX)
+    radii = {name: Places(figure).named_point(name, "test").radius for name in ("left_ankle", "left_shin", "left_sole")}
+    assert radii == pytest.approx({"left_ankle": 0.04, "left_shin": 0.32, "left_sole": 0.01})

@@ -25,6 +25,7 @@ from dynsplines.measure import chart
 from dynsplines.measure.chart import draw
 from dynsplines.measure.measurement import Measurement
 from dynsplines.measure.report import report, rows, tables
+from dynsplines.measure.violation import Violation, by_name
 from dynsplines.motion import Sampled
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solving import Solved
@@ -156,6 +157,8 @@ def test_a_recording_is_reported_once_and_nothing_is_said_of_a_search(tmp_path):
     told = [line for line in shown.splitlines() if line.startswith("violation:")]
     assert len(told) < 5
     assert any(line.rstrip().endswith("samples in all") for line in told)
+    (alone,) = by_name([Violation(**data["violations"][0])])
+    assert "samples in all" not in alone.text
 
 
 def test_totals_are_of_the_search_in_strict_json_and_on_the_screen(solved: Solved):
