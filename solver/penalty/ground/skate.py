@@ -24,7 +24,7 @@ from ..block import Block
 from ..curvature import Curvature
 from ..penalty import Normalization, Penalty
 
-NEGLIGIBLE, FAINT = 0.03, 1e-8  # [1] smallest root of the weight of a point in a model of E, and in E
+LEAST_IN_MODEL, LEAST = 0.03, 1e-8  # [1] smallest root of the weight of a point in a model of E, and in E
 LOWEST = -0.25  # [1] height, relative to the reach, below which the weight is constant
 WORTH = 1e-3  # [m² rad⁻² s²] reference value: 3 cm/s of a point on the ground cost as much as half a radian per s²
 
@@ -80,8 +80,8 @@ class Skate(Penalty):
         return arrays_of(self.points)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:
-        for near in self._near(samples, FAINT):
-            by_velocity = near.by_velocity(near.share * near.velocity / np.maximum(near.speed, FAINT))
+        for near in self._near(samples, LEAST):
+            by_velocity = near.by_velocity(near.share * near.velocity / np.maximum(near.speed, LEAST))
             changes = by_velocity, near.by_weight
             yield Block(near.at, near.share * near.speed, changes, curved=self._add_curvature)
 
@@ -92,7 +92,7 @@ class Skate(Penalty):
         in the height of a moving point, and raising it would seem to reduce E without limit. If the same residuals had
         both kinds, the model would make it costly to raise a point that stops in the same step of the search.
         """
-        for near in self._near(into.samples, NEGLIGIBLE):
+        for near in self._near(into.samples, LEAST_IN_MODEL):
             value = near.share * near.velocity
             for k, axis in enumerate(np.eye(3)):
                 Block(near.at, value[k], (near.by_velocity(near.share * axis[:, None]),)).add_to(into, scale)
