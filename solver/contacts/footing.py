@@ -63,11 +63,11 @@ def _outermost(spots: KeyframePoints, link: int, points: Index, keys: Index) -> 
     return [(int(points[i]), local[:, i]) for i in outer], plane
 
 
-def _around(normal: Array, count: int = 8) -> Array:
-    """Return unit vectors (3, count) across a normal (3,) in all directions."""
+def _around(normal: Array) -> Array:
+    """Return eight unit vectors (3, 8) across a normal (3,), in all directions."""
     across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
     across /= np.linalg.norm(across)
-    angle = 2 * np.pi * (np.arange(count) + TURNED) / count
+    angle = 2 * np.pi * (np.arange(8) + TURNED) / 8
     both = np.column_stack([across, np.cross(normal, across)])
     return np.asarray(both @ np.array([np.cos(angle), np.sin(angle)]), float)
 

@@ -43,8 +43,8 @@ class GaussNewton:
         damping: The damping of the next step, carried over from one search to the next.
     """
 
-    def __init__(self, method: str = NONE, final: float = TOLERANCE, damping: float = FIRST_DAMPING) -> None:
-        self.method, self.final, self.damping = method.lower(), final, damping
+    def __init__(self, method: str = NONE, final: float = TOLERANCE) -> None:
+        self.method, self.final, self.damping = method.lower(), final, FIRST_DAMPING
 
     def __call__(
         self,
