@@ -5,6 +5,7 @@ import pytest
 import shipped
 from figures import FLOOR, figure_of
 from motions import Take, kneeling
+from scipy.stats import multivariate_normal
 
 from dynsplines.clip.context import Context
 from dynsplines.clip.posing.places import sole_points
@@ -14,7 +15,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.ground_alignment import LOWEST, align_to_ground, move_to_ground
-from dynsplines.solver.contacts.recorded_stances import infer_stances, position_noise
+from dynsplines.solver.contacts.recorded_stances import infer_stances, position_noise, surprisal
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.figure.kinematics import Samples
@@ -108,6 +109,20 @@ def test_noise_is_that_of_the_known_samples():
     places[..., 100:600] = 0
     np.testing.assert_allclose(position_noise(places, known), [0.001, 0.004], rtol=0.2)
     np.testing.assert_array_equal(position_noise(places, 0 * known), [0, 0])
+
+
+def test_the_surprisal_of_positions_is_that_of_a_twice_integrated_wiener_process(rng):
+    """By SciPy's density of all samples at once, given the first one."""
+    limits, known = Thresholds(), np.array([True, False, True, True, True, False, True])
+    times, places, variance = np.cumsum(rng.uniform(0.01, 0.1, 7)), rng.normal(size=(3, 2, 7)), np.array([1e-4, 4e-3])
+    found, t = surprisal(times, places, variance, known, limits), (times - times[0])[known][1:]
+    least, apart = np.minimum(t[:, None], t), np.abs(t[:, None] - t)
+    moved = limits.fastest**2 * np.outer(t, t) + limits.lively * (least**3 / 3 + apart * least**2 / 2)
+    for i in range(2):
+        away = (places[:, i] - places[:, i, :1])[:, known][:, 1:]
+        density = multivariate_normal(np.zeros(t.size), moved + variance[i] * (1 + np.eye(t.size)))
+        assert found[i].sum() == pytest.approx(-density.logpdf(away).sum())
+    assert not found[:, ~known].any()
 
 
 def heights(take: Take, ground: Context) -> np.ndarray:

@@ -50,6 +50,13 @@ def test_a_centimetre_counts_as_the_reference_specifies(name):
     assert (both.normalization, both.is_sharp, both.role) == (penalty.normalization, penalty.is_sharp, penalty.role)
 
 
+@pytest.mark.parametrize("kind", [kinds.Collision, kinds.HoverPenalty])
+@pytest.mark.parametrize(("points", "surfaces"), [((), (FLOOR,)), ((ORIGIN,), ())])
+def test_without_points_or_surfaces_nothing_costs_anything(kind, points, surfaces):
+    y = np.array([[0, 0, -1.0, 1, 0, 0, 0]])
+    assert not kind(points, surfaces).evaluate(Samples.still(figure_of(BALL), y)).any()
+
+
 @pytest.mark.parametrize("degrees", [-1.0, 1.0])
 def test_a_degree_beyond_a_joints_range_a_bends_bound_or_a_couplings_line_counts_as_the_reference_specifies(degrees):
     hinge = figure_of(CHAIN.format("hinge"), "joint")
