@@ -4,7 +4,7 @@ import itertools
 
 import numpy as np
 import pytest
-from figures import BALL, TINY, figure_of
+from figures import BALL, ONE_BALL, TINY, figure_of
 from gradients import SMOOTH, assert_dense, smooth_problem
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
@@ -254,6 +254,12 @@ def wound(angles: list[float], *, spins: bool) -> np.ndarray:
 )
 def test_arcs_are_the_shortest_but_a_spin_continues_past_a_half_turn(angles, spins, expected):
     np.testing.assert_allclose(wound(angles, spins=spins), expected, atol=1e-4)
+    figure = figure_of(BALL if spins else ONE_BALL)  # a free body, and a joint
+    columns = figure.tables.quaternion_columns[:, 0]
+    qpos = np.tile(figure.model.qpos0, (len(angles), 1))
+    qpos[:, columns] = turned_by(angles)
+    states = raw_timeline(figure, [Frame.key(float(i), row) for i, row in enumerate(qpos)]).states
+    np.testing.assert_allclose(arcs(states[:, columns]), expected, atol=1e-4)
 
 
 @pytest.mark.slow
