@@ -10,6 +10,7 @@ import numpy as np
 
 from dynsplines.solver.contacts import Interval
 from dynsplines.solver.curve.frame import Frame, TimelineError
+from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.curve.seam import Seam
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import Penalty
@@ -27,7 +28,7 @@ from .kinds import KINDS, Options
 from .parse import Parsed, table_of
 from .table import ClipTable, SolveTable
 from .tracking.problem import rests_of, stances_in, stances_of, tracking_context
-from .tracking.recording import TrackedRecording
+from .tracking.recording import following_problem, stances_near
 
 CustomPenalties = Sequence[tuple[Penalty, float]]
 
@@ -223,7 +224,7 @@ def _flights(
 def build_following(
     source: Parsed,
     scene: Scene,
-    recording: TrackedRecording,
+    recorded: Track,
     edits: Sequence[Frame],
     fps: float,
     stances: object = None,
@@ -231,18 +232,19 @@ def build_following(
     """Return a clip whose keyframes edit a recording.
 
     Args:
+        recorded: The recording, at times of the clip.
         fps: Samples per second [1/s] of outputs.
         stances: The stances that a file contains, see `Clip.stances`; None: they are inferred.
 
     Raises:
         UserError: For tables that do not fit the figure or the recording.
     """
-    recorded = recording.recorded
     context = tracking_context(recorded.figure, recorded.times, recorded.states, source.where)
     given_rests = rests_of(context, source.table.contact, recorded.path.span)
-    rests = recording.stances(context, edits, given_rests) if stances is None else stances_in(stances, context)
+    rests = stances_near(recorded, context, edits, given_rests) if stances is None else stances_in(stances, context)
     context = context.with_schedule(on_ground=rests)
-    problem = recording.problem(context, source.options, edits)
+    assert source.table.recording is not None
+    problem = following_problem(recorded, source.table.recording.weight, context, source.options, edits)
     _check_problem(problem, source.where)
     context = context.with_schedule(keys=problem.raw)
     return Clip(source.name, source.text, scene, fps, problem, context, ())

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
 import mujoco
 import numpy as np
@@ -27,7 +28,7 @@ from .parse import Parsed, check_times, keyframe_label, table_of
 from .pose import pose
 from .posing import notes
 from .table import BarTable, BoxTable, ClipTable, SceneTable, SolveTable, SphereTable, StepTable
-from .tracking.recording import TrackedRecording, recording_to_follow
+from .tracking.recording import pose_at, recording_to_follow, track_of
 
 
 def from_parsed(
@@ -61,7 +62,7 @@ def from_parsed(
     source = whole_cycle(source, figure)
     table = source.table
     follows = None if table.recording is None else recording_to_follow(table.recording, figure, recording, where)
-    keys, unreached = pose(source, figure, None if follows is None else follows.pose)
+    keys, unreached = pose(source, figure, None if follows is None else partial(pose_at, follows, where))
     if unreached and unmet is None:
         raise UserError(f"{where}: {_unmet_error(unreached, is_file=where.endswith('.toml'))}")
     if unmet is not None:
@@ -191,6 +192,6 @@ def clip_from_motion(saved: Saved) -> Clip:
     except UserError:
         return of_motion(replace(saved, text=""))
     edits = edits_of(saved.keys, source.table)
-    recording = TrackedRecording.of_motion(saved.figure, saved.raw, source.table.recording, saved.name)
-    clip = build_following(source, saved.scene, recording, edits, saved.fps, saved.search.get("stances"))
+    recorded = track_of(saved.figure, saved.raw)
+    clip = build_following(source, saved.scene, recorded, edits, saved.fps, saved.search.get("stances"))
     return replace(clip, problem=replace(clip.problem, keys=saved.keys))  # the recording may be missing

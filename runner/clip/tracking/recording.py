@@ -7,7 +7,7 @@ than its poses, which preserves detail.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -39,86 +39,82 @@ EASE = 0.4  # [s] interval before and after a keyframe over which its change of 
 DETAIL = 0.02  # [1] cost per segment of detail that the spline may lose, less than 1 mm; see `TrackingPenalty.times`
 
 
-@dataclass(frozen=True, eq=False)
-class TrackedRecording:
-    """A recording on the time axis of the clip.
+def track_of(figure: Figure, raw: Timeline) -> Track:
+    """Return the recording that a saved motion follows, which is its raw path."""
+    return Track.of(figure, *_taken_down(figure, raw, RESAMPLED), exact=True)
 
-    Attributes:
-        table: The [recording] table.
-    """
 
-    recorded: Track
-    table: RecordingTable
-    where: str
-
-    @classmethod
-    def of_motion(cls, figure: Figure, raw: Timeline, table: RecordingTable, where: str) -> TrackedRecording:
-        """Return the recording that a saved motion follows, which is its raw path."""
-        recorded = Track.of(figure, *_taken_down(figure, raw, RESAMPLED), exact=True)
-        return cls(recorded, table, where)
-
-    def pose(self, time: float) -> Array:
-        """Return qpos (nq,) at a time [s] of the clip. Raises UserError if the recording does not cover it."""
-        first, last = self.recorded.path.span
-        if not first - ROUNDING <= time <= last + ROUNDING:
-            raise UserError(
-                f"{self.where}: a keyframe at {time:g} s is outside the recording, which lasts from {first:g} to "
-                f"{last:g} s in the clip"
-            )
-        return self.recorded.figure.to_qpos(self.recorded.path.at(np.array([time])))[0]
-
-    def stances(self, context: Context, edits: Sequence[Frame], specified: Sequence[Contact]) -> tuple[Contact, ...]:
-        """Return the recording's stances without points in contacts or moved by keyframes, and those of `specified`."""
-        inferred, _ = infer_stances(self.recorded, context.points, context.surfaces)
-        return (*(rest for rest in inferred if not self._is_void(rest, edits, specified)), *specified)
-
-    def problem(self, context: Context, options: Mapping[str, Options], edits: Sequence[Frame]) -> Problem:
-        """Return the problem of following the recording through keyframes."""
-        near = TrackingPenalty(self._warp_to(edits), tuple((edit.time, EASE) for edit in edits))
-        unweighted = tracking_problem(near, context, options, near.times(DETAIL), edits)
-        weights = [(p, self.table.weight * w if p is near else w) for p, w in unweighted.penalties]
-        settings = replace(unweighted.settings, tolerance=TOLERANCE)  # an edit starts far from its goal
-        first, last = self.recorded.path.span
-        return replace(
-            unweighted,
-            penalties=tuple(weights),
-            settings=settings,
-            end_slope=self.recorded.path.at(np.array([first, last]), 1),
+def pose_at(recorded: Track, where: str, time: float) -> Array:
+    """Return qpos (nq,) of a recording at a time [s]. Raises UserError if the recording does not cover it."""
+    first, last = recorded.path.span
+    if not first - ROUNDING <= time <= last + ROUNDING:
+        raise UserError(
+            f"{where}: a keyframe at {time:g} s is outside the recording, which lasts from {first:g} to {last:g} s in "
+            "the clip"
         )
-
-    def _warp_to(self, edits: Sequence[Frame]) -> Track:
-        """Return the recording warped to the poses of keyframes (A. Witkin and Z. Popović 1995). The warp is per joint,
-        and moves the root with the whole figure. It fades out before and after the keyframes."""
-        recorded = self.recorded
-        if not edits:
-            return recorded
-        keys = sorted(edits, key=lambda edit: edit.time)
-        times, is_known = np.array([key.time for key in keys]), np.array([key.known for key in keys], bool)
-        wanted = recorded.figure.to_state(np.array([key.state for key in keys]))
-        displacements = between(recorded.figure, recorded.path.at(times), wanted, is_known)
-        ends = [t for offset in (-EASE, EASE) for t in times + offset if np.abs(times - t).min() >= EASE - ROUNDING]
-        every = np.concatenate([times, ends])
-        order = np.argsort(every)
-        curve = _smooth(every[order], np.vstack([displacements, np.zeros((len(ends), displacements.shape[1]))])[order])
-        return recorded.displace(curve(np.clip(recorded.times, every.min(), every.max())))
-
-    def _is_void(self, rest: Contact, edits: Sequence[Frame], specified: Sequence[Contact]) -> bool:
-        """Return whether a stance of the recording is invalid in the clip."""
-        if any(rest.overlaps(other) for other in specified):
-            return True
-        near = [edit for edit in edits if rest.first - EASE < edit.time < rest.last + EASE]
-        return any(self._moves(rest.point, edit) for edit in near)
-
-    def _moves(self, point: Point, edit: Frame) -> bool:
-        figure = self.recorded.figure
-        if not sets_places(figure, edit.fixed[None], [point])[0, 0]:
-            return False
-        qpos = np.stack([edit.state, self.pose(edit.time)])
-        places, _ = places_of((point,), Samples.of_qpos(figure, qpos))
-        return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > Thresholds.of(figure).moved
+    return recorded.figure.to_qpos(recorded.path.at(np.array([time])))[0]
 
 
-def recording_to_follow(table: RecordingTable, figure: Figure, motion: Saved | None, where: str) -> TrackedRecording:
+def stances_near(
+    recorded: Track, context: Context, edits: Sequence[Frame], specified: Sequence[Contact]
+) -> tuple[Contact, ...]:
+    """Return a recording's stances without points in contacts or moved by keyframes, and those of `specified`."""
+    inferred, _ = infer_stances(recorded, context.points, context.surfaces)
+    return (*(rest for rest in inferred if not _is_void(recorded, rest, edits, specified)), *specified)
+
+
+def following_problem(
+    recorded: Track, weight: float, context: Context, options: Mapping[str, Options], edits: Sequence[Frame]
+) -> Problem:
+    """Return the problem of following a recording, with a factor of its weights, through keyframes."""
+    near = TrackingPenalty(_warp_to(recorded, edits), tuple((edit.time, EASE) for edit in edits))
+    unweighted = tracking_problem(near, context, options, near.times(DETAIL), edits)
+    weights = [(p, weight * w if p is near else w) for p, w in unweighted.penalties]
+    settings = replace(unweighted.settings, tolerance=TOLERANCE)  # an edit starts far from its goal
+    first, last = recorded.path.span
+    return replace(
+        unweighted,
+        penalties=tuple(weights),
+        settings=settings,
+        end_slope=recorded.path.at(np.array([first, last]), 1),
+    )
+
+
+def _warp_to(recorded: Track, edits: Sequence[Frame]) -> Track:
+    """Return a recording warped to the poses of keyframes (A. Witkin and Z. Popović 1995). The warp is per joint, and
+    moves the root with the whole figure. It fades out before and after the keyframes."""
+    if not edits:
+        return recorded
+    keys = sorted(edits, key=lambda edit: edit.time)
+    times, is_known = np.array([key.time for key in keys]), np.array([key.known for key in keys], bool)
+    wanted = recorded.figure.to_state(np.array([key.state for key in keys]))
+    displacements = between(recorded.figure, recorded.path.at(times), wanted, is_known)
+    ends = [t for offset in (-EASE, EASE) for t in times + offset if np.abs(times - t).min() >= EASE - ROUNDING]
+    every = np.concatenate([times, ends])
+    order = np.argsort(every)
+    curve = _smooth(every[order], np.vstack([displacements, np.zeros((len(ends), displacements.shape[1]))])[order])
+    return recorded.displace(curve(np.clip(recorded.times, every.min(), every.max())))
+
+
+def _is_void(recorded: Track, rest: Contact, edits: Sequence[Frame], specified: Sequence[Contact]) -> bool:
+    """Return whether a stance of a recording is invalid in the clip."""
+    if any(rest.overlaps(other) for other in specified):
+        return True
+    near = [edit for edit in edits if rest.first - EASE < edit.time < rest.last + EASE]
+    return any(_moves(recorded, rest.point, edit) for edit in near)
+
+
+def _moves(recorded: Track, point: Point, edit: Frame) -> bool:
+    """Return whether a keyframe puts a point elsewhere than the recording."""
+    figure = recorded.figure
+    if not sets_places(figure, edit.fixed[None], [point])[0, 0]:
+        return False
+    there = figure.to_qpos(recorded.path.at(np.clip([edit.time], *recorded.path.span)))
+    places, _ = places_of((point,), Samples.of_qpos(figure, np.stack([edit.state, there[0]])))
+    return float(np.linalg.norm(places[:, 0, 0] - places[:, 0, 1])) > Thresholds.of(figure).moved
+
+
+def recording_to_follow(table: RecordingTable, figure: Figure, motion: Saved | None, where: str) -> Track:
     """Return the recording that a clip follows, on the time axis of the clip.
 
     Raises:
@@ -135,8 +131,7 @@ def recording_to_follow(table: RecordingTable, figure: Figure, motion: Saved | N
     except TimelineError as error:
         raise UserError(f"{here}: repeat: {error}") from None
     time, qpos = _cut(*_taken_down(motion.figure, timeline, motion.fps), table, here)
-    recorded = Track.of(figure, _clip_time(time, table), qpos, exact=True)
-    return TrackedRecording(recorded, table, where)
+    return Track.of(figure, _clip_time(time, table), qpos, exact=True)
 
 
 def _taken_down(figure: Figure, timeline: Timeline, fps: float) -> tuple[Array, Array]:
