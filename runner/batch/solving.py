@@ -114,7 +114,7 @@ def _clean(task: Task, cleaning: Source, folder: Path) -> Result:
     figure = str(others["figure"]) if "figure" in others else cleaning.figure
     files = {"file": folder / task.clip, "scene": others.get("scene"), "map": others.get("map")}
     source = replace(cleaning, figure=figure, fps=options.fps, **files)
-    saved = command.clean_recording(source, silent())[1]
+    saved = command.clean_recording(source, silent())
     violations = violation.plain(violation.by_name(Solved.of(saved).violations))
     return replace(_write(saved, task, folder, None), violations=tuple(violations))
 

@@ -90,7 +90,7 @@ def run(
     if target.exists() and source.file.exists() and target.samefile(source.file):
         raise UserError(f"'{target}' is what is read; give another -o")
     check_target(target, overwrite=overwrite)
-    saved = clean_recording(source, progress)[1]
+    saved = clean_recording(source, progress)
     if form is None:
         motion.save(saved, target)
     else:
@@ -124,11 +124,11 @@ def _moving(file: Path, figure: str, scene: str, _state: tuple[int, int], _allow
     """Cached while the file is unchanged: editing a clip reads it repeatedly."""
     around, progress = SurroundingsTable(scene=SceneTable.model_validate_json(scene)), silent()
     recording = _read(Source(file, figure), around, progress)
-    return _clean(recording, around, progress)[1]
+    return _clean(recording, around, progress)
 
 
-def clean_recording(source: Source, progress: Progress) -> tuple[Cleaned, Saved]:
-    """Return a cleaned recording, and its motion. Raises UserError."""
+def clean_recording(source: Source, progress: Progress) -> Saved:
+    """Return the motion of a cleaned recording. Raises UserError."""
     around = SurroundingsTable() if source.scene is None else file_of(source.scene, SurroundingsTable)
     recording = _read(source, around, progress)
     return _clean(recording, around, progress, source)
@@ -136,7 +136,7 @@ def clean_recording(source: Source, progress: Progress) -> tuple[Cleaned, Saved]
 
 def clean_motion(saved: Saved, progress: Progress) -> Saved:
     """Return a motion of this program, cleaned."""
-    return _clean(_of_motion(saved), SurroundingsTable(), progress)[1]
+    return _clean(_of_motion(saved), SurroundingsTable(), progress)
 
 
 def _of_motion(saved: Saved) -> Recording:
@@ -176,7 +176,7 @@ def _clean(
     around: SurroundingsTable,
     progress: Progress,
     source: Source | None = None,
-) -> tuple[Cleaned, Saved]:
+) -> Saved:
     assert recording.scene is not None
     figure = figure_of(recording.scene, recording.name)
     repaired, known = repair(figure, recording)
@@ -193,7 +193,7 @@ def _clean(
     result = clean(context, options, repaired, known, requested, improved=improved)
     for line in _notes(result):
         progress.report(line)
-    return result, _save(result, recording.name, recording.scene, recording.rate)
+    return _save(result, recording.name, recording.scene, recording.rate)
 
 
 def _notes(result: Cleaned) -> Iterator[str]:

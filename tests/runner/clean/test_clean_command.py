@@ -78,7 +78,7 @@ def test_a_motion_of_feet_that_slide_and_sink_comes_out_clean(command, squats, t
 @pytest.mark.slow
 def test_what_came_in_a_format_goes_out_in_it_unasked(command, squats, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(clean_command, "_clean", lambda recording, *_: (None, uncleaned(recording)))
+    monkeypatch.setattr(clean_command, "_clean", lambda recording, *_: uncleaned(recording))
     words = ("clean", squats / "bobs.bvh", "--figure", "human")
     done = command(*words)
     assert done.code == 0, done.err

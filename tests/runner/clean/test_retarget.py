@@ -96,7 +96,7 @@ def test_the_robot_walks_on_the_ground_in_its_ranges(walked):
 @pytest.mark.slow
 def test_a_map_is_obeyed(command, files, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(clean_command, "_clean", lambda recording, *_: (None, uncleaned(recording)))
+    monkeypatch.setattr(clean_command, "_clean", lambda recording, *_: uncleaned(recording))
     words = ["retarget", files / "walk.bvh", "--to", files / "android.xml"]
     (tmp_path / "less.toml").write_text('[figure]\nleft_forearm = ""', encoding="utf-8")
     done = command(*words, "--map", "less.toml", "-o", "b.npz")
