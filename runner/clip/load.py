@@ -145,13 +145,13 @@ def _has_ground(clip: Clip, table: ClipTable) -> bool:
     return (old.figure, old.scene) == (table.figure, table.scene) and named <= {row.model_key for row in old.keyframe}
 
 
-def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | None, where: str) -> Clip:
+def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float, where: str) -> Clip:
     """Return the clip of complete keyframes from arrays, with defaults for everything else.
 
     Args:
         time: Times, (K,) [s].
         qpos: Configurations, (K, nq).
-        fps: Samples per second [1/s] of outputs; None: the default.
+        fps: Samples per second [1/s] of outputs.
 
     Raises:
         UserError: For arrays that do not fit the figure.
@@ -166,7 +166,7 @@ def from_qpos(name: str, scene: Scene, time: Array, qpos: Array, fps: float | No
         raise UserError(f"{where}: {keyframe_label(wrong[0] + 1, time[wrong[0]])}: {wrong[1]}")
     check_times(time.tolist(), where)
     keys = [Frame.key(t, q) for t, q in zip(time, qpos, strict=True)]
-    return build(Parsed.of("", name, where).with_solve(SolveTable(), time.tolist()), scene, figure, keys, fps or 30.0)
+    return build(Parsed.of("", name, where).with_solve(SolveTable(), time.tolist()), scene, figure, keys, fps)
 
 
 def of_motion(saved: Saved) -> Clip:

@@ -164,7 +164,7 @@ def test_an_elbow_bends_from_an_arm_that_is_straight_at_rest(upper, lower, count
 def test_arrays_that_are_no_keyframes_are_refused_in_one_line(time, qpos, words):
     scene = compose(mujoco.MjSpec.from_string(HINGE.format(keys="")))
     with pytest.raises(UserError, match=words) as caught:
-        clip.from_qpos("it", scene, time, qpos, None, "it.npz")
+        clip.from_qpos("it", scene, time, qpos, 30.0, "it.npz")
     assert "it.npz" in str(caught.value)
     assert "\n" not in str(caught.value)
 
