@@ -165,6 +165,12 @@ def test_the_gradient_has_taylor_slope_two_of_cycles(cycled, rng):
     assert penalty_slope(cycled, at_its_times(cycled, rng, 5)[0], rng) > 1.95
 
 
+def test_the_poses_of_a_cycle_cost_nothing(cycled):
+    figure, gait_cycle = cycled.figure, cycled.gait_cycle
+    poses = Samples.still(figure, figure.to_state(gait_cycle.qpos(figure.width)), gait_cycle.times)
+    np.testing.assert_allclose(cycled.evaluate(poses), 0, atol=1e-12)
+
+
 @pytest.mark.slow
 def test_a_walk_with_few_keyframes_is_nearer_to_the_real_one_and_goes_through_them():
     keys = [Frame.key(TIME[k], WALK[k]) for k in range(0, TIME.size, 280)][:5]
