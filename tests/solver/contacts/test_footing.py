@@ -98,6 +98,8 @@ def test_a_foot_that_stands_may_push_with_all_that_touches_in_one_of_the_keyfram
     for footing, x in zip(found, (-0.1, 0.0), strict=True):
         np.testing.assert_allclose(footing.normal, [0, 0, 1])
         np.testing.assert_allclose(footing.point.position, [x, 0, -1], atol=1e-12)
+    later = footings_of(on_toe(0, 0.295, LEFT), on_toe(0.1, 0.295, LEFT), key(0.2, 0, LEFT))
+    assert [(f.point.name, f.first) for f in later] == [("left_toe", 0.0), ("left_heel", 0.1), ("left_toe", 0.1)]
 
 
 STRIDES = 7  # keyframes of run_and_step before the step

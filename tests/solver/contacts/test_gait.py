@@ -62,6 +62,9 @@ def test_poses_without_a_rhythm_tell_none(rng):
     for columns in FIGURE.tables.quaternion_columns.T[1:]:
         wild[:, columns] = quat.from_rotation_vector(rng.normal(scale=0.5, size=(TIME.size, 3)))
     assert gait(wild, 0.42).infer() is None
+    for qpos, better in ((WALK, True), (wild, False)):
+        gait_cycle = gait(qpos, 0.42).with_period(PERIOD)
+        assert gait_cycle is not None and (gait_cycle.gain > 0) == better  # than a smooth motion
 
 
 def test_a_figure_that_stays_where_it_is_or_climbs_tells_none():
