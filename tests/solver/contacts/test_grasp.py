@@ -10,6 +10,8 @@ from texts import read_data
 from dynsplines import inbetween, load
 from dynsplines.solver.contacts import Contact, ContactSchedule, grasped_links, surfaces_on
 from dynsplines.solver.contacts.flight import STRETCHED
+from dynsplines.solver.contacts.grasp import resting_objects
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.figure.dynamics import Size
@@ -97,6 +99,17 @@ def test_a_limb_that_holds_on_may_stay_as_deep_as_it_took_hold_while_the_hold_la
     np.testing.assert_array_equal(holding.excess[limb].max(axis=0), [0, deep, deep, deep, 0])
     np.testing.assert_array_equal(plain.excess[~limb], holding.excess[~limb])
     assert plain.excess[[point.link == 5 for point in contact.points], 1].max() > 0.05
+
+
+@pytest.mark.parametrize(("free", "spans"), [(None, {(0, 1), (1, 2)}), (0, {(1, 2)}), (1, set()), (2, {(0, 1)})])
+def test_an_object_rests_between_two_keyframes_that_both_place_it(free, spans):
+    figure = figure_of(CARRIER)
+    others = np.ones(figure.width, bool)
+    others[figure.links[3].columns] = False
+    keys = [Frame(float(k), figure.model.qpos0, others if k == free else others | True) for k in range(3)]
+    rests = resting_objects(KeyframePoints.of(figure, raw_timeline(figure, keys), (), (FLOOR,)), [3])
+    assert {(rest.first, rest.last) for rest in rests} == spans
+    assert len(rests) == 3 * len(spans)
 
 
 G = 9.81
