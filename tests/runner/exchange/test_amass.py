@@ -132,6 +132,9 @@ def test_without_a_figure_the_mean_shape_is_one(tmp_path):
         bones = np.flatnonzero(model.geom_bodyid == model.body(name).parentid)
         ends = 2 * model.geom_pos[bones]  # of capsules that begin at the joint
         assert np.linalg.norm(ends - model.body(name).pos, axis=1).min() < 1e-6
+    chest = np.flatnonzero(model.geom_bodyid == model.body("spine3").id)
+    bar = 0.6 * np.linalg.norm(offset["left_collar"] - offset["right_collar"])  # from one arm to the other
+    assert np.isclose(2 * model.geom_size[chest, 1], bar, rtol=1e-4).any()
     assert (model.geom_size[1:, 0] <= 1.02 * model.geom_size[1:, 1]).all()  # no bone is thicker than long
     for row in (0, 20):
         data = kinematics(model, recording.qpos[row])
