@@ -277,16 +277,18 @@ def _order(test: str, path: str, seconds: dict[str, float]) -> tuple[bool, float
 
 
 def tests_of(path: str, line: int, most: float) -> list[list[str]]:
-    """The tests that run a line, those of its folder and the fastest first, then the others of the folder and those
-    of neighbouring folders, which share fixtures and caches that may have run it; as many as take `most` [s] together:
-    a few, and the others."""
+    """The tests that run a line, those of its folder and the fastest first, then those that run other lines of the
+    file, which may depend on a line that only imports run, then the others of the folder and those of neighbouring
+    folders, which share fixtures and caches that may have run it; as many as take `most` [s] together: a few, and the
+    others."""
     seconds = recorded()["seconds"]
     of_file = recorded()["lines"].get(path, {})
-    of_line = of_file.get(str(line)) or itertools.chain.from_iterable(of_file.values())  # a line that imports run
-    direct = set(of_line)
-    files = {test.partition("::")[0] for test in direct}
+    direct, beside = set(of_file.get(str(line), ())), set(itertools.chain.from_iterable(of_file.values()))
+    files = {test.partition("::")[0] for test in direct or beside}
     every = {test for test in seconds if not _order(test, path, seconds)[0] or test.partition("::")[0] in files}
-    tests = sorted(every | direct, key=lambda test: (test not in direct, *_order(test, path, seconds)))
+    tests = sorted(
+        every | beside, key=lambda test: (test not in direct, test not in beside, *_order(test, path, seconds))
+    )
     spent, out = 0.0, list[str]()
     for test in tests:
         spent += seconds.get(test, most)
