@@ -25,6 +25,9 @@ from scipy.spatial.transform import Rotation
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.contacts import Contact
+from dynsplines.solver.contacts.gait import Gait
+from dynsplines.solver.curve.frame import Frame
+from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
@@ -37,6 +40,7 @@ from dynsplines.solver.penalty import (
     Coupling,
     CouplingPenalty,
     CovariantAcceleration,
+    Cycle,
     Flight,
     HoverPenalty,
     JointRange,
@@ -267,12 +271,21 @@ def prior(figure: Figure, rng: np.random.Generator) -> Case:
     return Prior(np.array([0.0, 1.2, 2.0]), positions, links, columns, predicted, weights), timed(figure, rng)
 
 
+def cycle(figure: Figure, rng: np.random.Generator) -> Case:
+    keys = [Frame.key(0.3 * k, qpos) for k, qpos in enumerate(figure.to_qpos(random_samples(figure, rng, 6).y))]
+    gait_cycle = Gait(figure, raw_timeline(figure, keys), (), ()).with_period(0.7)
+    assert gait_cycle is not None
+    some = rng.choice(gait_cycle.times.size, 5, replace=False)
+    return Cycle(figure, gait_cycle), at_times(random_samples(figure, rng), gait_cycle.times[some])
+
+
 KINDS: dict[str, Kind] = {
     "covariant": plain(CovariantAcceleration()),
     "unit": plain(UnitMagnitude()),
     "root": plain(RootAcceleration()),
     "peak": plain(PeakAcceleration()),
     "posture": plain(Posture()),
+    "cycle": cycle,
     "speed": lambda figure, rng: (Speed(0.5), random_samples(figure, rng)),
     "torque": plain(Torque()),
     "torque with armature": armed,
@@ -380,7 +393,7 @@ def test_a_clip_that_is_played_slower_costs_less_by_a_power(
     np.testing.assert_allclose(penalty.evaluate(slower) * 3.0**power, penalty.evaluate(samples), rtol=1e-9)
 
 
-PLACED = {"planted", "range", "overshoot", "tracking", "prior", "contact with a slope", "skate on a slope"}
+PLACED = {"planted", "range", "cycle", "overshoot", "tracking", "prior", "contact with a slope", "skate on a slope"}
 PLACED |= {
     "contact with a block",
     "contact with a step",
