@@ -1,5 +1,6 @@
 """Loading of clips: keys of the model, ends, notes and errors."""
 
+import re
 from pathlib import Path
 
 import mujoco
@@ -396,3 +397,19 @@ def test_an_edit_that_names_another_key_has_it(folder: Path):
     made = recordings.from_text(text, name="clip", folder=folder)
     other = recordings.from_text(text.replace("key:home", "key:short"), name="clip", folder=folder, like=made)
     np.testing.assert_array_equal(other.keys[0].state, other.figure.model.qpos0)
+
+
+@pytest.mark.parametrize(
+    ("steps", "note"),
+    [
+        ([(0, 0), (0.5, 0.5)], "keyframes 1 and 2, 0.5 s apart, form no gait cycle, but every foot moves 0.5 m; add"),
+        ([(0, 0), (0.5, 0.4), (1.2, 1)], "keyframes 2 and 3, 0.7 .* 0.6 m, as for 1 more pair of keyframes; add"),
+        ([(0, 0), (0.5, 0.6), (1, 1), (1.5, 1.4)], "keyframes 1 and 2, 0.5 .*, as for 2 more pairs of keyframes; add"),
+        ([(0, 0), (0.5, 0.27)], None),  # at most a fifth of the height
+        ([(0, 0), (0.39, 0.5)], None),
+    ],
+)
+def test_pairs_of_keyframes_that_lack_steps_between_them_are_noted(steps, note):
+    height = build("human", [Keyframe(0.0, others="rest"), Keyframe(1.0, others="rest")]).figure.model.qpos0[2]
+    found = build("human", [Keyframe(t, others="rest", root={"position": [x, 0, height]}) for t, x in steps]).notes
+    assert [bool(re.match(note, each)) for each in found if "gait cycle" in each] == ([True] if note else [])

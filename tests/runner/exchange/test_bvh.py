@@ -359,6 +359,7 @@ def test_a_rounded_frame_time_is_the_rate_that_is_meant(tmp_path):
     assert bvh_file.fps_of(0.033367, 6) == pytest.approx(30 / 1.001)
     assert bvh_file.fps_of(0.0333333, 7) == 30
     assert bvh_file.fps_of(0.017, 3) == 59
+    assert bvh_file.fps_of(0.0810373, 7) == 1 / 0.0810373
     back = import_recording(path)
     assert back.fps == 120
     assert back.figure.model.nq == 11
