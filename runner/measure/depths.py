@@ -20,9 +20,10 @@ from functools import lru_cache
 import mujoco
 import numpy as np
 
-from dynsplines.solver.array import Array, Index, Mask
+from dynsplines.solver.array import Array, Index
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty.joints.self_contact import steps_between
 from dynsplines.solver.surface import Box, Surface
 from dynsplines.solver.surface.points import Point
 from dynsplines.solver.surface.touch import counts_all, movers
@@ -86,7 +87,7 @@ def colliding(figure: Figure) -> tuple[mujoco.MjModel, Array]:
     first; infinite if excluded."""
     model, at_rest = _collision_model(figure.model), np.zeros((len(figure.links),) * 2)
     _, links, depth = overlaps(figure, model, figure.model.qpos0[None])
-    steps = _steps(figure)[links]
+    steps = steps_between(figure)[links]
     np.maximum.at(at_rest, links, np.where(steps <= 2, np.inf, np.where(np.isfinite(steps), depth, 0.0)))
     return model, at_rest
 
@@ -121,13 +122,3 @@ def _collision_model(model: mujoco.MjModel) -> mujoco.MjModel:
     out.opt.disableflags &= ~int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
     out.geom_margin[:] = 0
     return out
-
-
-def _steps(figure: Figure) -> Array:
-    """Return the number of bodies from one link to another, (L, L): 1 to a child, infinite between free trees."""
-    bodies, path = np.array([link.body for link in figure.links]), figure.tables.path
-    first = np.append(True, bodies[1:] != bodies[:-1])  # a body's other joints do not count
-    depth, shared = path[:, first].sum(axis=1), path[:, first] @ path[:, first].T
-    is_free: Mask = np.any(path[:, figure.tables.free_links] > 0, axis=1)
-    apart = np.logical_or.outer(is_free, is_free) & (path @ path.T == 0)
-    return np.where(apart, np.inf, depth[:, None] + depth - 2 * shared)

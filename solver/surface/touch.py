@@ -77,6 +77,18 @@ def movers(model: mujoco.MjModel) -> list[int]:
     return np.flatnonzero((solid if solid.any() else figure_geoms) | (moving & scenery)).tolist()
 
 
+def can_collide(model: mujoco.MjModel) -> Mask:
+    """Return which pairs of geoms collide by the masks, <exclude> and <pair> of the model, (ngeom, ngeom); all pairs if
+    all geoms count."""
+    if counts_all(model):
+        return np.ones((model.ngeom,) * 2, bool)
+    reached = (model.geom_contype[:, None] & model.geom_conaffinity) != 0
+    bodies = np.sort(np.stack(np.broadcast_arrays(model.geom_bodyid[:, None], model.geom_bodyid)), axis=0)
+    out = (reached | reached.T) & ~np.isin((bodies[0] << 16) + bodies[1], model.exclude_signature)
+    out[model.pair_geom1, model.pair_geom2] = out[model.pair_geom2, model.pair_geom1] = True
+    return np.asarray(out)
+
+
 def solids(model: mujoco.MjModel) -> list[int]:
     """Return the static geoms that count."""
     still = ~moves(model) & ~(_on_mocap(model) & (~collides(model) | _attach(model)))

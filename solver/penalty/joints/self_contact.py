@@ -2,7 +2,8 @@
 
 The depth of two capsules is the sum of their radii minus the distance of their segments. By the envelope theorem the
 gradient of this distance is that of two points fixed on the links. Ellipsoids, boxes and cylinders are represented by
-spheres that fill them. Meshes, links joined to each other, and geoms that overlap at rest are excluded.
+spheres that fill them. Meshes, links joined to each other, geoms that overlap at rest, and geoms that
+do not collide in the model are excluded.
 
 Few pairs are near each other. Bounds find them: first the links' bounding capsules, then a link's shapes against the
 bounding capsule of the other link, then the bounding spheres of the shapes. A search evaluates only the pairs of links
@@ -19,7 +20,7 @@ import mujoco
 import numpy as np
 
 from ... import quaternion as quat
-from ...array import Array, Index
+from ...array import Array, Index, Mask
 from ...cache import cached_by_content
 from ...curve.frame import Timeline
 from ...figure.algebra import cross, dot, rotate, rotate_fixed
@@ -30,7 +31,7 @@ from ...figure.model import kinematics
 from ...figure.wrenches import of_point
 from ...surface.cover import filling_spheres
 from ...surface.points import sets_poses
-from ...surface.touch import movers
+from ...surface.touch import can_collide, movers
 from ...tolerances import TINY
 from ..block import Block
 from ..penalty import NEAR_LENGTH, Allowance, Normalization, Penalty, Role
@@ -249,17 +250,32 @@ def _shapes(figure: Figure) -> tuple[tuple[Bar, ...], Index]:
 
 
 def _pairs(figure: Figure, bars: Sequence[Bar]) -> Index:
-    """Return the pairs of bars that can collide, (2, n): not on one or joined links, and not overlapping at rest. The
-    link of the first bar has the smaller index."""
+    """Return the pairs of bars that can collide in the model, (2, n): not on one or joined links, not overlapping at
+    rest, and not on links at most two joints apart that do. The link of the first bar has the smaller index."""
     links, geoms = (np.array([getattr(bar, name) for bar in bars], np.intp) for name in ("link", "geom"))
     i, j = np.triu_indices(links.size, 1)
     i, j = np.where(links[i] < links[j], (i, j), (j, i))
     carrier = np.array([_carrier(figure, link, set(links.tolist())) for link in range(len(figure.links))], np.intp)
     joined = (links[i] == links[j]) | (links[i] == carrier[links[j]])
-    resting = np.zeros((figure.model.ngeom,) * 2, bool)
-    for one, other in _overlapping(figure.model, set(geoms.tolist())):
+    resting, by_design = np.zeros((figure.model.ngeom,) * 2, bool), np.zeros((len(figure.links),) * 2, bool)
+    for one, other in _overlapping(figure.model, movers(figure.model)):
         resting[one, other] = resting[other, one] = True
-    return np.array([i, j])[:, ~joined & ~resting[geoms[i], geoms[j]]]
+        between = figure.body_link[figure.model.geom_bodyid[[one, other]]]
+        by_design[between, between[::-1]] = True
+    by_design &= steps_between(figure) <= 2
+    return np.array([i, j])[
+        :, ~joined & ~by_design[links[i], links[j]] & (can_collide(figure.model) & ~resting)[geoms[i], geoms[j]]
+    ]
+
+
+def steps_between(figure: Figure) -> Array:
+    """Return the number of bodies from one link to another, (L, L): 1 to a child, infinite between free trees."""
+    bodies, path = np.array([link.body for link in figure.links]), figure.tables.path
+    first = np.append(True, bodies[1:] != bodies[:-1])  # a body's other joints do not count
+    depth, shared = path[:, first].sum(axis=1), path[:, first] @ path[:, first].T
+    is_free: Mask = np.any(path[:, figure.tables.free_links] > 0, axis=1)
+    apart = np.logical_or.outer(is_free, is_free) & (path @ path.T == 0)
+    return np.where(apart, np.inf, depth[:, None] + depth - 2 * shared)
 
 
 def _carrier(figure: Figure, link: int, carrying: set[int]) -> int:
@@ -305,9 +321,9 @@ def _outer(bars: list[Bar], hair: float) -> tuple[Bar, ...]:
     return tuple(bars[k] for k in np.flatnonzero(is_outer))
 
 
-def _overlapping(model: mujoco.MjModel, geoms: set[int]) -> set[tuple[int, int]]:
+def _overlapping(model: mujoco.MjModel, geoms: Sequence[int]) -> set[tuple[int, int]]:
     data = kinematics(model)
-    ids = np.array(sorted(geoms), np.intp)
+    ids = np.array(geoms, np.intp)
     place, reach = data.geom_xpos[ids], model.geom_rbound[ids]
     close = np.linalg.norm(place[:, None] - place, axis=2) < reach[:, None] + reach
     return {

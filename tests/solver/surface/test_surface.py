@@ -24,7 +24,7 @@ from dynsplines.solver.surface import (
 from dynsplines.solver.surface import heights as terrain
 from dynsplines.solver.surface.static import DOWN
 from dynsplines.solver.surface.surface import DEEP, GROUNDED
-from dynsplines.solver.surface.touch import SCENERY, counts_all, grounds, movers, overlapping_pairs, solids
+from dynsplines.solver.surface.touch import SCENERY, can_collide, counts_all, grounds, movers, overlapping_pairs, solids
 
 SCENE = read_data("surfaces.xml")
 
@@ -204,6 +204,25 @@ TOUCHES: dict[str, tuple[Surface, np.ndarray, np.ndarray]] = {
     "hull": (Hull("h", *CORNERS), *RIM),
     "height field": (HeightField("f", np.array([0, 0, 1.0]), np.eye(3), np.ones(2), np.zeros((3, 3))), *RIM),
 }
+
+
+def test_the_pairs_that_can_collide_are_those_that_mujoco_finds(rng):
+    for _ in range(20):
+        masks = rng.integers(0, 4, (6, 2))
+        bodies = "".join(
+            f'<body name="b{i}"><freejoint/><geom name="g{i}" size="1" contype="{a}" conaffinity="{b}"/></body>'
+            for i, (a, b) in enumerate(masks)
+        )
+        one, other, three, four = rng.permutation(6)[:4]
+        rules = f'<exclude body1="b{one}" body2="b{other}"/><pair geom1="g{three}" geom2="g{four}"/>'
+        model = mujoco.MjModel.from_xml_string(
+            f"<mujoco><worldbody>{bodies}</worldbody><contact>{rules}</contact></mujoco>"
+        )
+        data, found = mujoco.MjData(model), np.zeros((6, 6), bool)
+        mujoco.mj_forward(model, data)
+        found[tuple(data.contact.geom.T)] = True
+        expected = can_collide(model)
+        np.testing.assert_array_equal(found | found.T, expected & ~np.eye(6, dtype=bool))
 
 
 @pytest.mark.parametrize("name", TOUCHES)
