@@ -33,7 +33,7 @@ from dynsplines.solver.penalty import (
 from dynsplines.solver.penalty.motion.acceleration import relative_accelerations
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import FAR, heights
-from dynsplines.solver.surface.points import places_of, sets_poses
+from dynsplines.solver.surface.points import places_of, sets_depths, sets_poses
 
 from ..motion import samples_at
 from .bounds import BOUNDS, SPEED_SHARE, WHIP_SHARE, Row, row_of
@@ -327,7 +327,6 @@ def penetrations(parts: Sequence[Collision], soles: frozenset[str], feet: Index,
     pairs = [(point, surface.name) for part in parts for surface in part.surfaces for point in part.points]
     numbers: dict[tuple[int, str], int] = {}
     groups = [numbers.setdefault((int(feet[point.link]), name), len(numbers)) for point, name in pairs]
-    links = np.array([point.link for point, _ in pairs], np.intp)
     bunched = [bunches(part.points) for part in parts]
 
     def hits(samples: Samples) -> Hits:
@@ -345,8 +344,13 @@ def penetrations(parts: Sequence[Collision], soles: frozenset[str], feet: Index,
         point, surface = pairs[index]
         return row_of("penetration", point.name, f"{point.name} is {{}} in {_quote(surface)}", other=surface)
 
+    is_set = np.concatenate(
+        [sets_depths(fixed.figure, fixed.states, part.points, [surface]) for part in parts for surface in part.surfaces]
+        or [np.zeros((0, len(fixed.states)), bool)]
+    )
+
     def is_fixed(row: Index, key: Index) -> Mask:
-        return fixed.places[links[row], key]
+        return is_set[row, key]
 
     named = np.array([point.name in soles for point, _ in pairs], bool)
     bounds = np.full(len(pairs), BOUNDS["penetration"].most)

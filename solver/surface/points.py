@@ -19,6 +19,7 @@ from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..figure.model import geom_name
 from ..tolerances import ROUNDING
+from .surface import Plane, Surface
 from .touch import movers
 
 DIRECTIONS = 600  # number of directions in which a link's outermost spheres are determined
@@ -189,6 +190,20 @@ def sets_places(figure: Figure, specified: Mask, points: Sequence[Point]) -> Mas
     """
     links = [point.link for point in points]
     return sets_poses(figure, specified, links, np.zeros(len(links), np.intp))
+
+
+def sets_depths(figure: Figure, specified: Mask, points: Sequence[Point], surfaces: Sequence[Surface]) -> Mask:
+    """Return whether a keyframe specifies the depth of a point in surfaces, (n, K): its position, or on level planes
+    alone the joints that determine its height.
+
+    Args:
+        specified: Entries of qpos that keyframes specify, (K, nq).
+    """
+    if surfaces and all(isinstance(surface, Plane) and np.isclose(surface.normal[2], 1) for surface in surfaces):
+        specified = np.array(specified)
+        for link in figure.tables.free_links:
+            specified[:, figure.links[link].qpos + np.arange(2)] = True
+    return sets_places(figure, specified, points)
 
 
 def sets_poses(figure: Figure, specified: Mask, first: Sequence[int] | Index, last: Sequence[int] | Index) -> Mask:

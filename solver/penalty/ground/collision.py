@@ -17,7 +17,7 @@ from ...figure.figure import Figure
 from ...figure.kinematics import Samples
 from ...figure.wrenches import of_point
 from ...surface import Box, Plane, Surface
-from ...surface.points import Point, arrays_of, sets_places
+from ...surface.points import Point, arrays_of, sets_depths
 from ...tolerances import ROUNDING
 from ..block import Block
 from ..penalty import NEAR_LENGTH, Allowance, Normalization, Penalty, Role
@@ -55,7 +55,7 @@ class Collision(Penalty):
         samples = Samples.still(figure, keys.states)
         centres = self.relative_to_carrier(samples, self.centres(samples)[0])
         deep = np.max([surface.depth(centres, self._arrays[2])[0] for surface in self.surfaces], axis=0)
-        is_set = sets_places(figure, keys.fixed, self.points)
+        is_set = sets_depths(figure, keys.fixed, self.points, self.surfaces)
         excess, path = deep * is_set, figure.tables.path > 0
         for link, first, last in holding:
             limb = np.flatnonzero((path[:, link] | path[link])[self._arrays[0]])

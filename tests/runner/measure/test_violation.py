@@ -175,6 +175,9 @@ FAULTS: dict[str, tuple[str, str, str, list[str]]] = {  # figure, clip, kind (""
     "overlaps at rest": (*chained(2), "", [SECOND + "ball and c are 30 mm deeper in each other at 1.00 s"]),
     "overlaps at rest of joined bodies": (*chained(1), "", []),
     "standing": ("human", standing(0, 0, 0), "", []),
+    "sunk, wherever the root is": (
+        "human", standing(0, 0, 0, z=0.83).replace("[0, 0, 0.83]", '["free", "free", 0.83]'), "penetration",
+        12 * [r"keyframe \d itself: (left|right)_(heel|toe|sock) is (100|45) mm in the floor at .*"]),
     "a contact in the air": (
         "human", standing(0, 0, 0.4, z=1.03) + CONTACT.format("toe", 0.4, 0.6), "hover",
         ["contact right_toe is 100 mm above its surface at .* s"]),
