@@ -80,14 +80,14 @@ def test_the_crate_lies_on_the_floor_is_carried_level_and_stands_on_the_table():
 
 def test_the_cartwheel_goes_over_left_hand_right_hand_right_foot():
     move = of("cartwheel")
-    upside_down = move.at(1.24)
+    upside_down = move.at(1.36)
     assert move.up("pelvis")[upside_down, 2] == pytest.approx(-1, abs=1e-6)
     assert move.up("pelvis")[0, 2] > 0.99
     assert move.up("pelvis")[-1, 2] > 0.99
     touching = {name: move.time[move.site(name)[:, 2] < 0.09] for name in ("left_hand", "right_hand")}
-    assert 0.72 < touching["left_hand"][0] < touching["right_hand"][0] < 1.24
-    assert 1.24 < touching["left_hand"][-1] < touching["right_hand"][-1] < 1.76
-    during = slice(move.at(0.90), move.at(1.59))
+    assert 0.79 < touching["left_hand"][0] < touching["right_hand"][0] < 1.36
+    assert 1.36 < touching["left_hand"][-1] < touching["right_hand"][-1] < 1.94
+    during = slice(move.at(0.99), move.at(1.75))
     for part in ("left_heel", "left_toe", "right_heel", "right_toe"):
         assert move.site(part)[during, 2].min() > 0.05
     legs = [move.site(f"{side}_heel")[upside_down] - move.qpos[upside_down, :3] for side in ("left", "right")]
