@@ -123,7 +123,7 @@ class Balance:
     name: str
     root: int
     points: tuple[PointGoal, ...]
-    share: float = 1.0
+    share: float
 
     def bodies(self, model: mujoco.MjModel) -> Sequence[int]:
         return [point.index for point in self.points]

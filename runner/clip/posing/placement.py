@@ -229,17 +229,18 @@ def _unmet_balance(
 ) -> list[tuple[float, Goal]]:
     """Return balance as a preference with its weight if a pose (nq,) for goals misses it by far, else none.
 
-    A figure of which all feet have goals is balanced, unless another body touches one of the surfaces; without
-    surfaces, it need not be. If it may shift sideways, it is balanced over the feet on the ground alone.
+    A figure that may shift sideways and of which all feet have goals is balanced over its feet on the ground, unless
+    another body touches one of the surfaces; without surfaces, it need not be.
     """
-    preferred, root = balance_of(figure, soles, goals) if surfaces else [], figure.root
-    if not preferred or root is None:
+    root, limits = figure.root, Thresholds.of(figure)
+    if root is None or fixed[figure.links[root.link].columns][:2].all():
         return []
-    limits, (feet, others) = Thresholds.of(figure), split_at_feet(soles, body_points(figure))
-    if not fixed[figure.links[root.link].columns][:2].all():
-        depths = _depths(figure, pose, feet, surfaces)
-        standing = [point for point, depth in zip(feet, depths, strict=True) if depth > -limits.near_surface]
-        preferred = balance_of(figure, standing, goals, SHIFTED)
+    if not surfaces or not balance_of(figure, soles, goals, SHIFTED):
+        return []
+    feet, others = split_at_feet(soles, body_points(figure))
+    depths = _depths(figure, pose, feet, surfaces)
+    standing = [point for point, depth in zip(feet, depths, strict=True) if depth > -limits.near_surface]
+    preferred = balance_of(figure, standing, goals, SHIFTED)
     data = kinematics(figure.model, pose)
     if all(np.linalg.norm(goal.residual(figure.model, data)) <= limits.near_surface for _, goal in preferred):
         return []

@@ -60,9 +60,7 @@ def fit_rotation(own: Array, seen: Array, turn: Array) -> Array:
     return quat.from_matrix(rotation)
 
 
-def balance_of(
-    figure: Figure, soles: Sequence[Point], goals: Sequence[Goal], share: float = 1.0
-) -> list[tuple[float, Goal]]:
+def balance_of(figure: Figure, soles: Sequence[Point], goals: Sequence[Goal], share: float) -> list[tuple[float, Goal]]:
     """Return balance as a preference with its weight, for a figure all of whose feet have goals; else none.
 
     Args:
