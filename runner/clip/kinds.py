@@ -478,7 +478,7 @@ KINDS = {
         ), ("bend_joints", "least_bend", "sideways", "twist", "speed")),
         Kind("equality", (Part(300.0, "violation of <equality> constraints", _equality),)),
         Kind("upright", (
-            Part(1.0, "tilt of a root away from its pose, near keyframes that free its rotation", _trunk, "trunk"),
+            Part(1.0, "tilt of a root, compared with nearby keyframes that leave its rotation free", _trunk, "trunk"),
             Part(30.0, "tilt of listed bodies, such as a head or a tray", _bodies, "bodies", "bodies"),
         ), ("bodies", "axis")),
         Kind("flight", (
@@ -486,7 +486,8 @@ KINDS = {
         ), ("intervals", "angular")),
         Kind("support", (
             Part(
-                2.0, "force and moment that feet on the ground cannot supply; also on if keyframes free x or y",
+                2.0,
+                "force and moment that feet on the ground cannot supply; also on if a standing figure's x or y is free",
                 _support, tracking=1000.0,
             ),
         ), ("friction",), is_default=False),
