@@ -200,7 +200,9 @@ class Motion:
         """Return joint torques and ground reactions at equal time steps or given times.
 
         They are those of MuJoCo's inverse dynamics. The ground reactions are estimated: pressure and friction at the
-        points in contact supply as much of the required force as they can. Where contacts are unknown, forces are nan.
+        points in contact supply as much of the required force as they can. Forces are nan where the
+        support is unknown: while neither a foot stands nor a flight is known, and while a part other than feet and
+        contact points touches the surroundings.
 
         Args:
             fps: Samples per second [1/s]; default: those of the motion.
@@ -209,7 +211,7 @@ class Motion:
         Returns:
             sampled; torques (T, nv) [N m, N]; feet, each with name, has_contact (T,), force (T, 3) [N], centre (T, 3)
             [m] and moment (T, 3) [N m]; rest (T, 6), the force [N] and moment [N m] at the root that nothing supplies;
-            has_known_support (T,).
+            has_known_support (T,). has_contact is False without known support, and while a foot carries no load.
 
         Raises:
             UserError: For times outside the motion, or both arguments.
