@@ -50,7 +50,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
     "the clip": (
         table.ClipTable,
         {
-            "figure": "the name of a shipped figure, or the path of an MJCF or URDF file",
+            "figure": "the name of a shipped figure, or the path of an MJCF or URDF file, relative to the clip's "
+            "folder",
             "fps": "samples per second of the output",
             "keyframe": "the keyframes in order of time: at least two, or any number with a recording",
             "scene": "obstacles and movable objects",
@@ -134,7 +135,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "from": "the start of the used part, in seconds of the recording",
             "to": "the end of the used part, in seconds of the recording",
             "at": "the start of the used part, in seconds of the clip; default: as in the recording",
-            "speed": "the speed factor",
+            "speed": "the speed factor: 2 halves the duration",
             "times": "pairs of a time in the recording and a time in the clip, instead of `at` and `speed`",
             "weight": "a factor of the weights that keep the motion near the recording",
         },
@@ -150,8 +151,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "travel": "the displacement of the root in one cycle of a loop, in metres; default: x and y as in the "
             "keyframes",
             "turn": "the rotation of the root in one cycle of a loop, in degrees; default: as in the keyframes",
-            "variable": "variable frames between two keyframes at the start of the search; default 2, in a long clip "
-            "3, and more between distant keyframes",
+            "variable": "variable frames between two keyframes at the start of the search; default 2, in a clip that "
+            "is solved in windows 3, and more between distant keyframes",
             "frames": "the maximum number of variable frames; default: 3 between two keyframes, or 10 per second if "
             "that is more",
             "criterion": 'how the solver finds the intervals into which it inserts frames: "weak" (the default) by '
@@ -165,8 +166,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "tolerance": "the search ends when a step is predicted to decrease the objective by less than this share; "
             "default 0.001",
             "quadrature": "the quadrature rule of the objective",
-            "samples": f"samples per {LONGEST_PANEL:g} s between spline points, default {POINTS}, and more where "
-            'these would miss a collision; with "uniform": samples in the whole clip, default 100',
+            "samples": f"samples in each interval of up to {LONGEST_PANEL:g} s between spline points, default {POINTS}"
+            ', and more where these would miss a collision; with "uniform": samples in the whole clip, default 100',
         },
     ),
 }
@@ -212,7 +213,7 @@ def keys() -> Iterator[str]:
         rows = {key: text for key, text in texts.items() if not any(key in SHARED[group] for group in shared)}
         yield from keys_table(HEADINGS.get(name) or ", ".join(f"`{part}`" for part in name.split(", ")), fields, rows)
         if shared:
-            yield f"It also has the keys of {' and '.join(shared)}."
+            yield f"Other keys: those of {' and '.join(shared)}."
             yield ""
 
 
@@ -285,8 +286,8 @@ def speed() -> Iterator[str]:
     time, length = seconds(solve[1]), duration("run_and_step")
     yield f"- The clip `run_and_step`, {length} of motion, is solved in {time}."
     yield (
-        f"- A simpler running problem is solved to 0.5 % of the optimum in {seconds(runner[1])}. CasADi with IPOPT "
-        f"takes {factor(ipopt[2])} times as long."
+        f"- A runner with a simplified objective is solved to 0.5 % of the optimum in {seconds(runner[1])}. "
+        f"CasADi with IPOPT takes {factor(ipopt[2])} times as long."
     )
     dense = factor(row("barr", DENSE)[2])
     yield (
@@ -351,8 +352,9 @@ def solvers() -> Iterator[str]:
     sets = results()["uneven"]["rows"]
     count, failed = sum(cells[2] for cells in sets), sum(cells[3] for cells in sets)
     reached = sum(cells[2] - cells[4] for cells in sets)
+    every = f"all {count}" if reached == count else str(reached)
     yield "InterpolatePy solves only rotations of one body. If times between keyframes differ by a factor of up to 50,"
-    yield f"it fails on {failed} of {count} sets. dynamic-splines reaches a minimum on {reached}."
+    yield f"it fails on {failed} of {count} sets. dynamic-splines reaches a minimum on {every}."
 
 
 def quality() -> Iterator[str]:
