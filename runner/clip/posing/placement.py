@@ -237,7 +237,7 @@ def _unmet_balance(
         return []
     if not surfaces or not balance_of(figure, soles, goals, SHIFTED):
         return []
-    feet, others = split_at_feet(soles, body_points(figure))
+    feet, others = split_at_feet(soles, hanging(figure, root.link, body_points(figure)))
     depths = _depths(figure, pose, feet, surfaces)
     standing = [point for point, depth in zip(feet, depths, strict=True) if depth > -limits.near_surface]
     preferred = balance_of(figure, standing, goals, SHIFTED)

@@ -332,6 +332,20 @@ bodies = {left_foot = {flat = true}, right_foot = {flat = true}}
     assert "unbalanced" not in {violation.kind for violation in inbetween(problem).violations}
 
 
+def test_objects_do_not_change_a_pose_in_balance():
+    box = 'scene.box = [{body = "toy", size = [0.1, 0.1, 0.1]}]\n'
+    placed = "roots.toy = {position = [3, 0, 0.05], rotation = {rotvec = [0, 0, 0]}}\n"
+    reach = """others = "previous"
+root = {position = "free", rotation = {rotvec = [0, 40, 0]}}
+sites = {left_heel = [-0.055, 0.09, 0], right_heel = [-0.055, -0.09, 0], right_hand = [0.4, -0.18, 0.25]}
+bodies = {left_foot = {flat = true}, right_foot = {flat = true}}
+"""
+    alone, beside = read(STANDING, reach), read(placed + STANDING, reach, head=HEAD + box)
+    poses = [clip.figure.to_qpos(clip.keys[1].state)[: alone.figure.width] for clip in (alone, beside)]
+    np.testing.assert_allclose(*poses, atol=1e-6)
+    assert poses[0][0] < 0.1  # the pelvis stays over the feet
+
+
 def test_feet_that_are_far_from_where_they_stood_do_not_drag_the_root_along():
     lunge = """others = "rest"
 joints.left_hip = {rotvec = [0, -50, 0]}
