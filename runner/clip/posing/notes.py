@@ -100,7 +100,11 @@ def _remedy(figure: Figure, key: Frame, row: KeyframeTable, goal: Goal) -> str:
             (named if is_named else inherited).append(name)
     causes = [f"the keyframe fixes {', '.join(named)}"] if named else []
     causes += [f'others = "{row.others}" fixes {", ".join(inherited)}'] if inherited else []
-    return f'{" and ".join(causes)}: write {keys[0]} = "free"' if keys else ""
+    if not keys:
+        return ""
+    # free roots alone would let straight legs sink
+    remedy = "omit others" if inherited else f'write {keys[0]} = "free"'
+    return f"{' and '.join(causes)}: {remedy}"
 
 
 def _entry(figure: Figure, key: Frame, row: KeyframeTable, link: int, goal: Goal) -> tuple[str, bool]:
