@@ -59,7 +59,7 @@ def shipped_motion(name: str) -> Motion:
 
 def ours(motion: Motion, key_indices: NDArray[np.intp], folder: Path) -> Array:
     """Through the kept images with the product's defaults, from files as a user has them."""
-    clip = clips.from_qpos("keys", motion.clip.scene, motion.time[key_indices], motion.qpos[key_indices], None, "keys")
+    clip = clips.from_qpos("keys", motion.clip.scene, motion.time[key_indices], motion.qpos[key_indices], FPS, "keys")
     return inbetween(clip.problem).at(motion.time)
 
 
