@@ -342,7 +342,7 @@ bodies = {left_foot = {flat = true}, right_foot = {flat = true}}
 """
     alone, beside = read(STANDING, reach), read(placed + STANDING, reach, head=HEAD + box)
     poses = [clip.figure.to_qpos(clip.keys[1].state)[: alone.figure.width] for clip in (alone, beside)]
-    np.testing.assert_allclose(*poses, atol=1e-6)
+    np.testing.assert_allclose(poses[0], poses[1], atol=1e-6)
     assert poses[0][0] < 0.1  # the pelvis stays over the feet
 
 
