@@ -151,8 +151,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "travel": "the displacement of the root in one cycle of a loop, in metres; default: x and y as in the "
             "keyframes",
             "turn": "the rotation of the root in one cycle of a loop, in degrees; default: as in the keyframes",
-            "variable": "variable frames between two keyframes at the start of the search; default 2, in a clip that "
-            "is solved in windows 3, and more between distant keyframes",
+            "variable": "variable frames between two keyframes at the start of the search; default 2 (3 in a "
+            "clip solved in windows), and more between distant keyframes",
             "frames": "the maximum number of variable frames; default: 3 between two keyframes, or 10 per second if "
             "that is more",
             "criterion": 'how the solver finds the intervals into which it inserts frames: "weak" (the default) by '
@@ -404,7 +404,7 @@ CLAIMS = (  # verdict, claim, measurement of the benchmarks
     ("reproduced", "The same in its weak form, with the intrinsic acceleration term.", ""),
     (
         "reproduced",
-        "This residual shows where to insert frames better than the size of the objective, and better than a "
+        "This residual locates missing frames better than the size of the objective or a "
         "comparison of two resolutions.",
         "",
     ),
