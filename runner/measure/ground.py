@@ -186,7 +186,9 @@ def _of_tree(
     figure, t, limits = motion.clip.figure, samples.t, Thresholds.of(motion.clip.figure)
     centres, radii = places_of(points, samples)
     height, up = height_over(motion.clip.context.surfaces, centres, radii)
-    touches: Mask = np.asarray(height < limits.clear)
+    feet = {point.link for point in motion.clip.context.points}  # their soles are wider and bend
+    near = np.where([point.link in feet for point in points], limits.clear, limits.near_surface)
+    touches: Mask = np.asarray(height < near[:, None])
     contacts = touching(samples, points, touches, up)
     air = [(t[first], t[end - 1]) for first, end in runs(np.asarray(~touches.any(axis=0)))]
     wrench = RootWrench(samples, root)

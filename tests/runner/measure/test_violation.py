@@ -45,6 +45,7 @@ HOPPER = """<mujoco>{}<worldbody>{}<body name="trunk" pos="0 0 .5"><freejoint na
 ON_FLOOR = HOPPER.format("", '<geom type="plane" size="1 1 .1" pos="0 0 .1"/>')
 
 REST = 'others = "rest"\n'
+ARMS = "joints = {{left_shoulder = {{rotvec = [0, {0}, 0]}}, right_shoulder = {{rotvec = [0, {0}, 0]}}}}\n"
 HIGH = REST + "root.position = [0, 0, 3]\n"  # above all floors
 
 
@@ -198,6 +199,9 @@ FAULTS: dict[str, tuple[str, str, str, list[str]]] = {  # figure, clip, kind (""
     "slowly from side to side": ("human", standing(0, 0.5, 0, seconds=2.0), "unsupported", []),
     "leaning far forward": (
         "human", leaning(30), "unbalanced", [r"the centre of mass of the standing figure is \d+ mm beside its .*"]),
+    "leaning on hands just above the floor": (  # by 24 mm
+        "human", leaning(68).replace(REST, ARMS.format(-68) + REST),
+        "unbalanced", ["the centre of mass of the standing figure is .* beside its .*"]),
     "leaning little": ("human", leaning(5), "unbalanced", []),
     "sliding": (
         "human", standing(0, 0.06, seconds=0.5), "slide",
