@@ -2,8 +2,8 @@
 
 The depth of two capsules is the sum of their radii minus the distance of their segments. By the envelope theorem the
 gradient of this distance is that of two points fixed on the links. Ellipsoids, boxes and cylinders are represented by
-spheres that fill them. Meshes, links joined to each other, geoms that overlap at rest, and geoms that
-do not collide in the model are excluded.
+spheres that fill them. Meshes, links joined to each other, geoms that overlap at rest, and geoms that do
+not collide in the model are excluded.
 
 Few pairs are near each other. Bounds find them: first the links' bounding capsules, then a link's shapes against the
 bounding capsule of the other link, then the bounding spheres of the shapes. A search evaluates only the pairs of links
@@ -263,9 +263,8 @@ def _pairs(figure: Figure, bars: Sequence[Bar]) -> Index:
         between = figure.body_link[figure.model.geom_bodyid[[one, other]]]
         by_design[between, between[::-1]] = True
     by_design &= steps_between(figure) <= 2
-    return np.array([i, j])[
-        :, ~joined & ~by_design[links[i], links[j]] & (can_collide(figure.model) & ~resting)[geoms[i], geoms[j]]
-    ]
+    free = (can_collide(figure.model) & ~resting)[geoms[i], geoms[j]]
+    return np.array([i, j])[:, free & ~joined & ~by_design[links[i], links[j]]]
 
 
 def steps_between(figure: Figure) -> Array:
