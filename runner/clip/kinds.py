@@ -400,7 +400,7 @@ def _prior(context: Context, options: Options) -> Penalty | None:
 
 def _ground(surfaces: Sequence[Surface]) -> float | None:
     """Return the height of level ground [m]; None if there are other surfaces, or none."""
-    planes = [surface for surface in surfaces if isinstance(surface, Plane) and surface.normal[2] == 1]
+    planes = [surface for surface in surfaces if isinstance(surface, Plane) and surface.is_level]
     return float(planes[0].point[2]) if len(planes) == len(surfaces) == 1 else None
 
 

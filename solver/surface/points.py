@@ -199,7 +199,7 @@ def sets_depths(figure: Figure, specified: Mask, points: Sequence[Point], surfac
     Args:
         specified: Entries of qpos that keyframes specify, (K, nq).
     """
-    if surfaces and all(isinstance(surface, Plane) and np.isclose(surface.normal[2], 1) for surface in surfaces):
+    if surfaces and all(isinstance(surface, Plane) and surface.is_level for surface in surfaces):
         specified = np.array(specified)
         for link in figure.tables.free_links:
             specified[:, figure.links[link].qpos + np.arange(2)] = True

@@ -64,6 +64,10 @@ class Plane:
     point: Array
     normal: Array
 
+    @property
+    def is_level(self) -> bool:
+        return bool(np.isclose(self.normal[2], 1))
+
     def depth(self, points: Array, radius: Array, margin: float = 0.0) -> tuple[Array, Array]:
         depth = radius[:, None] - self._over(points)
         near = depth > -margin
