@@ -78,7 +78,7 @@ def truths(effort: Effort) -> Iterator[Truth]:
         return
     for name in people()[: effort.count(20, 2)]:
         clip = recordings.load(name)
-        motion = solving.solve(clip, Progress(Console(file=io.StringIO()))).motion
+        motion = solving.solve(clip, Progress(Console(file=io.StringIO())))
         at = Sampled.of(motion, FPS)
         yield set_down(Truth(name, clip.figure, at.time - at.time[0], at.qpos))
 

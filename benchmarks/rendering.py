@@ -37,7 +37,7 @@ def opengl(images: int, repeats: int, size: str) -> dict[str, Any]:
     from dynsplines.picture import film, show
 
     width, height = map(int, size.split("x"))
-    saved = solving.raw_spline(recordings.load(CLIP)).motion
+    saved = solving.raw_spline(recordings.load(CLIP))
     look = show.Look(width, height, float(FPS))
     with tempfile.TemporaryDirectory() as folder:
 

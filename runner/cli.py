@@ -356,10 +356,9 @@ def plot(
     target = output or Path(f"{Path(source).stem}.png")
     outputs.check_target(target, endings=chart.ENDINGS)
     with terminal.Progress() as progress:
-        clip = inputs.load(source)
-        is_motion = isinstance(clip, motion.Saved)
-        solved = solving.Solved.of(clip) if is_motion else solving.solve(clip, progress)
-        chart.draw(clip.name, *measurement.Measurement.sides(solved.clip, solved.motion), target)
+        one = inputs.load(source)
+        saved = solving.saved_motion(one, progress)
+        chart.draw(saved.name, *measurement.Measurement.sides(inputs.clip_of(one), saved), target)
     print(f"wrote {target}", file=sys.stderr)
 
 
@@ -410,7 +409,7 @@ def import_motion(
     with terminal.Progress() as progress:
         saved = motion_import.import_recording(source, kind, figure=figure, fps=fps, scale=scale, progress=progress)
         motion.save(saved, target)
-        violations = solving.Solved.of(saved).violations
+        violations = violation.violations(inputs.clip_of(saved), saved)
         _conclude(progress, target, violation.by_name(violations), target)
     _judge(violations, strict)
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from . import motion, recordings
 from .clip.build import Clip
+from .clip.load import clip_from_motion
 from .clip.parse import LONGEST
 from .errors import UserError
 from .motion import Saved
@@ -23,6 +24,11 @@ def load(source: str, *, fps: float | None = None, unmet: list[str] | None = Non
     if motion.is_motion(source):
         return motion.load(Path(source))
     return recordings.load(source, fps=fps, unmet=unmet)
+
+
+def clip_of(source: Clip | Saved) -> Clip:
+    """Return the clip that a source is, or that its motion solves."""
+    return clip_from_motion(source) if isinstance(source, Saved) else source
 
 
 def span(source: Clip | Saved, repeat: int | None = None) -> tuple[float, float]:
@@ -52,15 +58,9 @@ def solution_of(
     from .measure import violation
 
     violations: Sequence[Violation] = ()
-    if isinstance(source, Saved):
-        out = source
-        if solve and not violation.is_recording(source):
-            violations = solving.Solved.of(source).violations
-    elif solve:
-        result = solving.solve(source, progress)
-        out, violations = result.motion, result.violations
-    else:
-        out = solving.raw_spline(source).motion
+    out = solving.saved_motion(source, progress) if solve or isinstance(source, Saved) else solving.raw_spline(source)
+    if solve and not (out is source and violation.is_recording(out)):
+        violations = violation.violations(clip_of(source), out)
     if repeat is not None:
         from .edit import edits  # imported here because few commands repeat
 
@@ -74,5 +74,7 @@ def with_report(source: Clip | Saved, progress: Progress) -> Saved:
     from . import solving  # imported here, as above
 
     if not isinstance(source, Saved):
-        return solving.solve(source, progress, measure=True).motion
-    return source if source.report else solving.Solved.of(source).measure(progress, "not searched: imported")
+        return solving.solve(source, progress, with_report=True)
+    if source.report:
+        return source
+    return solving.measure(clip_from_motion(source), source, progress, "not searched: imported")

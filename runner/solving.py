@@ -7,8 +7,7 @@ import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
-from functools import cached_property
+from dataclasses import replace
 from typing import Any
 
 from dynsplines.solver.inbetween import inbetween
@@ -16,9 +15,7 @@ from dynsplines.solver.problem import Improvement, Solution
 from dynsplines.solver.search.minimum import Stop
 
 from .clip.build import Clip
-from .clip.load import clip_from_motion
-from .measure.bounds import Violation
-from .measure.violation import is_recording, violations
+from .measure.violation import is_recording
 from .motion import Saved
 from .system.progress import Progress
 
@@ -36,45 +33,28 @@ def _without_interrupts() -> Iterator[None]:
         signal.signal(signal.SIGINT, before)
 
 
-@dataclass(frozen=True)
-class Solved:
-    """A motion, and the clip that it solves."""
-
-    clip: Clip
-    motion: Saved
-
-    @classmethod
-    def of(cls, motion: Saved) -> Solved:
-        """Return a motion with the clip in its file, which has no custom penalties."""
-        return cls(clip_from_motion(motion), motion)
-
-    @cached_property
-    def violations(self) -> tuple[Violation, ...]:
-        return violations(self.clip, self.motion.timeline, self.motion.raw, self.motion.stop)
-
-    def measure(self, progress: Progress, reason: str = "not searched") -> Saved:
-        """Return the motion with its report. Ctrl-C during it has no effect.
-
-        Args:
-            reason: The stop reason of motions that were neither searched nor cleaned.
-        """
-        from .measure.report import report  # imported here because most commands measure nothing
-
-        if is_recording(self.motion) and not self.motion.is_raw:
-            reason = "cleaned recording"
-        with _without_interrupts():
-            progress.step("measuring", 0.0, force=True)
-            data = report(self.clip, self.motion)
-            progress.step("measuring", 1.0, force=True)
-        because = self.motion.search.get("stopped because", reason)
-        return replace(self.motion, report=data | {"stopped because": because})
-
-
-def solve(clip: Clip, progress: Progress, *, measure: bool = False) -> Solved:
-    """Solve a clip and report every improvement. Ctrl-C stops the search and returns the best path.
+def measure(clip: Clip, motion: Saved, progress: Progress, reason: str = "not searched") -> Saved:
+    """Return a motion that solves a clip with its report. Ctrl-C during it has no effect.
 
     Args:
-        measure: Add the motion's report. A second Ctrl-C has no effect on it.
+        reason: The stop reason of motions that were neither searched nor cleaned.
+    """
+    from .measure.report import report  # imported here because most commands measure nothing
+
+    if is_recording(motion) and not motion.is_raw:
+        reason = "cleaned recording"
+    with _without_interrupts():
+        progress.step("measuring", 0.0, force=True)
+        data = report(clip, motion)
+        progress.step("measuring", 1.0, force=True)
+    return replace(motion, report=data | {"stopped because": motion.search.get("stopped because", reason)})
+
+
+def solve(clip: Clip, progress: Progress, *, with_report: bool = False) -> Saved:
+    """Return the motion of a clip, and report every improvement. Ctrl-C stops the search and returns the best path.
+
+    Args:
+        with_report: Measure the motion. A second Ctrl-C has no effect on it.
     """
     for note in clip.notes:
         progress.report(f"note: {note}")
@@ -93,8 +73,8 @@ def solve(clip: Clip, progress: Progress, *, measure: bool = False) -> Solved:
             progress.step("solving", 1.0, note, force=True)
         if solution.stop is Stop.INTERRUPTED:
             progress.report("stopped; the best path so far is kept")
-        solved = Solved(clip, motion_of(clip, solution, seconds))
-        return replace(solved, motion=solved.measure(progress)) if measure else solved
+        motion = motion_of(clip, solution, seconds)
+        return measure(clip, motion, progress) if with_report else motion
 
 
 def motion_of(clip: Clip, solution: Solution, seconds: float | None = None) -> Saved:
@@ -103,7 +83,7 @@ def motion_of(clip: Clip, solution: Solution, seconds: float | None = None) -> S
     Args:
         seconds: The duration of the search [s], if known.
     """
-    raw = raw_spline(clip).motion
+    raw = raw_spline(clip)
     if solution.timeline is solution.raw and solution.stop is Stop.CONVERGED:
         return raw
     search: dict[str, Any] = {"evaluations": solution.evaluations}
@@ -118,13 +98,12 @@ def motion_of(clip: Clip, solution: Solution, seconds: float | None = None) -> S
     return replace(raw, timeline=solution.timeline, raw=solution.raw, trace=trace, search=search)
 
 
-def raw_spline(clip: Clip) -> Solved:
+def raw_spline(clip: Clip) -> Saved:
     """Return the raw spline of a clip, to inspect keyframes."""
     raw = clip.problem.raw
-    motion = Saved(clip.name, clip.text, clip.scene, clip.figure, clip.fps, clip.keys, raw, raw, [], {})
-    return Solved(clip, motion)
+    return Saved(clip.name, clip.text, clip.scene, clip.figure, clip.fps, clip.keys, raw, raw, [], {})
 
 
 def saved_motion(source: Clip | Saved, progress: Progress) -> Saved:
     """Return a saved motion unchanged, or that of a clip without a report."""
-    return source if isinstance(source, Saved) else solve(source, progress).motion
+    return source if isinstance(source, Saved) else solve(source, progress)

@@ -1,6 +1,7 @@
 """Figures and keyframes that many tests share, small enough to read."""
 
 # isort: off
+from shipped import Move
 import environment  # before all that is ours
 # isort: on
 
@@ -22,7 +23,6 @@ from dynsplines import motion, recordings, solving
 from dynsplines.motion import Saved
 from dynsplines.picture.graphics import Graphics
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.solving import Solved
 
 shipped.open_folder()
 shipped.follow()
@@ -63,16 +63,16 @@ def rng() -> np.random.Generator:
 
 
 @pytest.fixture(scope="session")
-def solved(tmp_path_factory: pytest.TempPathFactory) -> Solved:
+def solved(tmp_path_factory: pytest.TempPathFactory) -> Move:
     """The tiny clip, solved."""
     path = problems.written(tmp_path_factory.mktemp("tiny"))
-    return solving.solve(recordings.load(str(path)), quiet())
+    return Move(clip := recordings.load(str(path)), solving.solve(clip, quiet()))
 
 
 @pytest.fixture(scope="session")
-def saved(solved: Solved) -> Saved:
+def saved(solved: Move) -> Saved:
     """What goes into a motion file of it, report and all."""
-    return solved.measure(quiet())
+    return solving.measure(solved.clip, solved.motion, quiet())
 
 
 @pytest.fixture(scope="session")

@@ -35,8 +35,8 @@ def paper(seeds: Seeds = None, figures: Folder = None, as_json: AsJson = False) 
     do_without()
     with Progress() as progress:
         claims = study.run(seeds or study.SETS, progress)
-        solved = solving.solve(clips.loaded("run_and_step"), progress)
-        claims += study.clip_claims(report(solved.clip, solved.motion))
+        clip = clips.loaded("run_and_step")
+        claims += study.clip_claims(report(clip, solving.solve(clip, progress)))
     if as_json:
         print(json.dumps(claim.as_json(claims), indent=2))
     else:

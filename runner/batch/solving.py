@@ -94,20 +94,21 @@ def solve(task: Task, folder: Path) -> Result:
 
 def _solve(task: Task, folder: Path) -> Result:
     from .. import recordings, solving
-    from ..measure.violation import plain
+    from ..measure.violation import plain, violations
     from ..system.progress import silent
 
     source, figure = task.clip, task.others.get("figure")
     where = str(folder / source) if Path(source).suffix else source
     problem = recordings.load(where, figure_file=figure and str(folder / figure), fps=task.options.fps)
-    result = solving.solve(problem, silent(), measure=task.options.report)
-    return replace(_write(result.motion, task, folder, task.options.fps), violations=tuple(plain(result.violations)))
+    saved = solving.solve(problem, silent(), with_report=task.options.report)
+    listed = tuple(plain(violations(problem, saved)))
+    return replace(_write(saved, task, folder, task.options.fps), violations=listed)
 
 
 def _clean(task: Task, cleaning: Source, folder: Path) -> Result:
     from ..clean import command
+    from ..clip.load import clip_from_motion
     from ..measure import violation
-    from ..solving import Solved
     from ..system.progress import silent
 
     options, others = task.options, {word: folder / path for word, path in task.others.items()}
@@ -115,8 +116,9 @@ def _clean(task: Task, cleaning: Source, folder: Path) -> Result:
     files = {"file": folder / task.clip, "scene": others.get("scene"), "map": others.get("map")}
     source = replace(cleaning, figure=figure, fps=options.fps, **files)
     saved = command.clean_recording(source, silent())
-    violations = violation.plain(violation.by_name(Solved.of(saved).violations))
-    return replace(_write(saved, task, folder, None), violations=tuple(violations))
+    violations = violation.violations(clip_from_motion(saved), saved)
+    listed = tuple(violation.plain(violation.by_name(violations)))
+    return replace(_write(saved, task, folder, None), violations=listed)
 
 
 def _write(saved: Saved, task: Task, folder: Path, fps: float | None) -> Result:

@@ -15,7 +15,7 @@ from dynsplines.solver.problem import Improvement
 
 from .. import motion
 from ..clip.kinds import Options
-from ..clip.load import figure_of, obstacles
+from ..clip.load import clip_from_motion, figure_of, obstacles
 from ..clip.parse import file_of
 from ..clip.table import MapTable, SceneTable, SurroundingsTable
 from ..clip.tracking.problem import rests_of, tracking_context
@@ -30,7 +30,6 @@ from ..measure.report import compare
 from ..motion import Saved
 from ..scene import file_access
 from ..scene.assets import Scene
-from ..solving import Solved
 from ..system.output import check_target
 from ..system.progress import Progress, silent
 from .cleaning import Cleaned, clean, displacements
@@ -95,8 +94,7 @@ def run(
         motion.save(saved, target)
     else:
         formats.export(saved, form.name, target, overwrite=overwrite, report=progress.report)
-    solved = Solved.of(saved)
-    before, after = Measurement.sides(solved.clip, solved.motion)
+    before, after = Measurement.sides(clip_from_motion(saved), saved)
     progress.console.print(compare(before, after))
     violations = violation.by_name(violation.violations_of(after))
     for line in (f"wrote {target}", *violation.lines(violations, None if form else target)):

@@ -12,15 +12,15 @@ from dynsplines import models
 from .. import motion, recordings, solving
 from ..clip.build import Clip
 from ..clip.half_cycle import MIRRORED, whole_cycle
+from ..clip.load import clip_from_motion
 from ..clip.mirror import mirrored_tables
 from ..clip.parse import Parsed, table_of
 from ..clip.table import ClipTable, PenaltyTable
 from ..clip.text import text_of
 from ..errors import UserError
 from ..measure.bounds import Violation
-from ..measure.violation import is_recording
+from ..measure.violation import is_recording, violations
 from ..motion import Saved
-from ..solving import Solved
 from ..system.output import Replacement, check_target
 from ..system.progress import Progress
 from . import edits
@@ -112,10 +112,10 @@ def _write_motion(edited: Saved, word: str, target: Path, source: Clip | Saved) 
     """Write a motion edited from another one. Messages do not refer to keyframes that are samples of a recording."""
     saved = replace(edited, name=target.stem, search={"stopped because": f"not searched: {word}"})
     motion.save(saved, target)
-    violations = Solved.of(saved).violations
+    listed = violations(clip_from_motion(saved), saved)
     if edits.follows_recording(source) or (isinstance(source, Saved) and is_recording(source)):
-        violations = tuple(each for each in violations if each.keyframe is None)
-    return target, violations
+        listed = tuple(each for each in listed if each.keyframe is None)
+    return target, listed
 
 
 def _write_clip(table: ClipTable, source: str, target: Path) -> Written:

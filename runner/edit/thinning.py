@@ -84,7 +84,7 @@ def thin_motion(
         progress.step("thinning", None, note)
 
     def solved(keys: Sequence[Frame]) -> Timeline:
-        return solving.solve(of_motion(replace(saved, keys=tuple(keys))), progress).motion.timeline
+        return solving.solve(of_motion(replace(saved, keys=tuple(keys))), progress).timeline
 
     loosely = replace(recorded, distance=LOOSE * distance, angle=LOOSE * angle)
     if solve:
@@ -169,7 +169,7 @@ def run(
         motion.save(compact, target)
     else:
         clip_text.write(compact, target, overwrite=overwrite)
-        timeline = solving.solve(recordings.load(str(target)), progress).motion.timeline
+        timeline = solving.solve(recordings.load(str(target)), progress).timeline
         after = MotionDifference.of(recorded, timeline)
         is_exceeded = recorded.excess(timeline).max() > 1 + 1e-6  # numbers in a file are rounded
         beyond = "; more than requested: use --solve to stay within it" if is_exceeded else ""

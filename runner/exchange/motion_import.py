@@ -85,7 +85,7 @@ def import_recording(
     if pose := gaps.initial_pose(clip.figure.model, record.time, record.qpos):
         start = np.ceil(1000 * record.time[pose] - 1e-6) / 1000
         progress.report(f"note: {gaps.POSE} {record.time[pose]:.3f} s: `dynsplines trim --from {start:g}` removes it")
-    return raw_spline(clip).motion
+    return raw_spline(clip)
 
 
 def _unwrap(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, tuple[str, ...]]:

@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 
 from dynsplines.solver.array import Array, Index
-from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.dynamics import Size
 from dynsplines.solver.search.minimum import Stop
 
@@ -28,13 +27,9 @@ from .measurement import Measurement, feet_of
 MAX_LINES = 10  # most violations that are printed
 
 
-def violations(clip: Clip, timeline: Timeline, raw: Timeline, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:
-    """Return the violations of a timeline of a clip, worst first.
-
-    raw   the raw spline through its keyframes, the reference for angular accelerations
-    stop  why the search ended
-    """
-    return violations_of(Measurement.of(clip, timeline, raw), stop)
+def violations(clip: Clip, motion: Saved) -> tuple[Violation, ...]:
+    """Return the violations of a motion that solves a clip, worst first."""
+    return violations_of(Measurement.of(clip, motion.timeline, motion.raw), motion.stop)
 
 
 def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:

@@ -226,7 +226,7 @@ def inbetween(clip: Clip | str | os.PathLike[str], *, progress: bool = False) ->
     """
     heard = Progress() if progress else silent()
     problem = clip if isinstance(clip, Clip) else load(clip)
-    return Motion(solving.solve(problem, heard).motion, problem)
+    return Motion(solving.solve(problem, heard), problem)
 
 
 @as_python_warnings()

@@ -23,14 +23,16 @@ from dynsplines.solver.tolerances import ROUNDING
 from .. import motion as files
 from ..clip import text as clip_text
 from ..clip.build import Clip
+from ..clip.load import clip_from_motion
 from ..edit import edits, thinning
 from ..edit.thinning import MotionDifference
 from ..errors import UserError
 from ..measure.bounds import Violation
 from ..measure.forces import Forces
 from ..measure.report import tables
+from ..measure.violation import violations
 from ..motion import Sampled, Saved
-from ..solving import Solved
+from ..solving import measure
 from ..system.mujoco_warnings import as_python_warnings
 from ..system.output import check_target
 from ..system.progress import Progress, silent
@@ -115,10 +117,10 @@ class Motion:
         return self.saved.mjcf
 
     @cached_property
-    def _result(self) -> Solved:
-        return Solved.of(self.saved) if self._clip is None else Solved(self._clip, self.saved)
+    def _problem(self) -> Clip:
+        return clip_from_motion(self.saved) if self._clip is None else self._clip
 
-    @cached_property
+    @property
     def clip(self) -> Clip:
         """The clip that was solved. A file does not store custom penalties: a warning lists them."""
         names = self.saved.search.get("custom penalties")
@@ -126,7 +128,7 @@ class Motion:
             called = " and ".join(f"'{name}'" for name in names)
             line = f"its search also had the custom penalty {called}, which files do not contain; pass it again"
             warnings.warn(f"{self.name}: {line}", stacklevel=2)
-        return self._result.clip
+        return self._problem
 
     @cached_property
     def before(self) -> Motion:
@@ -249,7 +251,7 @@ class Motion:
     @cached_property
     @as_python_warnings()
     def _report(self) -> Report:
-        return Report(self.saved.report or self._result.measure(silent()).report)
+        return Report(self.saved.report or measure(self._problem, self.saved, silent()).report)
 
     @property
     def _saved_with_report(self) -> Saved:
@@ -274,7 +276,7 @@ class Motion:
     @cached_property
     @as_python_warnings()
     def _violations(self) -> tuple[Violation, ...]:
-        return self._result.violations
+        return violations(self._problem, self.saved)
 
     def difference(self, other: Motion) -> MotionDifference:
         """Compare the positions and rotations of all bodies with those in another motion of the same figure.

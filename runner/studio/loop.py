@@ -277,9 +277,10 @@ class SolverLoop:
         """Send the present path's violations, and the reason for the end of the search."""
         clip, solution = self.clip, self.solution
         assert clip is not None and solution is not None
-        from ..measure.violation import plain, violations  # imported late: the figure is already shown
+        from ..measure.measurement import Measurement  # imported late: the figure is already shown
+        from ..measure.violation import plain, violations_of
 
-        listed = plain(violations(clip, solution.timeline, solution.raw))
+        listed = plain(violations_of(Measurement.of(clip, solution.timeline, solution.raw)))
         frames = solution.timeline.times.tolist()
         marks = overshoots(clip.figure, clip.authored_keys, solution.timeline)
         self._report("settled", revision=self.revision, stop=stop, violations=listed, frames=frames, overshoots=marks)

@@ -31,6 +31,7 @@ from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.motion_import import import_recording
 from dynsplines.measure.report import keyframe_error
+from dynsplines.measure.violation import violations
 from dynsplines.motion import Saved
 from dynsplines.scene.compose import figure_spec
 
@@ -73,12 +74,11 @@ FIGURES = (
 def _saved(figure: str) -> Saved:
     """A motion of a few frames, good to be written in any format."""
     if figure == "tiny":
-        return solving.raw_spline(
-            recordings.from_text(problems.CLIP, name="tiny", spec=mujoco.MjSpec.from_string(problems.FIGURE))
-        ).measure(quiet())
+        clip = recordings.from_text(problems.CLIP, name="tiny", spec=mujoco.MjSpec.from_string(problems.FIGURE))
+        return solving.measure(clip, solving.raw_spline(clip), quiet())
     saved = motions.motion_of("human") if figure == "human" else motions.through(figure, *_robot_keys())
     clip = clips.of_motion(saved)
-    return solving.raw_spline(with_keys(clip, list(clip.keys)[:3])).motion
+    return solving.raw_spline(with_keys(clip, list(clip.keys)[:3]))
 
 
 def _robot_keys() -> tuple[Any, Any]:
@@ -162,7 +162,7 @@ def _solve(path: Path) -> None:
     own = clip.settings
     few = {"max_evaluations": min(own.max_evaluations, FEW), "frames": min(own.frames or 0, FEW)}
     clip = clip.with_problem(settings=replace(own, variable=min(own.variable or 0, 1), **few))
-    timeline = solving.solve(clip, quiet()).motion.timeline
+    timeline = solving.solve(clip, quiet()).timeline
     assert np.isfinite(timeline.rows).all(), "a motion that is not finite"
     largest = max(1.0, *(float(np.abs(key.state[key.fixed]).max(initial=0.0)) for key in clip.keys))
     error = keyframe_error(clip, timeline)
@@ -171,7 +171,7 @@ def _solve(path: Path) -> None:
 
 def _read_motion(path: Path) -> None:
     saved = motion.load(path)
-    assert isinstance(solving.Solved.of(saved).violations, tuple)
+    assert isinstance(violations(clips.clip_from_motion(saved), saved), tuple)
     if saved.timeline.times[-1] - saved.timeline.times[0] <= MOST_SECONDS:
         formats.export(saved, "csv", path.with_name("out.csv"), fps=10.0)
 

@@ -92,7 +92,7 @@ def test_a_clip_whose_quaternions_come_near_zero_is_never_worse_than_its_raw_spl
 
 def assert_no_worse(clip: Clip) -> None:
     """Searched, and held against its raw spline on a grid of its own."""
-    motion = solving.solve(clip, quiet()).motion
+    motion = solving.solve(clip, quiet())
     assert np.isfinite(motion.timeline.rows).all()
     assert keyframe_error(clip, motion.timeline) <= EXACT
     edges = common_grid([motion.timeline, motion.raw])

@@ -97,7 +97,7 @@ def test_the_cartwheel_goes_over_left_hand_right_hand_right_foot():
 
 def test_a_clip_whose_keyframes_move_a_little_does_not_whip(monkeypatch):
     shipped.share(monkeypatch)
-    monkeypatch.setattr(perturbed, "solved", lambda clip: solving.solve(clip, quiet()).motion)
+    monkeypatch.setattr(perturbed, "solved", lambda clip: solving.solve(clip, quiet()))
     section = perturbed.compared(["run_loop"], [0], Effort(quick=True, report=lambda _: None))
     assert [target.met for target in section.targets] == [True] * 3
     (outcome,) = section.data["sets"]
@@ -148,10 +148,9 @@ def test_a_limb_goes_through_an_obstacle_on_the_raw_spline_and_at_most_two_milli
     tmp_path: Path, obstacle: str
 ):
     (tmp_path / "limb.xml").write_text(LIMB.replace("{obstacle}", OBSTACLES[obstacle]), encoding="utf-8")
-    solved = solving.solve(recordings.from_text(CLIP, name="limb", folder=tmp_path), quiet())
-    figure, deepest = solved.clip.figure, []
-    for side in (solved.motion.before, solved.motion):
+    saved, deepest = solving.solve(recordings.from_text(CLIP, name="limb", folder=tmp_path), quiet()), []
+    for side in (saved.before, saved):
         run = Sampled.of(side, 1000.0)
-        deepest.append(penetration(figure.model, run.time, run.qpos).deepest)
+        deepest.append(penetration(saved.figure.model, run.time, run.qpos).deepest)
     assert deepest[0] > 0.015
     assert deepest[1] <= 0.002

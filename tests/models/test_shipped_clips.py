@@ -162,9 +162,7 @@ UNHINDERED = {"tumble", "reach_on_stairs"}  # the raw spline breaks nothing: it 
 
 
 def problems_of(move: Move, *, raw: bool):
-    if raw:
-        return violations(move.clip, move.motion.raw, move.motion.raw)
-    return violations(move.clip, move.motion.timeline, move.motion.raw, move.motion.stop)
+    return violations(move.clip, move.motion.before if raw else move.motion)
 
 
 @pytest.mark.parametrize("name", models.clips())

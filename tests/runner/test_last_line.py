@@ -125,7 +125,7 @@ def test_names_in_a_table_are_no_formulas_and_come_back(tmp_path: Path):
     model = mujoco.MjSpec.from_string(f"<mujoco><worldbody>{hinges}{'</body>' * len(names)}</worldbody></mujoco>")
     qpos = np.arange(2.0 * len(names)).reshape(2, -1) / 100
     clip = build(model, [Keyframe(t, qpos=row) for t, row in enumerate(qpos)], fps=10)
-    saved = solving.raw_spline(clip).motion
+    saved = solving.raw_spline(clip)
     target = formats.export(saved, "csv", tmp_path / "m.csv")
     with target.open(newline="", encoding="utf-8") as stream:
         heading = next(csv.reader(stream))

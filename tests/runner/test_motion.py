@@ -8,12 +8,12 @@ import mujoco
 import numpy as np
 import pytest
 from oracles import aligned
+from shipped import Move
 
 from dynsplines import motion
 from dynsplines.errors import UserError
 from dynsplines.motion import Sampled, Saved, load, save
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solving import Solved
 
 
 @pytest.fixture(scope="module")
@@ -76,7 +76,7 @@ def test_velocities_and_accelerations_are_mujocos(saved: Saved):
         np.testing.assert_allclose(fine.qacc[1:-1][smooth], slope[smooth], atol=1e-3 * np.abs(slope).max())
 
 
-def test_keyframes_are_met_with_the_paths_own_sign(arrays, solved: Solved):
+def test_keyframes_are_met_with_the_paths_own_sign(arrays, solved: Move):
     wanted = np.array([key.state for key in solved.clip.keys])
     reached, fixed = arrays["key_qpos"], arrays["key_fixed"]
     np.testing.assert_array_equal(fixed, [key.fixed for key in solved.clip.keys])
@@ -87,7 +87,7 @@ def test_keyframes_are_met_with_the_paths_own_sign(arrays, solved: Solved):
     np.testing.assert_allclose(reached[0], arrays["qpos"][0], atol=1e-12)
 
 
-def test_frames_in_the_file_rebuild_the_path_exactly(motion_file: Path, solved: Solved):
+def test_frames_in_the_file_rebuild_the_path_exactly(motion_file: Path, solved: Move):
     again = load(motion_file)
     times = np.linspace(0, 0.41, 300)
     for order in range(3):

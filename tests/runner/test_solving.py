@@ -32,17 +32,13 @@ class Listening(Progress):
             raise KeyboardInterrupt
 
 
-def value(solved: solving.Solved) -> float:
-    return solved.clip.problem.objective.value(solved.motion.path)
-
-
 def test_every_improvement_is_reported_and_the_last_line_sums_up(problem):
     progress = Listening()
     solved = solving.solve(problem, progress)
-    assert len(progress.steps) == len(solved.motion.trace) + 1
+    assert len(progress.steps) == len(solved.trace) + 1
     assert "->" in progress.steps[-1]
-    assert solved.motion.search["seconds"] > 0
-    values = [entry[2] for entry in solved.motion.trace]
+    assert solved.search["seconds"] > 0
+    values = [entry[2] for entry in solved.trace]
     assert values == sorted(values, reverse=True)
     assert values[-1] < 0.9 * values[0]
 
@@ -62,15 +58,16 @@ def test_what_was_not_found_is_reported_first(tmp_path):
 def test_an_interrupted_solve_keeps_the_best_path(problem):
     progress = Listening(interrupt_at=4)
     solved = solving.solve(problem, progress)
-    assert solved.motion.stop is Stop.INTERRUPTED
-    assert len(solved.motion.trace) == 4
+    assert solved.stop is Stop.INTERRUPTED
+    assert len(solved.trace) == 4
     assert "the best path so far is kept" in progress.out.getvalue()
-    assert value(solved) == pytest.approx(solved.motion.trace[-1][2], rel=1e-9)
-    assert value(solved) < value(solving.raw_spline(solved.clip))
+    value = problem.problem.objective.value(solved.path)
+    assert value == pytest.approx(solved.trace[-1][2], rel=1e-9)
+    assert value < problem.problem.objective.value(solving.raw_spline(problem).path)
 
 
 def test_unsolved_is_the_raw_spline_through_the_keyframes(problem):
     solved = solving.raw_spline(problem)
-    assert solved.motion.timeline is solved.motion.raw
-    assert solved.motion.report == solved.motion.search == {}
-    assert solved.motion.timeline.times.tolist() == [0, 0.2, 0.41]
+    assert solved.timeline is solved.raw
+    assert solved.report == solved.search == {}
+    assert solved.timeline.times.tolist() == [0, 0.2, 0.41]

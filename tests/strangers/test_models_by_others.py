@@ -51,11 +51,12 @@ def test_a_model_by_others_becomes_a_clip_that_is_solved_and_drawn_without_an_ed
     problem = recordings.load(str(target))
     assert len(problem.context.points) == soles
     settings = replace(problem.settings, max_evaluations=EVALUATIONS, frames=FRAMES)
-    found = solving.solve(problem.with_problem(settings=settings), quiet())
-    assert found.motion.trace[-1][2] <= found.motion.trace[0][2]
+    problem = problem.with_problem(settings=settings)
+    found = solving.solve(problem, quiet())
+    assert found.trace[-1][2] <= found.trace[0][2]
     small = problem.figure.width <= SMALL
-    saved = found.measure(quiet()) if small else found.motion
-    error = saved.report["after"]["keyframe error"] if small else keyframe_error(problem, found.motion.timeline)
+    saved = solving.measure(problem, found, quiet()) if small else found
+    error = saved.report["after"]["keyframe error"] if small else keyframe_error(problem, found.timeline)
     assert error <= 1e-12
     motion.save(saved, tmp_path / "its.npz")
     again = motion.load(tmp_path / "its.npz")

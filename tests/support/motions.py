@@ -15,6 +15,8 @@ from dynsplines.clip.posing.places import sole_points
 from dynsplines.exchange import formats
 from dynsplines.exchange.motion_import import read_recording
 from dynsplines.exchange.recording import Recording
+from dynsplines.measure.bounds import Violation
+from dynsplines.measure.violation import violations
 from dynsplines.motion import Sampled, Saved
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
@@ -26,7 +28,6 @@ from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point, places_of
-from dynsplines.solving import Solved
 
 # Motions without any symmetry, for tests of formats: a root that travels and turns about all axes, joints anywhere.
 
@@ -54,7 +55,12 @@ def motion_of(figure: str, *, seed: int = 3, spread: float = 0.9, start: float =
 def through(figure: str, time: np.ndarray, qpos: np.ndarray) -> Saved:
     """The spline through keyframes."""
     found = clip.from_qpos("wild", compose(figure_spec(figure)), time, qpos, FPS, "wild")
-    return solving.raw_spline(found).motion
+    return solving.raw_spline(found)
+
+
+def raw_violations(problem: clip.Clip) -> tuple[Violation, ...]:
+    """The violations of the raw spline through a clip's keyframes."""
+    return violations(problem, solving.raw_spline(problem))
 
 
 def samples(saved: Saved, fps: float | None = None) -> Sampled:
@@ -123,14 +129,14 @@ def moved(fps: float = 24.0, text: str = PUPPET, name: str = "puppet", count: in
     assert np.all(np.ptp(qpos, axis=0) > 0.01)
     spec = mujoco.MjSpec.from_string(text)
     found = clip.from_qpos(name, compose(spec), np.arange(count) / 12.0, qpos, fps, name)
-    return solving.raw_spline(found).motion
+    return solving.raw_spline(found)
 
 
 def uncleaned(recording: Recording) -> Saved:
     """A recording as it is."""
     assert recording.scene is not None
     parts = recording.name, recording.scene, recording.time, recording.qpos, recording.rate, recording.name
-    return solving.raw_spline(clip.from_qpos(*parts)).motion
+    return solving.raw_spline(clip.from_qpos(*parts))
 
 
 # A motion as a bad recording has it: it slides, sinks and hovers, shakes, and misses samples.
@@ -148,10 +154,9 @@ class Take:
     qpos: np.ndarray
 
     @classmethod
-    def of(cls, solved: Solved, fps: float) -> Self:
-        figure = solved.clip.figure
-        samples = Sampled.of(solved.motion, fps)
-        return cls(figure, samples.time, samples.qpos)
+    def of(cls, saved: Saved, fps: float) -> Self:
+        samples = Sampled.of(saved, fps)
+        return cls(saved.figure, samples.time, samples.qpos)
 
     def sliding(self, rng: np.random.Generator) -> np.ndarray:
         """qpos of a root that slides, sinks and hovers."""

@@ -31,7 +31,6 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Attachment, BendLimits, Sum
 from dynsplines.solver.surface.points import places_of
 from dynsplines.solver.surface.touch import movers
-from dynsplines.solving import Solved
 from dynsplines.system.progress import Progress
 
 # Shipped clips, solved once for all tests of a run, whichever of its processes asks first.
@@ -63,15 +62,15 @@ def loaded(name: str) -> Clip:
 
 
 @cache
-def solved(name: str) -> Solved:
-    """A shipped clip as `dynsplines solve` solves it."""
+def solved(name: str) -> Saved:
+    """The motion of a shipped clip as `dynsplines solve` solves it."""
     return _cached(loaded(name), quiet(), SOLVE)
 
 
 @cache
 def unsolved(name: str) -> Saved:
     """The raw motion of a shipped clip, without a report."""
-    return solving.raw_spline(loaded(name)).motion
+    return solving.raw_spline(loaded(name))
 
 
 def follow() -> None:
@@ -79,23 +78,22 @@ def follow() -> None:
 
     @lru_cache
     def shared(name: str) -> Saved:
-        return solved(name).motion
+        return solved(name)
 
     recordings._shipped_motion = shared
 
 
-def _cached(problem: Clip, progress: Progress, solve: Callable[[Clip, Progress], Solved]) -> Solved:
+def _cached(problem: Clip, progress: Progress, solve: Callable[[Clip, Progress], Saved]) -> Saved:
     file = Path(os.environ[PLACE]) / _key(problem)
     with _locked(file.with_suffix(".lock")):
         if not file.exists():
-            motion = (solved := solve(problem, progress)).motion
+            motion = solve(problem, progress)
             timeline = None if motion.timeline is motion.raw else replace(motion.timeline)  # without its cached spline
             file.write_bytes(pickle.dumps((timeline, motion.trace, motion.search)))
-            return solved
+            return motion
         timeline, trace, search = pickle.loads(file.read_bytes())
-    raw = solving.raw_spline(problem).motion
-    motion = replace(raw, timeline=timeline or raw.timeline, trace=trace, search=search)
-    return Solved(problem, motion)
+    raw = solving.raw_spline(problem)
+    return replace(raw, timeline=timeline or raw.timeline, trace=trace, search=search)
 
 
 def _key(problem: Clip) -> str:
@@ -113,7 +111,7 @@ def share(monkeypatch: pytest.MonkeyPatch) -> None:
     """From here on whatever is solved in a test is solved once for all tests of a run that ask for the same."""
     solve = solving.solve
 
-    def shared(problem: Clip, progress: Progress, **more: Any) -> Solved:
+    def shared(problem: Clip, progress: Progress, **more: Any) -> Saved:
         return (
             solve(problem, progress, **more) if more or problem.custom_penalties else _cached(problem, progress, solve)
         )
@@ -242,8 +240,7 @@ class Move:
 @cache
 def of(name: str) -> Move:
     """A shipped clip, solved once in a run of the tests."""
-    done = solved(name)
-    return Move(done.clip, done.motion)
+    return Move(loaded(name), solved(name))
 
 
 def in_carried(clip: Clip, time: Array, qpos: Array) -> dict[str, Any]:

@@ -100,10 +100,10 @@ class Results:
         return Dip.of(self.runner, self.runner.raw)
 
     def _solved(self, name: str) -> Saved:
-        solution = solving.solve(loaded(name), self.progress)
+        motion = solving.solve(loaded(name), self.progress)
         if signals.was_received():  # a search that is cut short is no result
             raise KeyboardInterrupt
-        return solution.motion
+        return motion
 
 
 Figure = tuple[Picture, str]

@@ -26,7 +26,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Two recordings, one below the other's folder, one that is none, and files of other kinds."""
     folder = tmp_path_factory.mktemp("recordings")
     (folder / "more").mkdir()
-    walk = edits.trim(shipped.solved("walk_loop").motion, 0.1, 0.7)
+    walk = edits.trim(shipped.solved("walk_loop"), 0.1, 0.7)
     formats.export(walk, "bvh", folder / "walk.bvh", fps=30)
     formats.export(walk, "csv", folder / "more" / "turn.csv", fps=40)
     (folder / "torn.bvh").write_text("HIERARCHY\nROOT", encoding="utf-8")

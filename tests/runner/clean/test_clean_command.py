@@ -37,7 +37,7 @@ def squats(tmp_path_factory: pytest.TempPathFactory) -> Path:
     qpos[:, 2] += 0.015 * np.sin(6 * TIMES) - lowest
     qpos[:, 0] += 0.06 * TIMES
     found = clips.from_qpos("bobs", scene, TIMES, qpos, 30.0, "bobs")
-    saved = raw_spline(found).motion
+    saved = raw_spline(found)
     motion.save(saved, folder / "bobs.npz")
     formats.export(saved, "bvh", folder / "bobs.bvh")
     formats.export(saved, "csv", folder / "bobs.csv")
@@ -119,7 +119,7 @@ def test_a_heel_at_rest_in_the_air_is_named_and_does_not_stand(command, tmp_path
     monkeypatch.chdir(tmp_path)
     take = kneeling(15, np.radians(36))
     found = clips.from_qpos("kneels", compose(figure_spec("human")), take.time, take.qpos, 15.0, "kneels")
-    motion.save(raw_spline(found).motion, tmp_path / "kneels.npz")
+    motion.save(raw_spline(found), tmp_path / "kneels.npz")
     done = command("clean", "kneels.npz", "-o", "a.npz")
     assert done.code == 0, done.err
     (note,) = [line for line in done.err.splitlines() if "right_heel rests above the ground" in line]

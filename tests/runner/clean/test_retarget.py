@@ -34,7 +34,7 @@ from dynsplines.system.progress import Progress
 def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder with a walk as BVH, and the robot."""
     folder = tmp_path_factory.mktemp("robot")
-    saved = shipped.solved("walk_loop").motion
+    saved = shipped.solved("walk_loop")
     formats.export(saved, "bvh", folder / "walk.bvh", fps=15)
     (folder / "android.xml").write_text(ANDROID, encoding="utf-8")
     return folder
@@ -87,7 +87,7 @@ def test_the_robot_walks_on_the_ground_in_its_ranges(walked):
             values = qpos[:, model.jnt_qposadr[joint]]
             first, last = model.jnt_range[joint]
             assert first - 1e-4 <= values.min() <= values.max() <= last + 1e-4, model.joint(joint).name
-    source = shipped.solved("walk_loop").motion.timeline
+    source = shipped.solved("walk_loop").timeline
     far = source.states[-1, 0] - source.states[0, 0]
     assert qpos[-1, 0] - qpos[0, 0] == pytest.approx(0.68 / 0.85 * far, rel=0.2)  # as its legs are long
     assert np.degrees(np.ptp(qpos[:, model.joint("left_knee").qposadr[0]])) > 30

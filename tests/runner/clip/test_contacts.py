@@ -3,12 +3,13 @@
 import mujoco
 import numpy as np
 import pytest
+from motions import raw_violations
 from oracles import kinematics
 from shipped import in_carried
 from texts import read_data
 
 import dynsplines
-from dynsplines import Keyframe, Motion, recordings, solving
+from dynsplines import Keyframe, Motion, recordings
 from dynsplines.clip import load as clips
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
@@ -131,8 +132,8 @@ def test_the_distance_from_a_specified_position_is_reported_if_keyframes_put_the
     heel = next(point for point in loaded.context.points if point.name == "left_heel")
     x, y, z = places_of([heel], Samples.still(loaded.figure, loaded.context.keys.states))[0][:, 0, 0]
     contact = f'point = "left_heel"\nfrom = 0\nto = 1\nposition = [{x + off}, {y}, {z}]'
-    at_rest = solving.raw_spline(recordings.from_text(text(contact), name="stand"))
-    rows = [violation for violation in at_rest.violations if violation.kind == "contact"]
+    at_rest = raw_violations(recordings.from_text(text(contact), name="stand"))
+    rows = [violation for violation in at_rest if violation.kind == "contact"]
     assert bool(rows) == (off > 0.01)
     assert all(violation.amount == pytest.approx(off, abs=1e-6) for violation in rows)
 
@@ -179,8 +180,8 @@ def lift(*more: str, hands: tuple[str, ...] = ("left", "right")) -> str:
 
 @pytest.mark.slow
 def test_a_crate_that_nothing_holds_in_the_air_floats():
-    result = solving.raw_spline(recordings.from_text(lift(keyframe(2.7, STANDING, AT)), name="lift"))
-    floating = [violation for violation in result.violations if violation.kind == "float"]
+    result = raw_violations(recordings.from_text(lift(keyframe(2.7, STANDING, AT)), name="lift"))
+    floating = [violation for violation in result if violation.kind == "float"]
     assert {violation.name for violation in floating} == {"crate"}
     times = np.array([violation.time for violation in floating])
     assert np.all((times < 0.6) | (times > 1.5)) and times.min() < 0.6 and times.max() > 1.5
@@ -344,15 +345,15 @@ def test_a_saved_motion_holds_the_body_at_the_same_places(carrying, tmp_path):
 
 def test_a_hand_stays_within_millimetres_where_the_raw_spline_loses_the_block_and_the_report_says_so(carrying):
     clip, saved, reported = carrying.clip, carrying.saved, carrying.report()
-    for timeline, side, is_raw in ((saved.timeline, "after", False), (saved.raw, "before", True)):
+    for motion, side, is_raw in ((saved, "after", False), (saved.before, "before", True)):
         row = reported[side]["largest"]["grasp"]
         assert (row["name"], row["unit"]) == ("hand", "m")
-        states = clip.figure.to_qpos(path_of(timeline).at(np.linspace(0.0, 1.0, 200)))
+        states = clip.figure.to_qpos(motion.path.at(np.linspace(0.0, 1.0, 200)))
         track = np.array([place(clip, qpos, "hand", "block") for qpos in states])
         moved = np.linalg.norm(track - track[0], axis=1).max()
         assert row["amount"] == pytest.approx(moved, abs=3e-4)
         assert moved > 0.006 if is_raw else moved <= 0.003
-        lost = {each.name for each in violations(clip, timeline, saved.raw) if each.kind == "grasp"}
+        lost = {each.name for each in violations(clip, motion) if each.kind == "grasp"}
         assert bool(lost) == is_raw
     time = np.linspace(0.0, 1.0, 60)
     found = in_carried(clip, time, carrying.at(time))

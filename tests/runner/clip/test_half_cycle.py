@@ -45,7 +45,7 @@ def test_half_a_walk_is_the_walk_also_when_it_is_saved_or_written_as_a_whole(tmp
     assert stances[0] == stances[1]
 
     solved = half.with_problem(settings=replace(half.settings, max_evaluations=1))
-    again = clip_from_motion(solving.solve(solved, Progress()).motion)
+    again = clip_from_motion(solving.solve(solved, Progress()))
     assert {p.name for p, _ in again.penalties} == {p.name for p, _ in half.penalties}
     assert again.context.schedule.on_ground and len(again.keys) == len(half.keys)
 

@@ -202,8 +202,7 @@ SWING = read_data("swing.toml")
 
 
 def solved(problem: clip.Clip) -> dict:
-    found = solving.solve(problem, quiet())
-    return report(found.clip, found.motion)
+    return report(problem, solving.solve(problem, quiet()))
 
 
 @pytest.mark.slow
@@ -239,9 +238,8 @@ def test_a_slide_beyond_its_range_is_reported_in_metres(tmp_path):
     )
     text = HINGE.format(keys="").replace('name="slide"', 'name="slide" limited="true" range="-.1 .2"')
     (tmp_path / "hinge.xml").write_text(text, encoding="utf-8")
-    data = report((one := solving.raw_spline(recordings.load(str(path)))).clip, one.motion)["after"]["largest"][
-        "travel"
-    ]
+    clip = recordings.load(str(path))
+    data = report(clip, solving.raw_spline(clip))["after"]["largest"]["travel"]
     assert data["unit"] == "m"
     assert 0.1 <= data["amount"] < 0.3
 

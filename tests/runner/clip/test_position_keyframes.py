@@ -87,7 +87,7 @@ def test_a_site_is_where_the_keyframe_specifies_and_stays_so_in_the_motion(other
         same = {n for n in EVERY if np.array_equal(_own(problem, key.state, n), _own(problem, rest.state, n))}
         assert same == EVERY - leg
         np.testing.assert_array_equal(held.state, key.state)
-    raw = solving.raw_spline(problem).motion
+    raw = solving.raw_spline(problem)
     there = seen(problem, raw.at(0.8)[0]).site("left_toe").xpos
     np.testing.assert_allclose(there, [0.4, 0.1, 0.27], atol=MET)
 

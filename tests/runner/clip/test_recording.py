@@ -16,15 +16,17 @@ import dynsplines
 from dynsplines import Keyframe, build, motion, recordings, solving
 from dynsplines.clip import load as clips
 from dynsplines.clip.kinds import KINDS, Options
+from dynsplines.clip.load import clip_from_motion
 from dynsplines.clip.tracking.problem import tracking_context
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
+from dynsplines.measure.report import report as measured
+from dynsplines.measure.violation import violations
 from dynsplines.motion import Saved
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import JointRange, Support, TrackingPenalty
-from dynsplines.system.progress import Progress
 
 REACH = """
 figure = "human"
@@ -43,7 +45,7 @@ BARE = 'figure = "human"\n[recording]\nfile = "run.npz"\n'
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """With run_and_step solved."""
     out = tmp_path_factory.mktemp("edits")
-    motion.save(shipped.solved("run_and_step").motion, out / "run.npz")
+    motion.save(shipped.solved("run_and_step"), out / "run.npz")
     (out / "itself.toml").write_text(BARE.replace("run.npz", "itself.toml"), encoding="utf-8")
     return out
 
@@ -178,7 +180,7 @@ def test_a_loop_that_ships_is_followed_as_often_as_the_clip_specifies_and_false_
     qpos = clip.figure.to_qpos(near.recorded.path.at(np.array([0.3, 0.3 + period, 0.3 + 2 * period])))
     np.testing.assert_allclose(np.diff(qpos[:, 0]), 1.38, atol=0.01)
     np.testing.assert_allclose(np.abs(qpos[:, 1:]), np.abs(qpos[[0, 0, 0], 1:]), atol=2e-3)
-    found = solving.raw_spline(clip).motion
+    found = solving.raw_spline(clip)
     changes: list[Any] = [[{}], {"a": 1}, [{"point": "left_toe", "from, s": 1, "to, s": 0}], 3]
     for change in changes:
         with pytest.raises(UserError, match="stances"):
@@ -192,8 +194,7 @@ def test_a_loop_that_ships_is_followed_as_often_as_the_clip_specifies_and_false_
 @pytest.mark.slow
 def test_a_walk_steps_on_to_a_kerb_and_only_the_given_keyframes_are_reported():
     """Contacts lie far from some keyframes, whose poses are found all the same; feet stay out of the kerb."""
-    solved = shipped.solved("step_on_kerb")
-    clip, solution = solved.clip, solved.motion
+    clip, solution = shipped.loaded("step_on_kerb"), shipped.solved("step_on_kerb")
     path, model = path_of(solution.timeline), clip.figure.model
     soles = [model.nbody + model.site(f"{side}_{part}").id for side in ("left", "right") for part in ("heel", "toe")]
     times = np.linspace(0, 3.24, 300)
@@ -201,11 +202,10 @@ def test_a_walk_steps_on_to_a_kerb_and_only_the_given_keyframes_are_reported():
     over = at[..., 2] - np.where(at[..., 0] > 2.63, 0.12, 0.0)
     assert over.min() > -0.01
     assert at[-1, 0, 2] == pytest.approx(0.12, abs=1e-6)
-    assert [violation.text for violation in solved.violations] == []
+    assert [violation.text for violation in violations(clip, solution)] == []
     found = penetration(model, times, clip.figure.to_qpos(path.at(times)))
     assert found.deepest < 0.004, found.worst()
-    saved = solved.motion
-    report = solving.Solved.of(saved).measure(Progress(), "").report
+    report = measured(clip_from_motion(solution), solution)
     assert report["violations"] == []
     assert (report["keyframes"], report["partial keyframes"]) == (3, 3)
     largest = report["after"]["largest"]
@@ -229,7 +229,7 @@ def test_a_target_of_a_hand_in_a_recording_leaves_the_feet_in_their_stances():
 
 
 def test_all_of_a_foot_is_to_stay_out_of_the_ground():
-    figure_39 = shipped.solved("run_loop").clip.figure
+    figure_39 = shipped.loaded("run_loop").figure
     rest = np.tile(figure_39.to_state(figure_39.model.qpos0), (2, 1))
     context = tracking_context(figure_39, np.array([0.0, 1.0]), rest, "rest")
     names = {point.name for point in context.body_above_soles}

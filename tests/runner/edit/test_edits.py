@@ -19,12 +19,15 @@ from texts import read_data
 
 from dynsplines import models, motion, recordings, solving
 from dynsplines.clip import text as clip_text
+from dynsplines.clip.load import clip_from_motion
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.parse import table_of
 from dynsplines.clip.text import tables, text_of
 from dynsplines.edit import edits
 from dynsplines.edit import files as edit_files
 from dynsplines.errors import UserError
+from dynsplines.measure.report import report
+from dynsplines.measure.violation import violations
 from dynsplines.motion import Saved
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.curve.mirror import Mirror
@@ -44,7 +47,7 @@ Edit = Callable[[Saved], Saved]
 
 def solved(text: str, folder: Path) -> Saved:
     found = recordings.load(str(problems.written(folder, text)))
-    return solving.solve(found, quiet()).motion
+    return solving.solve(found, quiet())
 
 
 @pytest.fixture(scope="module")
@@ -137,8 +140,8 @@ def assert_plain(edited: Saved, folder: Path) -> None:
     motion.save(edited, folder / "edited.npz")
     again = motion.load(folder / "edited.npz")
     assert_equal(again, edited)
-    assert isinstance(solving.Solved.of(again).violations, tuple)
-    assert solving.Solved.of(again).measure(quiet(), "edited").report["stopped because"]
+    assert isinstance(violations(clip_from_motion(again), again), tuple)
+    assert solving.measure(clip_from_motion(again), again, quiet(), "edited").report["stopped because"]
 
 
 def test_an_edited_motion_is_followed_as_a_recording(motions, tmp_path):
@@ -163,9 +166,9 @@ def test_a_repeated_loop_has_the_samples_and_keyframes_of_every_period(motions, 
         first, inner, last = (each.fixed for each in loop.keys)
         seam_fixed = first if i == 0 else last if i == 2 * count else first | last
         np.testing.assert_array_equal(key.fixed, inner if i % 2 else seam_fixed)
-    found = solving.Solved.of(many).clip
+    found = clip_from_motion(many)
     assert found.ends == "periodic"
-    seam = solving.Solved.of(many).measure(quiet(), "edited").report["after"]["seam"]
+    seam = report(found, many)["after"]["seam"]
     np.testing.assert_allclose(seam["travel, m"], [0.3 * count, 0, 0.1 * count], atol=1e-12)
     assert max(seam[name] for name in ("state", "first derivative", "second derivative")) < 1e-9
 

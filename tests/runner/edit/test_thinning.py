@@ -26,7 +26,7 @@ FINE = (0.002, np.radians(5))
 def loop(tmp_path_factory: pytest.TempPathFactory) -> Saved:
     """A loop of the tiny figure as its raw spline."""
     path = written(tmp_path_factory.mktemp("loop"), LOOP)
-    return solving.raw_spline(recordings.load(str(path))).motion
+    return solving.raw_spline(recordings.load(str(path)))
 
 
 def run(
@@ -65,7 +65,7 @@ def test_what_is_no_length_is_refused(text):
 def test_the_spline_through_a_thinned_clips_keyframes_is_the_motion_that_was_measured(motion_file, tmp_path, capsys):
     target, measured = tmp_path / "step.toml", motion.load(motion_file)
     run(motion_file, target)
-    again = solving.raw_spline(recordings.load(str(target))).motion
+    again = solving.raw_spline(recordings.load(str(target)))
     told = " ".join(capsys.readouterr().err.split())
     said = re.search(r"(\d+) keyframes of (\d+); at most ([\d.]+) cm at ([\d.]+) s \(([\w ]+)\)", told)
     assert said, told
@@ -103,7 +103,7 @@ def test_a_searched_clip_is_reported_beside_its_spline_and_keeps_the_bound_where
     for file in (tmp_path / "spline.toml", target):
         found = recordings.load(str(file))
         assert found.settings.max_evaluations > 1 and found.settings.variable != 0
-        again = solving.solve(found, Progress()).motion
+        again = solving.solve(found, Progress())
         assert again.timeline.variable_count > 0
         off.append(apart(step, again))
     assert spline <= 0.2 < solved  # few keyframes are too few for what the search changes

@@ -11,11 +11,13 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines import motion, recordings, solving
 from dynsplines.clip import load as clips
+from dynsplines.clip.load import clip_from_motion
 from dynsplines.clip.mirror import mirrored_tables
 from dynsplines.clip.table import ClipTable, KeyframeTable, RootTable, RotationTable, SolveTable
 from dynsplines.edit import edits
 from dynsplines.edit.thinning import recorded_of
 from dynsplines.exchange import formats
+from dynsplines.measure.report import report as measured
 from dynsplines.motion import Saved
 from dynsplines.scene.compose import figure_spec
 from dynsplines.solver.curve.mirror import Mirror
@@ -32,7 +34,7 @@ GIVEN = problems.changed("frames = 2\n", ENDS + "travel = [0.3, 0.1, 0]\nturn = 
 
 
 def solved(folder: Path, text: str) -> Saved:
-    return solving.solve(recordings.load(str(problems.written(folder, text))), quiet()).motion
+    return solving.solve(recordings.load(str(problems.written(folder, text))), quiet())
 
 
 @pytest.fixture(scope="module")
@@ -89,7 +91,7 @@ def test_a_loop_comes_back_turned_and_smooth_and_its_report_contains_it(circle):
     assert np.degrees(seam.headings) == pytest.approx([45])
     np.testing.assert_allclose(seam.travel[:3], [0.3, 0.1, 0], atol=1e-12)
     assert seam.discontinuity(path_of(circle.timeline)).max() < 1e-9
-    report = solving.Solved.of(circle).measure(quiet(), "edited").report
+    report = measured(clip_from_motion(circle), circle)
     for side in ("before", "after"):
         found = report[side]["seam"]
         assert found["turn, degrees"] == pytest.approx(45)

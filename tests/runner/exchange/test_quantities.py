@@ -96,7 +96,7 @@ def test_what_is_unknown_is_not_a_number_and_is_reported(tmp_path):
     text = 'figure = "human"\n'
     for time, x in ((0, 0), (0.3, 0), (1.3, 0.8)):
         text += f'[[keyframe]]\ntime = {time}\nroot.position = [{x}, 0, 0.93]\nothers = "rest"\n'
-    saved, said = solving.raw_spline(recordings.from_text(text, name="away")).motion, []
+    saved, said = solving.raw_spline(recordings.from_text(text, name="away")), []
     path = formats.export(saved, "csv", tmp_path / "a.csv", columns=("ground",), report=said.append)
     forces = Forces.of(Sampled.of(saved))
     assert 0.1 < forces.has_known_support.mean() < 0.5
@@ -123,7 +123,7 @@ def test_a_figure_without_a_root_has_torques_but_no_wrench(tmp_path):
     text = f'figure = "{tmp_path}/arm.xml"\n' + "".join(
         f"[[keyframe]]\ntime = {t}\njoints.turn = {90 * t}\njoints.reach = 0\n" for t in (0, 1)
     )
-    saved = solving.raw_spline(recordings.from_text(text, name="arm")).motion
+    saved = solving.raw_spline(recordings.from_text(text, name="arm"))
     columns, _ = quantities.table(Sampled.of(saved), ("velocities", "torques"))
     assert list(columns) == ["turn.v [rad/s]", "reach.v [m/s]", "turn.t [N m]", "reach.f [N]"]
     assert all(np.isfinite(column).all() for column in columns.values())

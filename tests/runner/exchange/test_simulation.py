@@ -86,7 +86,7 @@ def test_a_light_ball_joint_with_a_strong_spring_has_targets_within_half_a_turn(
 
 @pytest.mark.slow
 def test_the_human_follows_its_motion_and_falls_through_nothing(tmp_path):
-    saved = shipped.solved("walk_loop").motion
+    saved = shipped.solved("walk_loop")
     model, _ = exported(saved, tmp_path)
     end = played(model, LASTS)
     assert np.linalg.norm(end.last[:3]) < 0.2
@@ -101,7 +101,7 @@ def rig(tmp_path_factory):
     folder = tmp_path_factory.mktemp("rig")
     (folder / "rig.xml").write_text(RIG)
     problem = recordings.load(str(clip_file(folder, folder / "rig.xml", *KEYS)))
-    saved = solving.raw_spline(problem).motion
+    saved = solving.raw_spline(problem)
     return saved, exported(saved, folder)[0]
 
 

@@ -5,6 +5,7 @@ import json
 import re
 from collections.abc import Iterator
 from dataclasses import replace
+from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -17,6 +18,7 @@ from processes import largest_file, quiet
 from random_models import evenly
 from rekeyed import with_keys
 from rich.console import Console
+from shipped import Move
 from texts import read_data
 
 from dynsplines import recordings, solving
@@ -28,22 +30,25 @@ from dynsplines.measure.report import report, rows, tables
 from dynsplines.measure.violation import Violation, by_name
 from dynsplines.motion import Sampled
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solving import Solved
 
 FOOT = read_data("foot.xml")
 
 
-def unsolved(folder, keys: list[tuple[float, float, float, float]], head: str = "") -> Solved:
+def unsolved(folder, keys: list[tuple[float, float, float, float]], head: str = "") -> Move:
     """A box whose keyframes are (time, x, y, z) of its middle, upright, as the raw spline has it."""
     text = f'figure = "foot.xml"\n{head}\n'
     for time, x, y, z in keys:
         text += f"[[keyframe]]\ntime = {time}\nroot.position = [{x}, {y}, {z}]\nroot.rotation = {{rotvec=[0,0,0]}}\n"
     written(folder, text, "foot.toml")
     (folder / "foot.xml").write_text(FOOT, encoding="utf-8")
-    return solving.raw_spline(recordings.load(str(folder / "foot.toml")))
+    return raw_move(folder / "foot.toml")
 
 
-def side(solved: Solved) -> dict:
+def raw_move(path: Path) -> Move:
+    return Move(clip := recordings.load(str(path)), solving.raw_spline(clip))
+
+
+def side(solved: Move) -> dict:
     return report(solved.clip, solved.motion)["after"]
 
 
@@ -110,14 +115,14 @@ def test_skate_of_round_feet_is_measured_at_their_lowest_points(tmp_path):
     key = '[[keyframe]]\ntime = {0}\nroot.position = [{0}, 0, 0.4]\nothers = "rest"\n'
     keys = key.format(0.0) + key.format(1.0)
     written(tmp_path, f'figure = "ball.xml"\n[solve]\nends = "free"\n{keys}', "ball.toml")
-    solved = solving.raw_spline(recordings.load(str(tmp_path / "ball.toml")))
+    solved = raw_move(tmp_path / "ball.toml")
     skate = side(solved)["skate"]
     assert skate and all(one["path, m"] == pytest.approx(1) for one in skate.values())
     assert all(one["speed, m/s"] == pytest.approx(1) == one["rest, s"] for one in skate.values())
 
 
 @pytest.mark.slow
-def test_keyframe_error_is_seen_where_a_keyframe_is_missed(solved: Solved):
+def test_keyframe_error_is_seen_where_a_keyframe_is_missed(solved: Move):
     data = report(solved.clip, solved.motion)
     assert data["after"]["keyframe error"] < 1e-12
     key = solved.clip.keys[1]
@@ -130,7 +135,7 @@ def test_keyframe_error_is_seen_where_a_keyframe_is_missed(solved: Solved):
 
 
 @pytest.mark.slow
-def test_what_is_left_to_gain_is_about_what_four_times_the_frames_gain(solved: Solved):
+def test_what_is_left_to_gain_is_about_what_four_times_the_frames_gain(solved: Move):
     motion = solved.motion
     told = report(solved.clip, motion)["left to gain"]
     objective = solved.clip.problem.objective
@@ -161,7 +166,7 @@ def test_a_recording_is_reported_once_and_nothing_is_said_of_a_search(tmp_path):
     assert "samples in all" not in alone.text
 
 
-def test_totals_are_of_the_search_in_strict_json_and_on_the_screen(solved: Solved):
+def test_totals_are_of_the_search_in_strict_json_and_on_the_screen(solved: Move):
     data = report(solved.clip, replace(solved.motion, search=solved.motion.search | {"seconds": 1.25}))
     assert data["after"]["objective"] == pytest.approx(solved.motion.trace[-1][2], rel=1e-9)
     assert data["after"]["objective"] == pytest.approx(sum(data["after"]["terms"].values()))
@@ -191,8 +196,8 @@ def test_figures_without_feet_or_quaternions_have_a_report_too(tmp_path, figure)
     else:
         path = written(tmp_path)
         (tmp_path / "tiny.xml").write_text(FIGURE.replace("left_toe", "tip"), encoding="utf-8")
-    solved = solving.solve(recordings.load(str(path)), quiet())
-    data = solved.measure(quiet()).report
+    clip = recordings.load(str(path))
+    data = report(clip, solving.solve(clip, quiet()))
     json.dumps(data, allow_nan=False)
     assert data["after"]["skate"] == {}
     assert "stance" not in data["after"]["largest"]
@@ -201,14 +206,14 @@ def test_figures_without_feet_or_quaternions_have_a_report_too(tmp_path, figure)
 
 def test_the_objective_of_the_report_is_that_of_the_search():
     """Limbs of the walk graze by 2 mm, which the search does not count."""
-    walk = shipped.solved("walk_loop")
+    walk = shipped.of("walk_loop")
     data = report(walk.clip, walk.motion)
     assert data["after"]["objective"] == pytest.approx(walk.motion.trace[-1][2], rel=0.05)
     assert data["left to gain"]["share"] < 0.1
 
 
 @pytest.fixture(scope="module")
-def sides(solved: Solved) -> tuple[Measurement, Measurement]:
+def sides(solved: Move) -> tuple[Measurement, Measurement]:
     return Measurement.sides(solved.clip, solved.motion)
 
 

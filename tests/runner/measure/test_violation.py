@@ -9,6 +9,7 @@ import mujoco
 import numpy as np
 import pytest
 import shipped
+from motions import raw_violations
 from oracles import kinematics
 from paper.penetration import penetration
 from processes import quiet
@@ -17,9 +18,11 @@ from texts import read_data
 from dynsplines import Keyframe, build, inbetween, load, load_motion, motion, recordings, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
+from dynsplines.clip.load import clip_from_motion
 from dynsplines.edit import edits
 from dynsplines.measure import violation
 from dynsplines.measure.bounds import BOUNDS, WHIP_SHARE, Violation
+from dynsplines.measure.measurement import Measurement
 from dynsplines.motion import Sampled
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.curve.frame import Frame, Timeline
@@ -222,15 +225,14 @@ FAULTS: dict[str, tuple[str, str, str, list[str]]] = {  # figure, clip, kind (""
 
 def wrong(problem: Clip, timeline: Timeline | None = None, stop: Stop = Stop.CONVERGED) -> tuple[Violation, ...]:
     """With the raw spline, or with another timeline through its keyframes; figures here may hang in the air."""
-    raw = solving.raw_spline(problem).motion.raw
-    found = violation.violations(problem, timeline or raw, raw, stop)
+    raw = problem.problem.raw
+    found = violation.violations_of(Measurement.of(problem, timeline or raw, raw), stop)
     return tuple(each for each in found if each.kind != "aloft")
 
 
 def of_kind(problem: Clip, kind: str) -> list[Violation]:
     """Those of a kind on the raw spline, by time and name; "": of all kinds but aloft."""
-    raw = solving.raw_spline(problem).motion.raw
-    found = violation.violations(problem, raw, raw) if kind == "aloft" else wrong(problem)
+    found = raw_violations(problem) if kind == "aloft" else wrong(problem)
     return sorted((each for each in found if kind in ("", each.kind)), key=lambda v: (v.time or 0.0, v.name))
 
 
@@ -256,7 +258,7 @@ def kinds(found: Sequence[Violation]) -> set[str]:
 
 def with_frame(problem: Clip, time: float, change: np.ndarray) -> Timeline:
     """The raw spline with one more frame, in which the state is another."""
-    raw = solving.raw_spline(problem).motion.raw
+    raw = solving.raw_spline(problem).raw
     return raw.insert([Frame.variable(time, path_of(raw).at(np.array([time]))[0] + change)])
 
 
@@ -306,7 +308,7 @@ def test_a_path_that_goes_deeper_than_the_keyframes_next_to_it_is_at_fault_too()
 def test_between_frames_a_path_in_the_floor_is_found_as_deep_as_it_is():
     problem = read(keys(*(at(0, 0, z) for z in (1, 0.11, 0.11, 1)), times=(0, 0.5, 1, 1.5)), BALL)
     found = next(each for each in wrong(problem) if each.kind == "penetration")
-    run = Sampled.of(solving.raw_spline(problem).motion, 1000.0)
+    run = Sampled.of(solving.raw_spline(problem), 1000.0)
     seen = penetration(problem.figure.model, run.time, run.qpos)
     assert found.amount == pytest.approx(seen.deepest, abs=1e-4)
     assert found.time == pytest.approx(0.75, abs=0.01)
@@ -317,7 +319,7 @@ def test_between_frames_a_path_in_the_floor_is_found_as_deep_as_it_is():
 def test_depths_are_mujocos():
     problem = shipped.loaded("jump_over_box")
     found = [each for each in wrong(problem) if each.kind == "penetration"]
-    run = Sampled.of(solving.raw_spline(problem).motion, 240.0)
+    run = Sampled.of(solving.raw_spline(problem), 240.0)
     seen = penetration(problem.figure.model, run.time, run.qpos)
     assert seen.deepest > 0.02
     assert found[0].amount == pytest.approx(seen.deepest, abs=0.002)
@@ -350,7 +352,7 @@ def test_a_narrow_obstacle_inside_a_wide_geom_is_reported(model, geom, row, box,
 def deepest(problem: Clip, rate: float) -> float:
     """[m] of any pair of geoms that MuJoCo lets collide, by its distances, along the raw spline."""
     model, data = problem.figure.model, mujoco.MjData(problem.figure.model)
-    run = Sampled.of(solving.raw_spline(problem).motion, rate)
+    run = Sampled.of(solving.raw_spline(problem), rate)
     depth = 0.0
     for qpos in run.qpos:
         data.qpos[:] = qpos
@@ -408,14 +410,14 @@ def test_a_joint_that_swings_in_a_hold_is_reported():
     assert (first.name, second.name) == ("arm", "arm")
     assert first.amount == pytest.approx(np.abs(raw).max(), abs=0.01)
     assert "away from its values in the keyframes at 0 and 1 s" in first.text
-    assert solving.solve(problem, quiet()).violations == ()
+    assert violation.violations(problem, solving.solve(problem, quiet())) == ()
 
 
 def test_a_contact_that_moves_is_reported_at_its_worst_moment_once_for_a_foot():
     toe = CONTACT.format("toe", 1.2, 1.8)
     problem = read(standing(0, 0, 0.4) + toe)
     (found,) = of_kind(problem, "contact")
-    x = path_of(solving.raw_spline(problem).motion.raw).at(np.array([1.2, 1.5, 1.8]))[:, 0]
+    x = path_of(solving.raw_spline(problem).raw).at(np.array([1.2, 1.5, 1.8]))[:, 0]
     assert (found.name, found.keyframe) == ("right_toe", None)
     assert found.amount == pytest.approx(max(x[1] - x[0], x[2] - x[1]), abs=1e-3)
     assert found.time in (1.2, 1.8)
@@ -449,7 +451,7 @@ def test_a_foot_moves_between_samples_of_a_recording_unless_they_are_far_apart(s
 
 def test_a_limb_that_whips():
     problem = read(keys(HIGH, HIGH))
-    raw = solving.raw_spline(problem).motion.raw
+    raw = solving.raw_spline(problem).raw
     elbow = next(link for link in problem.figure.links if link.name == "left_elbow").qpos
     state = path_of(raw).at(np.array([0.5]))[0]
     turned = state.copy()
@@ -472,7 +474,7 @@ def test_a_figure_that_falls_too_slowly_or_too_fast_floats(gravity, sets_height)
     problem = read(text, ON_FLOOR)
     masks = (np.where(np.arange(key.fixed.size) == 2, sets_height, key.fixed) for key in problem.keys)
     keys = [replace(key, fixed=mask) for key, mask in zip(problem.keys, masks, strict=True)]
-    raw = solving.raw_spline(problem).motion.raw
+    raw = solving.raw_spline(problem).raw
     floats = [each for each in wrong(problem.with_problem(keys=tuple(keys)), raw) if each.kind == "float"]
     assert len(floats) == (gravity in (3.0, 20.0))
     for each in floats:
@@ -548,10 +550,10 @@ def test_of_many_lines_the_worst_are_reported_and_the_rest_counted():
 def test_edited_motions_have_the_violations_of_their_samples_and_not_of_the_clip():
     """A contact that moves is a fault of the clip; feet that slide are in the samples."""
     problem = unposed(read(standing(0, 0, 0.4) + CONTACT.format("toe", 1.2, 1.8)))
-    walked = solving.raw_spline(problem).motion
+    walked = solving.raw_spline(problem)
 
     def found(saved: motion.Saved) -> set[tuple[str, str]]:
-        return {(each.kind, each.name) for each in solving.Solved.of(saved).violations}
+        return {(each.kind, each.name) for each in violation.violations(clip_from_motion(saved), saved)}
 
     assert found(walked) >= {("contact", "right_toe")}
     slides = {("slide", f"{side}_foot") for side in ("left", "right")}

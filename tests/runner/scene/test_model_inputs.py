@@ -199,7 +199,7 @@ def test_all_files_come_along_once_and_files_of_one_name_stay_apart(model):
 def at_rest(model: Path) -> motion.Saved:
     scene = compose(figure_spec(str(model)))
     rest = np.tile(scene.model().qpos0, (2, 1))
-    return solving.raw_spline(clip.from_qpos("it", scene, np.arange(2.0), rest, 30.0, "it")).motion
+    return solving.raw_spline(clip.from_qpos("it", scene, np.arange(2.0), rest, 30.0, "it"))
 
 
 @pytest.mark.slow

@@ -6,12 +6,13 @@ import pytest
 from figures import EVERY_JOINT, MIXED, figure_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from motions import raw_violations
 from oracles import kinematics
 from random_models import random_qpos
 from scipy.spatial import ConvexHull
 from texts import read_data
 
-from dynsplines import Keyframe, build, solving
+from dynsplines import Keyframe, build
 from dynsplines.clip.build import Clip
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import Figure
@@ -293,7 +294,7 @@ def depths(clip: Clip, geom: str, obstacle: str) -> tuple[float, float]:
     """The depth [m] of a geom in an obstacle in the second keyframe by MuJoCo, and that of the only violation."""
     model = clip.figure.model
     data = kinematics(model, clip.figure.to_qpos(clip.keys[1].state[None])[0])
-    (violation,) = (each for each in solving.raw_spline(clip).violations if each.kind == "penetration")
+    (violation,) = (each for each in raw_violations(clip) if each.kind == "penetration")
     assert violation.name == geom
     distance = mujoco.mj_geomDistance(model, data, model.geom(geom).id, model.geom(obstacle).id, 1, None)
     return -distance, violation.amount

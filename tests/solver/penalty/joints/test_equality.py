@@ -6,12 +6,14 @@ import mujoco
 import numpy as np
 import pytest
 from figures import figure_of
+from motions import raw_violations
 from processes import quiet
 from random_models import random_samples
 from texts import read_data
 
 from dynsplines import recordings, solving
 from dynsplines.clip.build import Clip
+from dynsplines.measure.report import report
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import Attachment, CouplingPenalty, closures, couplings
 
@@ -27,12 +29,8 @@ def read(text: str, keys: str, folder: Path) -> Clip:
     return recordings.from_text('figure = "it.xml"\n' + keys, name="it", folder=folder)
 
 
-def solved(text: str, keys: str, folder: Path) -> solving.Solved:
-    return solving.solve(read(text, keys, folder), quiet())
-
-
-def measured(found: solving.Solved) -> dict:
-    return found.measure(quiet()).report["after"]["largest"]
+def measured(clip: Clip) -> dict:
+    return report(clip, solving.solve(clip, quiet()))["after"]["largest"]
 
 
 @pytest.mark.parametrize(("text", "units"), [(GRIPPER, ["degrees", "m", "degrees"]), (GEARS, ["m", "degrees", "m"])])
@@ -104,15 +102,15 @@ time = 1.4
 joints = {swing = 10, left = 10}
 others = "previous"
 """
-    found = solved(GRIPPER, keys, tmp_path)
-    assert "equality" in [penalty.name for penalty, _ in found.clip.penalties]
-    tip, right, lock = (found.clip.figure.model.joint(name).qposadr[0] for name in ("tip", "right", "lock"))
-    assert all(key.fixed[right] for key in found.clip.keys[:2])
-    assert all(key.fixed[lock] for key in found.clip.keys)
+    clip = read(GRIPPER, keys, tmp_path)
+    assert "equality" in [penalty.name for penalty, _ in clip.penalties]
+    tip, right, lock = (clip.figure.model.joint(name).qposadr[0] for name in ("tip", "right", "lock"))
+    assert all(key.fixed[right] for key in clip.keys[:2])
+    assert all(key.fixed[lock] for key in clip.keys)
     d = np.radians(35)
-    assert found.clip.keys[1].state[tip] == pytest.approx(-1.5 * d + 0.4 * d**2)
-    assert found.clip.keys[1].state[right] == pytest.approx(0.01 + 0.05 * d)
-    assert measured(found)["coupled"]["amount"] < 0.5
+    assert clip.keys[1].state[tip] == pytest.approx(-1.5 * d + 0.4 * d**2)
+    assert clip.keys[1].state[right] == pytest.approx(0.01 + 0.05 * d)
+    assert measured(clip)["coupled"]["amount"] < 0.5
 
 
 @pytest.mark.slow
@@ -130,17 +128,17 @@ time = 1
 joints = {crank = -20}
 roots.lid = {position = [0, 1, 1], rotation = {rotvec = [0, 0, 0]}}
 """
-    found = solved(FOUR_BAR, keys, tmp_path)
-    (ignored,) = [note for note in found.clip.notes if "mocap" in note]
+    clip = read(FOUR_BAR, keys, tmp_path)
+    (ignored,) = [note for note in clip.notes if "mocap" in note]
     assert ignored == "equality constraints to mocap bodies, which do not move, are ignored: '0'"
-    torn = measured(found)["torn"]
+    torn = measured(clip)["torn"]
     assert torn["amount"] < 2e-3
 
 
 def test_keyframes_that_break_a_coupling_or_tear_a_loop_are_kept_and_reported(tmp_path):
     keys = "".join(f"[[keyframe]]\ntime = {t}\njoints = {{left = 20, right = 0.08, swing = 0}}\n" for t in (0, 1))
-    off = solving.raw_spline(read(GRIPPER, keys, tmp_path)).violations
+    off = raw_violations(read(GRIPPER, keys, tmp_path))
     assert "keyframe 1 itself: right is 57 mm off what it follows at 0.00 s" in map(str, off)
     text = "[[keyframe]]\ntime = {}\njoints = {{crank = {}, rod = 0, rocker = 0}}\nothers = 'rest'\n"
-    torn = solving.raw_spline(read(FOUR_BAR, text.format(0, 0) + text.format(1, 40), tmp_path)).violations
+    torn = raw_violations(read(FOUR_BAR, text.format(0, 0) + text.format(1, 40), tmp_path))
     assert any(str(each).startswith("keyframe 2 itself: the loop of rod and rocker is torn by ") for each in torn)

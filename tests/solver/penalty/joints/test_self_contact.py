@@ -182,14 +182,15 @@ def test_an_arm_goes_through_the_trunk_without_the_penalty_and_at_most_two_milli
     for asked in (False, True):
         options = "margin = 0.002" if asked else "self = false"
         (tmp_path / "arms.toml").write_text(f"{SWING}[[penalty]]\nkind = 'collision'\n{options}\n", encoding="utf-8")
-        solved = solving.solve(recordings.load(str(tmp_path / "arms.toml")), quiet())
-        data = report(solved.clip, solved.motion)
+        clip = recordings.load(str(tmp_path / "arms.toml"))
+        saved = solving.solve(clip, quiet())
+        data = report(clip, saved)
         out = io.StringIO()
         Console(file=out, width=160).print(tables(data))
         assert "largest self" in out.getvalue()
-        figure, time = solved.clip.figure, np.linspace(0, 1, 1001)
+        figure, time = clip.figure, np.linspace(0, 1, 1001)
         pairs = geom_pairs(SelfContact.of(figure))
-        for side, timeline in (("before", solved.motion.raw), ("after", solved.motion.timeline)):
+        for side, timeline in (("before", saved.raw), ("after", saved.timeline)):
             found, qpos = data[side]["largest"]["self"], figure.to_qpos(path_of(timeline).at(time))
             depth, _ = self_penetration(figure.model, pairs, time, qpos)
             assert found["amount"] == pytest.approx(depth, abs=0.002)
