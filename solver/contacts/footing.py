@@ -15,7 +15,7 @@ import numpy as np
 from ..array import Array, Index, Mask, segments_at
 from ..figure.figure import Figure
 from ..surface import Plane
-from ..surface.points import Point, split_at_feet
+from ..surface.points import Point
 from ..tolerances import ROUNDING
 from .contact import Contact
 from .keyframe_points import KeyframePoints
@@ -24,14 +24,14 @@ TURNED = 0.3  # rotation of search directions, as a fraction of the angle betwee
 
 
 def footings(soles: KeyframePoints, standing: Sequence[Contact], body: Sequence[Point] = ()) -> tuple[Contact, ...]:
-    """Return the contacts by which a surface can push feet that stand from one keyframe to the next.
+    """Return the contacts by which a surface can push links that stand from one keyframe to the next.
 
     Their points are those of the sole and the `body` that touch a surface in one of the two keyframes, at the spot that
     touches it. Points inside the convex hull of the others are omitted.
     """
-    spots = soles.with_points(split_at_feet(soles.points, body)[0])
     begin, end = np.array([(contact.first, contact.last) for contact in standing]).reshape(-1, 2).T
     links = np.array([contact.point.link for contact in standing], np.intp)
+    spots = soles.with_points((*soles.points, *(point for point in body if point.link in links)))
     result = []
     for k, first, last in spots.segments():
         for link in np.unique(links[(begin <= first) & (last <= end)]).tolist():
