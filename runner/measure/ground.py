@@ -159,16 +159,11 @@ def _velocities(samples: Samples, links: Index, positions: Array) -> Array:
 def missing_support(motion: Measurement) -> Iterator[Violation]:
     """Yield forces and moments of trees on a free root that contacts cannot supply, and trees out of balance.
 
-    The accelerations of a recording as imported are noise, so that it yields none.
+    The accelerations of a recording as imported are noise, so that only its balance is checked.
     """
     context, figure, path = motion.clip.context, motion.clip.figure, path_of(motion.timeline)
     window = WINDOW * Size.of(figure).time
-    if (
-        is_imported(motion.clip, motion.timeline)
-        or not context.surfaces
-        or not np.any(figure.gravity)
-        or np.ptp(path.span) < window
-    ):
+    if not context.surfaces or not np.any(figure.gravity) or np.ptp(path.span) < window:
         return
     samples = samples_at(figure, path, motion.time[motion.sparse])
     held_by_loops = {link for loop in closures(figure) for link in (loop.point.link, loop.on)}
@@ -207,6 +202,8 @@ def _of_tree(
     explained = _is_explained(motion, samples, limits.clear)
     explained |= ~touches.any(axis=0) & ~within(motion.clip.context.schedule.specified_flights or (), t)  # see `float`
     for kind, amount in amounts.items():
+        if kind != "unbalanced" and is_imported(motion.clip, motion.timeline):
+            continue
         amount = np.where(explained, 0.0, amount)
         mean = _average(amount, t, window)
         worst, bound = int(mean.argmax()), BOUNDS[kind].most

@@ -15,11 +15,12 @@ from paper.penetration import penetration
 from processes import quiet
 from texts import read_data
 
-from dynsplines import Keyframe, build, inbetween, load, load_motion, motion, recordings, solving
+from dynsplines import Keyframe, build, import_motion, inbetween, load, load_motion, motion, recordings, solving
 from dynsplines.clip import load as clip
 from dynsplines.clip.build import Clip
 from dynsplines.clip.load import clip_from_motion
 from dynsplines.edit import edits
+from dynsplines.exchange import formats
 from dynsplines.measure import violation
 from dynsplines.measure.bounds import BOUNDS, WHIP_SHARE, Violation
 from dynsplines.measure.measurement import Measurement
@@ -245,6 +246,18 @@ def test_a_fault_is_reported_once_and_nothing_else(fault):
         assert re.fullmatch(pattern, each.text)
         assert (each.keyframe is not None) == each.text.startswith(f"keyframe {each.keyframe} itself: ")
         assert each.amount > each.bound and each.unit == BOUNDS[each.kind].unit
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [(leaning(30), {"unbalanced"}), (standing(0, 0.5, 0, seconds=0.3), set())],
+    ids=["leaning far forward", "faster than friction allows"],
+)
+def test_of_an_imported_recording_the_balance_is_measured_but_no_force(text, expected, tmp_path):
+    saved = solving.raw_spline(read(text, "human"))
+    formats.export(saved, "csv", tmp_path / "a.csv")
+    found = kinds(import_motion(tmp_path / "a.csv", figure="human").violations)
+    assert found & {"unbalanced", "unsupported", "toppling"} == expected
 
 
 def unposed(problem: Clip) -> Clip:
