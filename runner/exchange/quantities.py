@@ -1,5 +1,6 @@
 """Groups of further columns of a table, named after joints and bodies, with their units.
 
+angles      left_hip.rx [deg]: rotation vectors of ball joints and free roots, as in keyframes; knee.r [deg] of hinges
 velocities  left_hip.wx [rad/s]: MuJoCo's qvel; free joints in world axes, their rotation and ball joints in body axes
 torques     left_hip.tx [N m]: joint torques, qfrc_inverse minus the ground reactions, in body axes
 wrench      root.fx [N], root.mx [N m], com.x [m]: qfrc_inverse at the free root, moment about the centre of mass
@@ -17,6 +18,7 @@ from collections.abc import Callable, Sequence
 import mujoco
 import numpy as np
 
+from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.figure.dynamics import inverse_dynamics
 from dynsplines.solver.figure.figure import JointKind
@@ -34,6 +36,20 @@ CONSTRAINT_NOTE = (
     "torques include forces of joint limits and equality constraints: up to {size:.3g} {unit} at {joint}, {time:.2f} s"
 )
 UNKNOWN_NOTE = "the support of the figure is unknown in {share:.0%} of the instants: forces there are nan"
+
+
+def angles(forces: Forces) -> Columns:
+    """Return the rotations of all joints in degrees, as keyframes specify them."""
+    model, qpos, out = forces.sampled.model, forces.sampled.qpos, {}
+    for joint in range(model.njnt):
+        kind, first = JointKind(model.jnt_type[joint]), int(model.jnt_qposadr[joint])
+        name = model.joint(joint).name or f"joint{joint}"
+        if kind is JointKind.HINGE:
+            out[f"{name}.r [deg]"] = np.degrees(qpos[:, first])
+        elif kind is not JointKind.SLIDE:
+            last = first + kind.width
+            out |= _vector(f"{name}.r", "deg", np.degrees(quat.rotation_vector(qpos[:, last - 4 : last])))
+    return out
 
 
 def velocities(forces: Forces) -> Columns:
@@ -75,6 +91,7 @@ def ground(forces: Forces) -> Columns:
 
 
 GROUPS: dict[str, Callable[[Forces], Columns]] = {
+    "angles": angles,
     "velocities": velocities,
     "torques": torques,
     "wrench": wrench,

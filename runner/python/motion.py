@@ -371,8 +371,8 @@ class Motion:
             path: Output file.
             to: Name of a format, default by the ending of `path`.
             fps: Samples per second [1/s]; default: the motion's.
-            columns: Only for tables: additional columns, "velocities", "torques", "wrench" (at the root), "ground"
-                (force at each foot), several of these, or "all": those for which the motion has values.
+            columns: Only for tables: additional columns, "angles", "velocities", "torques", "wrench" (at the root),
+                "ground" (force at each foot), several of these, or "all": those for which the motion has values.
 
         Returns:
             The path of the file.

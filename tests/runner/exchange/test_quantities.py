@@ -9,9 +9,10 @@ import pytest
 import shipped
 from oracles import inverse_dynamics
 from random_models import motion_of
+from scipy.spatial.transform import Rotation
 from texts import read_data
 
-from dynsplines import recordings, solving
+from dynsplines import inbetween, load, models, recordings, solving
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats, quantities
 from dynsplines.exchange.motion_import import import_recording
@@ -51,6 +52,15 @@ def test_columns_have_names_and_units_and_the_table_is_read_as_before(walk, tabl
     assert not any(name.startswith("root.t") for name in columns)
     back = import_recording(path, figure="human")
     np.testing.assert_allclose(motions.samples(back).qpos, motions.samples(walk).qpos, atol=1e-12)
+
+
+@pytest.mark.slow
+def test_angles_are_those_of_keyframes_in_degrees(walk, table):
+    columns = table[1]
+    for joint, first in (("root", 3), ("left_knee", walk.figure.model.joint("left_knee").qposadr[0])):
+        quats = motions.samples(walk).qpos[:, first : first + 4]
+        expected = Rotation.from_quat(quats, scalar_first=True).as_rotvec(degrees=True)
+        np.testing.assert_allclose(vector(columns, f"{joint}.r", "deg"), expected, atol=1e-9)
 
 
 @pytest.mark.slow
@@ -115,6 +125,20 @@ def test_forces_of_a_figure_on_a_seat_are_unknown():
     assert np.isfinite(forces.torques[standing]).all() and all(foot.has_contact[standing].all() for foot in forces.feet)
 
 
+@pytest.mark.slow
+def test_contacts_of_the_thighs_make_the_forces_of_a_seat_known(tmp_path):
+    """Seat and feet then share the weight, and nothing is missing."""
+    seats = "".join(f'[[contact]]\npoint = "{side}_shorts_back"\nfrom = 1.15\nto = 1.9\n' for side in ("left", "right"))
+    (tmp_path / "seat.toml").write_text(models.clip_text("sit_down") + seats)
+    forces = inbetween(load(tmp_path / "seat.toml")).forces(times=np.linspace(1.3, 1.8, 11))
+    assert forces.has_known_support.all()
+    carried = {foot.name: foot.force[:, 2] for foot in forces.feet}
+    assert (carried["left_thigh"] > 100).all() and (carried["left_foot"] > 0).all()
+    total = sum(foot.force for foot in forces.feet) + forces.rest[:, :3]
+    np.testing.assert_allclose(total, forces.wrench.force.T, atol=1e-3)
+    assert np.abs(forces.rest[:, :3]).max() < 1
+
+
 def test_a_figure_without_a_root_has_torques_but_no_wrench(tmp_path):
     (tmp_path / "arm.xml").write_text(
         '<mujoco><worldbody><body><joint name="turn"/><geom size=".1" pos=".3 0 0"/>'
@@ -124,8 +148,9 @@ def test_a_figure_without_a_root_has_torques_but_no_wrench(tmp_path):
         f"[[keyframe]]\ntime = {t}\njoints.turn = {90 * t}\njoints.reach = 0\n" for t in (0, 1)
     )
     saved = solving.raw_spline(recordings.from_text(text, name="arm"))
-    columns, _ = quantities.table(Sampled.of(saved), ("velocities", "torques"))
-    assert list(columns) == ["turn.v [rad/s]", "reach.v [m/s]", "turn.t [N m]", "reach.f [N]"]
+    columns, _ = quantities.table(Sampled.of(saved), ("angles", "velocities", "torques"))
+    assert list(columns) == ["turn.r [deg]", "turn.v [rad/s]", "reach.v [m/s]", "turn.t [N m]", "reach.f [N]"]
+    np.testing.assert_allclose(columns["turn.r [deg]"][[0, -1]], [0, 90], atol=1e-9)
     assert all(np.isfinite(column).all() for column in columns.values())
     with pytest.raises(UserError, match="no free root"):
         quantities.table(Sampled.of(saved), ("wrench",))
