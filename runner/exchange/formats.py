@@ -191,7 +191,9 @@ def export(
     for other, content in others.items():
         with Replacement(other) as temporary:
             temporary.write_bytes(content)
-        notes.append(f"wrote {other}")
+    if others:
+        more = f" and {len(others) - 1} more files of the figure" if len(others) > 1 else ""
+        notes.append(f"wrote {next(iter(others))}{more}")
     if report is not None:
         for note in notes:
             report(note)

@@ -30,7 +30,10 @@ def write(sampled: Sampled, path: Path) -> list[str]:
     """Write the scene; return notes on what it changes and how far it follows the motion."""
     simulation = Simulation.of(sampled)
     write_keys(simulation.root, sampled, path, simulation.control)
-    notes = [f"{simulation.model.nu} position actuators; `ctrl` of the keys is what to aim them at", *simulation.notes]
+    notes = [
+        f"the `ctrl` of each key contains the targets of {simulation.model.nu} position actuators",
+        *simulation.notes,
+    ]
     return [*notes, note(simulate(simulation, sampled), simulation.model)] if len(sampled.time) > 1 else notes
 
 
