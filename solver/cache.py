@@ -5,20 +5,12 @@ from __future__ import annotations
 from collections import OrderedDict
 from collections.abc import Callable, Hashable
 from dataclasses import fields, is_dataclass
-from functools import wraps
 from threading import Lock
-from typing import Any, Concatenate, Generic, ParamSpec, Protocol, TypeVar
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 
 Answer = TypeVar("Answer")
-
-
-class HasDigest(Protocol):
-    """An object with a hash of its content."""
-
-    @property
-    def digest(self) -> bytes: ...
 
 
 class Cache(Generic[Answer]):
@@ -58,30 +50,3 @@ def cache_key(value: Any) -> Hashable:
     if is_dataclass(value) and not isinstance(value, type):
         return type(value), *(cache_key(getattr(value, item.name)) for item in fields(value))
     return value
-
-
-Content = TypeVar("Content", bound=HasDigest)
-Others = ParamSpec("Others")
-
-
-def cached_by_content(
-    most: int,
-) -> Callable[[Callable[Concatenate[Content, Others], Answer]], Callable[Concatenate[Content, Others], Answer]]:
-    """Cache the last results of a function, also for other first arguments with the same content.
-
-    All other arguments are compared by their own equality.
-    """
-
-    def decorated(
-        compute: Callable[Concatenate[Content, Others], Answer],
-    ) -> Callable[Concatenate[Content, Others], Answer]:
-        cache = Cache[Answer](most)
-
-        @wraps(compute)
-        def cached(argument: Content, *others: Others.args, **named: Others.kwargs) -> Answer:
-            key = (argument.digest, others, tuple(named.items()))
-            return cache.get(key, lambda: compute(argument, *others, **named))
-
-        return cached
-
-    return decorated

@@ -17,12 +17,12 @@ from __future__ import annotations
 
 import copy
 from dataclasses import dataclass
+from functools import lru_cache
 
 import mujoco
 import numpy as np
 
 from ..array import Array
-from ..cache import cached_by_content
 from ..tolerances import TINY
 from .adjoint import Cotangent, attached_pulled_back
 from .algebra import combine, cross, cross_sum, dot, rotate, rotate_back
@@ -237,7 +237,7 @@ def weight(figure: Figure, root: int) -> float:
     return tree_mass(figure, root)[0] * (g or STANDARD_GRAVITY)
 
 
-@cached_by_content(64)  # thresholds need it at every load
+@lru_cache(16)  # thresholds need it at every load
 def height(figure: Figure, root: int) -> float:
     """Return the length [m] of a slender rod with the same radius of gyration as a free link with all links beyond it
     at rest.

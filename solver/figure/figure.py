@@ -104,6 +104,8 @@ class Link:
 class Figure:
     """A jointed figure: links, the columns of its state, and the conversions between state and qpos.
 
+    Figures with the same model and coordinates are equal, so that functions of a figure can be cached.
+
     Link 0 is the world, and every other link has one joint. `body_link` (nbody,) contains the link of each body,
     `body_offset` (nbody, 3) [m] and `body_turn` (nbody, 4), wxyz, its origin and its orientation in the link. `tables`
     contains the links' constants as arrays.
@@ -152,6 +154,12 @@ class Figure:
         content = np.zeros(mujoco.mj_sizeModel(self.model), np.uint8)
         mujoco.mj_saveModel(self.model, None, content)
         return hashlib.sha256(content.data).digest() + self.coordinates.encode()
+
+    def __eq__(self, other: object) -> bool:
+        return self is other or (isinstance(other, Figure) and self.digest == other.digest)
+
+    def __hash__(self) -> int:
+        return hash(self.digest)
 
     @cached_property
     def root(self) -> Root | None:

@@ -11,13 +11,13 @@ of a grid.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import mujoco
 import numpy as np
 
 from .. import quaternion as quat
 from ..array import Array, Index
-from ..cache import cached_by_content
 from ..figure.dynamics import Size
 from ..figure.figure import Figure
 from ..figure.model import geom_name
@@ -43,13 +43,13 @@ CLOSE = 0.001  # [m] minimum spacing of spheres' centres
 Spheres = tuple[Array, Array]
 
 
-@cached_by_content(16)  # editing a clip needs them repeatedly
+@lru_cache(16)  # editing a clip needs them repeatedly
 def covering_points(figure: Figure) -> tuple[Point, ...]:
     """Return spheres that fill the solid geoms of the figure's links, without those inside others of their link."""
     return _fill(figure, movers(figure.model))
 
 
-@cached_by_content(16)
+@lru_cache(16)
 def wide_points(figure: Figure) -> tuple[Point, ...]:
     """Return spheres that fill the boxes, cylinders and meshes into which an edge may enter between the corners.
 

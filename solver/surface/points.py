@@ -8,13 +8,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 
 import mujoco
 import numpy as np
 
 from .. import quaternion as quat
 from ..array import Array, Index, Mask
-from ..cache import cached_by_content
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
 from ..figure.model import geom_name
@@ -92,7 +92,7 @@ def site_points(figure: Figure, names: Sequence[str]) -> tuple[Point, ...]:
     return tuple(points)
 
 
-@cached_by_content(16)  # a clip uses them several times
+@lru_cache(16)  # a clip uses them several times
 def body_points(figure: Figure) -> tuple[Point, ...]:
     """Return spheres that cover the outside of the figure's moving geoms.
 

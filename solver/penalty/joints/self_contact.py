@@ -14,14 +14,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import mujoco
 import numpy as np
 
 from ... import quaternion as quat
 from ...array import Array, Index, Mask
-from ...cache import cached_by_content
 from ...curve.frame import Timeline
 from ...figure.algebra import cross, dot, rotate, rotate_fixed
 from ...figure.dynamics import Size
@@ -241,7 +240,7 @@ def nearest_on_segments(d: Array, u: Array, v: Array, h: Array, g: Array) -> tup
     return s, t, d + s * u - t * v
 
 
-@cached_by_content(16)  # editing a clip needs them repeatedly
+@lru_cache(16)  # editing a clip needs them repeatedly
 def _shapes(figure: Figure) -> tuple[tuple[Bar, ...], Index]:
     """Return the bars of a figure, and the pairs of them that can collide, (2, n)."""
     every = [bar for geom in movers(figure.model) for bar in _bars(figure, geom)]
