@@ -229,13 +229,12 @@ def drag_pose(
     )
     if not search.dofs.size:
         return search.result(search.home)
-    drag = _Drag(search, limits)
     begin = np.array(begin, float)
-    best, cost = drag.minimise(search.clip(begin))
+    best, cost = _descend(search, limits, search.clip(begin))
     result = search.result(best)
     if result.missed[0] > RESTART_MISS:
         for start in _restarts(search, begin, limb):
-            pose, other = drag.minimise(start)
+            pose, other = _descend(search, limits, start)
             if other < RESTART_COST * cost:
                 result, cost = search.result(pose), other
     return result
@@ -250,36 +249,27 @@ def _restarts(search: PoseSearch, begin: Array, limb: Mask | None) -> list[Array
     return starts
 
 
-class _Drag:
-    """The least-squares problem of a drag."""
+def _descend(search: PoseSearch, limits: Sequence[SupportPolygon | FloorClearance], qpos: Array) -> tuple[Array, float]:
+    """Return the pose (nq,) after the descents from another, and its cost."""
+    cost, target_size = 0.0, search.goals[0].residual(search.model, search.data).size
 
-    def __init__(self, search: PoseSearch, limits: Sequence[SupportPolygon | FloorClearance]) -> None:
-        self.search, self.limits = search, limits
-        self.target_size = search.goals[0].residual(search.model, search.data).size
-
-    def minimise(self, qpos: Array) -> tuple[Array, float]:
-        """Return the pose (nq,) after the descents from another, and its cost."""
-        cost = 0.0
-        for stiffness in STIFFNESS:
-            residuals = partial(self._residuals, stiffness=stiffness)
-            qpos, cost = self.search.minimise(
-                residuals, qpos, STEPS, longest=MAX_STEP, settled=MIN_GAIN, smallest=MIN_STEP
-            )
-            if stiffness == 1 and self.search.result(qpos).missed[1:].max(initial=0.0) < FIXED_MISS:
-                break
-        return qpos, cost
-
-    def _residuals(self, qpos: Array, stiffness: float) -> Residuals:
-        search = self.search
+    def residuals(qpos: Array, stiffness: float) -> Residuals:
         distance, (off, by_off), (over, by_over) = search.linearise(qpos)
-        miss = float(np.linalg.norm(off[: self.target_size]))
+        miss = float(np.linalg.norm(off[:target_size]))
         weights = np.full(off.size, stiffness * FIXED_WEIGHT)
-        weights[: self.target_size] = TARGET_WEIGHT * np.sqrt(min(1.0, MAX_MISS / max(miss, MAX_MISS)))
+        weights[:target_size] = TARGET_WEIGHT * np.sqrt(min(1.0, MAX_MISS / max(miss, MAX_MISS)))
         parts: list[Part] = [distance, (weights * off, weights[:, None] * by_off)]
         two_sided = sum(values.size for values, _ in parts)
         parts.append((stiffness * RANGE_WEIGHT * over, stiffness * RANGE_WEIGHT * by_over))
-        for limit in self.limits:
+        for limit in limits:
             values, rows = limit.linearise(search.model, search.data)
             parts.append((stiffness * LIMIT_WEIGHT * values, stiffness * LIMIT_WEIGHT * rows[:, search.dofs]))
         constant = TARGET_WEIGHT**2 * max(miss * MAX_MISS - MAX_MISS**2, 0.0)
         return Residuals(*join(parts), two_sided, constant)
+
+    for stiffness in STIFFNESS:
+        cost_of = partial(residuals, stiffness=stiffness)
+        qpos, cost = search.minimise(cost_of, qpos, STEPS, longest=MAX_STEP, settled=MIN_GAIN, smallest=MIN_STEP)
+        if stiffness == 1 and search.result(qpos).missed[1:].max(initial=0.0) < FIXED_MISS:
+            break
+    return qpos, cost
