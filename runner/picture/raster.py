@@ -166,7 +166,7 @@ class Raster:
         self.scene = mujoco.MjvScene(model, max_geom)
         self._model, self._width, self._height = model, width, height
         self._shape = cache(self._shape_of)
-        self._pattern = cache(lambda geom: Pattern(model, geom))
+        self._pattern = cache(lambda geom: _pattern_of(model, geom))
         self._tint = cache(lambda material: _texture_tint(model, material))
 
     def close(self) -> None:
@@ -260,7 +260,7 @@ class Raster:
                 slope = np.abs(rays[on] @ plane.mat[:, 2]).clip(1e-3)
                 patch = distance[on] / view.eye.focus / slope
                 local = (points[on] - plane.pos) @ plane.mat
-                base[on] = plane.rgba[:3] * self._pattern(plane.objid).colour(local, patch)
+                base[on] = plane.rgba[:3] * _pattern_colour(*self._pattern(plane.objid), local, patch)
         energy = view.emission[geom, None] + self._light(points, normals)
         still = np.flatnonzero(view.is_still[geom])
         base[still] *= 1 - SHADE * view.lowest.closeness(points[still])[:, None]
@@ -276,25 +276,25 @@ def _texture_tint(model: mujoco.MjModel, material: int) -> Array:
     return texels(model, texture).mean(axis=(0, 1)) / 255 if texture >= 0 else np.ones(3)
 
 
-class Pattern:
-    """The repeated texture of a plane, which fades into its mean colour in the distance."""
+def _pattern_of(model: mujoco.MjModel, geom: int) -> tuple[Floats, Floats, Array]:
+    """Return the texture of a plane (height, width, 3), its mean colour (3,), and its repetitions per metre (2,)."""
+    plane = piece_of(model, geom)
+    texture = (texels(model, plane.picture) / 255).astype(np.float32)
+    return texture, texture.mean(axis=(0, 1)), picture_repeat(model, plane, half_extent(plane, 1.0))
 
-    def __init__(self, model: mujoco.MjModel, geom: int) -> None:
-        plane = piece_of(model, geom)
-        self._repeat = picture_repeat(model, plane, half_extent(plane, 1.0))
-        self._texels = (texels(model, plane.picture) / 255).astype(np.float32)
-        self._mean = self._texels.mean(axis=(0, 1))
 
-    def colour(self, points: Array, patch: Array) -> Floats:
-        """Return the colours (n, 3) of points (n, 3) in the plane's frame.
+def _pattern_colour(texture: Floats, mean: Floats, repeat: Array, points: Array, patch: Array) -> Floats:
+    """Return the colours (n, 3) of points (n, 3) in a plane's frame. In the distance, its repeated texture fades into
+    its mean colour.
 
-        patch (n,) [m] is the largest extent of a pixel on the plane.
-        """
-        height, width = self._texels.shape[:2]
-        # off edges of texels, where rounding would decide
-        column, row = (((points[:, :2] * self._repeat + SINGLE) % 1) * [width, height]).astype(int).T
-        strength = (1 - FADING * patch * self._repeat.max()).clip(0, 1).astype(np.float32)[:, None]
-        return self._mean + strength * (self._texels[row % height, column % width] - self._mean)
+    Args:
+        patch: The largest extents of pixels on the plane, (n,) [m].
+    """
+    height, width = texture.shape[:2]
+    # off edges of texels, where rounding would decide
+    column, row = (((points[:, :2] * repeat + SINGLE) % 1) * [width, height]).astype(int).T
+    strength = (1 - FADING * patch * repeat.max()).clip(0, 1).astype(np.float32)[:, None]
+    return mean + strength * (texture[row % height, column % width] - mean)
 
 
 class HeightMap:
