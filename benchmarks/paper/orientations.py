@@ -23,7 +23,7 @@ from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import CovariantAcceleration, Penalty, UnitMagnitude
 from dynsplines.solver.problem import Improvement, Problem, Settings, Solution
-from dynsplines.solver.refine.subdivision import WeakForm
+from dynsplines.solver.refine.subdivision import decrements
 from dynsplines.system import signals
 
 from .equations import PaperAcceleration, covariant_residual, tangential
@@ -141,7 +141,7 @@ def promised(objective: Objective, path: Path) -> Array:
     """(P,) the decrease of E by a variable frame in the middle of each segment; the sum is about the remaining
     decrease."""
     times = np.asarray(path.spline.times)
-    return WeakForm(objective, path).decrements((times[1:] + times[:-1]) / 2)
+    return decrements(objective, path, (times[1:] + times[:-1]) / 2)
 
 
 def strong_tenths(objective: Objective, path: Path) -> dict[str, Array]:

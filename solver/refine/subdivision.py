@@ -16,6 +16,7 @@ from ..array import ENTRIES_AT_ONCE, Array, Index
 from ..curve.frame import Frame, Timeline
 from ..curve.quadrature import Quadrature, gauss_nodes
 from ..curve.spline import Path, Sampling, Spline, path_of
+from ..figure.kinematics import Samples
 from ..objective import Objective
 from ..penalty.block import one_sided_residuals
 from ..penalty.curvature import Curvature
@@ -74,66 +75,61 @@ def _differentiation_matrix(x: Array) -> Array:
     return matrix
 
 
-@dataclass(frozen=True)
-class WeakForm:
-    """The change of E, to first and second order, by variable frames inserted into a path."""
+def decrements(objective: Objective, path: Path, candidates: Array) -> Array:
+    """Return ½ gᵀH⁻¹g, the predicted reduction of E by each variable frame at times (C,) [s] alone, (C,).
 
-    objective: Objective
-    path: Path
+    g is the gradient of E in the new frame, and H the frame's own block of the Gauss-Newton curvature. The values rank
+    candidates. Summed over the middles of all segments, they approximate the gap to the optimum. In a loop whose
+    quaternions return as −q, the part of g from the seam is omitted.
+    """
+    spline = Spline(np.sort(np.append(path.spline.times, candidates)), path.spline.ends)
+    place = np.searchsorted(spline.times, candidates)
+    gradient, hessian = _gradients(objective, path, spline)[place], _hessians(objective, path, spline, place)
+    width = gradient.shape[1]
+    size = np.maximum(np.einsum("cnn->c", hessian) / width, SMALLEST)
+    hessian += ROUNDING * size[:, None, None] * np.eye(width)  # so that it has an inverse
+    return 0.5 * np.sum(gradient * np.linalg.solve(hessian, gradient[:, :, None])[:, :, 0], axis=1)
 
-    def decrements(self, candidates: Array) -> Array:
-        """Return ½ gᵀH⁻¹g, the predicted reduction of E by each variable frame at times (C,) [s] alone, (C,).
 
-        g is the gradient of E in the new frame, and H the frame's own block of the Gauss-Newton curvature. The values
-        rank candidates. Summed over the middles of all segments, they approximate the gap to the optimum. In a loop
-        whose quaternions return as −q, the part of g from the seam is omitted.
-        """
-        spline = Spline(np.sort(np.append(self.path.spline.times, candidates)), self.path.spline.ends)
-        place = np.searchsorted(spline.times, candidates)
-        gradient, hessian = self._gradients(spline)[place], self._hessians(spline, place)
-        width = gradient.shape[1]
-        size = np.maximum(np.einsum("cnn->c", hessian) / width, SMALLEST)
-        hessian += ROUNDING * size[:, None, None] * np.eye(width)  # so that it has an inverse
-        return 0.5 * np.sum(gradient * np.linalg.solve(hessian, gradient[:, :, None])[:, :, 0], axis=1)
+def _gradients(objective: Objective, path: Path, spline: Spline) -> Array:
+    """Return dE/dY for the rows of a refined spline of a path, (M + 2, N)."""
+    t, w = gauss_nodes(np.asarray(spline.times), Quadrature().points)
+    gradients = objective.sample_gradients(objective.samples(path, t))
+    return Sampling.of(spline, t).pulled_back([w[:, None] * g for g in gradients])
 
-    def _gradients(self, spline: Spline) -> Array:
-        """Return dE/dY for the rows of the refined spline, (M + 2, N)."""
-        t, w = gauss_nodes(np.asarray(spline.times), Quadrature().points)
-        gradients = self.objective.sample_gradients(self.objective.samples(self.path, t))
-        return Sampling.of(spline, t).pulled_back([w[:, None] * g for g in gradients])
 
-    def _hessians(self, spline: Spline, place: Index) -> Array:
-        """Return ∫ Σ φ⁽ᵃ⁾φ⁽ᵇ⁾ ∂²f/∂y⁽ᵃ⁾∂y⁽ᵇ⁾ dt for the frames' cardinal functions φ, window by window, (C, N, N)."""
-        times = np.asarray(spline.times)
-        out = np.zeros((place.size, self.path.rows.shape[1], self.path.rows.shape[1]))
-        spans = max(1, min(WINDOW, ENTRIES_AT_ONCE // self.path.rows.shape[1] ** 2))
-        for first in range(0, times.size - 1, spans):
-            last = min(first + spans, times.size - 1)
-            near = np.flatnonzero((place + REACH > first) & (place - REACH < last))
-            if not near.size:
-                continue
-            nodes, shares = gauss_nodes(times[first : last + 1], POINTS)
-            curvature = self._curvature(nodes, shares)
-            unit = np.zeros((spline.size, near.size))
-            unit[place[near], np.arange(near.size)] = 1
-            coefficients = spline.coefficients(unit)
-            phi = np.stack([spline.basis(nodes, order) @ coefficients for order in range(3)], axis=1)
-            for k, c in enumerate(near):
-                begin, end = (POINTS * (int(place[c]) + reach - first) for reach in (-REACH, REACH))
-                out[c] += curvature.quadratic(phi[:, :, k], max(begin, 0), min(end, nodes.size))
-        return out
+def _hessians(objective: Objective, path: Path, spline: Spline, place: Index) -> Array:
+    """Return ∫ Σ φ⁽ᵃ⁾φ⁽ᵇ⁾ ∂²f/∂y⁽ᵃ⁾∂y⁽ᵇ⁾ dt for the frames' cardinal functions φ, window by window, (C, N, N)."""
+    times = np.asarray(spline.times)
+    out = np.zeros((place.size, path.rows.shape[1], path.rows.shape[1]))
+    spans = max(1, min(WINDOW, ENTRIES_AT_ONCE // path.rows.shape[1] ** 2))
+    for first in range(0, times.size - 1, spans):
+        last = min(first + spans, times.size - 1)
+        near = np.flatnonzero((place + REACH > first) & (place - REACH < last))
+        if not near.size:
+            continue
+        nodes, shares = gauss_nodes(times[first : last + 1], POINTS)
+        curvature = _curvature(objective, objective.samples(path, nodes), shares)
+        unit = np.zeros((spline.size, near.size))
+        unit[place[near], np.arange(near.size)] = 1
+        coefficients = spline.coefficients(unit)
+        phi = np.stack([spline.basis(nodes, order) @ coefficients for order in range(3)], axis=1)
+        for k, c in enumerate(near):
+            begin, end = (POINTS * (int(place[c]) + reach - first) for reach in (-REACH, REACH))
+            out[c] += curvature.quadratic(phi[:, :, k], max(begin, 0), min(end, nodes.size))
+    return out
 
-    def _curvature(self, nodes: Array, shares: Array) -> Curvature:
-        samples = self.objective.samples(self.path, nodes)
-        curvature = Curvature(samples)
-        for term in self.objective.terms:
-            scale, blocks = self.objective.factor(term, samples.t) * shares, tuple(term.penalty.residuals(samples))
-            for block in blocks:
-                block.add_to(curvature, scale)
-            sides = one_sided_residuals(blocks, samples)
-            if sides is not None:
-                curvature.add_one_sided(sides, scale)
-        return curvature
+
+def _curvature(objective: Objective, samples: Samples, shares: Array) -> Curvature:
+    curvature = Curvature(samples)
+    for term in objective.terms:
+        scale, blocks = objective.factor(term, samples.t) * shares, tuple(term.penalty.residuals(samples))
+        for block in blocks:
+            block.add_to(curvature, scale)
+        sides = one_sided_residuals(blocks, samples)
+        if sides is not None:
+            curvature.add_one_sided(sides, scale)
+    return curvature
 
 
 def midpoints(timeline: Timeline) -> Array:
@@ -149,7 +145,7 @@ def by_residual(objective: Objective, timeline: Timeline) -> Array:
 
 def by_weak_form(objective: Objective, timeline: Timeline) -> Array:
     """Return the predicted reduction of E by a variable frame in the middle of every segment."""
-    return WeakForm(objective, path_of(timeline)).decrements(midpoints(timeline))
+    return decrements(objective, path_of(timeline), midpoints(timeline))
 
 
 CRITERIA: dict[str, Callable[[Objective, Timeline], Array]] = {

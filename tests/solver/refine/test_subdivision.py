@@ -20,7 +20,7 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Objective
 from dynsplines.solver.penalty import Collision, CovariantAcceleration, Normalization, Penalty, RootAcceleration
 from dynsplines.solver.penalty.block import Block, Dense, every
-from dynsplines.solver.refine.subdivision import NODES, WeakForm, midpoints, residual, split
+from dynsplines.solver.refine.subdivision import NODES, decrements, midpoints, residual, split
 from dynsplines.solver.refine.warm_start import warm_start
 from dynsplines.solver.surface.points import Point
 
@@ -149,7 +149,7 @@ def test_the_weak_form_promises_what_a_frame_moved_alone_brings_where_e_is_quadr
             values.append(objective.value(path_of(finer.with_rows(rows))))
         slope, bent = (values[2] - values[0]) / 2, values[2] - 2 * values[1] + values[0]
         brought.append(slope**2 / (2 * bent))
-    promised = WeakForm(objective, path_of(timeline)).decrements(candidates)
+    promised = decrements(objective, path_of(timeline), candidates)
     np.testing.assert_allclose(promised, brought, rtol=2e-3)
 
 
@@ -159,4 +159,4 @@ def test_the_weak_form_ranks_the_segment_that_dips_into_the_floor_first():
     raw = raw_timeline(figure, [Frame.key(float(i), [0, 0, z, 1, 0, 0, 0]) for i, z in enumerate(heights)])
     contact = Collision((Point("ball", 1, np.zeros(3), 0.1),), (FLOOR,))
     objective = Objective.of(figure, [(RootAcceleration(), 1.0), (contact, 50.0)]).renormalise(path_of(raw))
-    assert np.argmax(WeakForm(objective, path_of(raw)).decrements(midpoints(raw))) == 3
+    assert np.argmax(decrements(objective, path_of(raw), midpoints(raw))) == 3
