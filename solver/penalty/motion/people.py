@@ -16,15 +16,16 @@ import numpy as np
 
 from ... import quaternion as quat
 from ...array import Array, Index, Mask
+from ...curve.symmetry import other_side
 
 PARTS = (
     "pelvis", "chest", "left_upper_arm", "left_forearm", "right_upper_arm", "right_forearm",
     "left_thigh", "left_shin", "left_foot", "right_thigh", "right_shin", "right_foot",
 )  # fmt: skip
 PARENTS = (-1, 0, 1, 2, 1, 4, 0, 6, 7, 0, 9, 10)
-TIPS = (3, 5, 8, 11)  # parts that end in wrists and toes
-ANKLES = (8, 11)
-MIRRORED = [0, 1, 4, 5, 2, 3, 9, 10, 11, 6, 7, 8]  # the part on the other side
+TIPS = tuple(map(PARTS.index, ("left_forearm", "right_forearm", "left_foot", "right_foot")))  # end in wrists and toes
+ANKLES = tuple(map(PARTS.index, ("left_foot", "right_foot")))  # the origins of feet
+MIRRORED = [PARTS.index(other_side(part)) for part in PARTS]  # the part on the other side
 SIDES = np.array([1.0, -1, 1])  # factors of positions in the mirror image; those of rotation vectors are −SIDES
 MODES = 6  # number of sines, of half a period and its multiples per segment
 OUTPUTS = 3 * MODES + 3  # of each part and of the hips: amplitudes, shares of two tangents, logarithm of a variance

@@ -29,7 +29,8 @@ REACH, TOE = 0.95, 0.16  # [1] lengths of a forearm relative to an upper arm, an
 STIFF = 0.1  # [1] squared error of a part that does not move between keyframes, relative to the expected one
 CLEAR = 0.45  # [1] squared differences from linear interpolation, relative to squared errors, at which trust is half
 WORTH = 0.86e-3  # [rad⁻² s⁴] value that costs as much as angular accelerations of quaternions of 1 s⁻²
-HANGING = (2, 3, 4, 5, 6, 7, 9, 10)  # parts of arms and legs, without feet, which hang in the zero pose
+# parts of arms and legs, without feet, which hang in the zero pose
+HANGING = [i for i, part in enumerate(PARTS) if part.endswith(("arm", "thigh", "shin"))]
 DOWN, LATERAL = np.array([0.0, 0, -1]), np.array([0.0, 1, 0])
 
 
