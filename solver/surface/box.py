@@ -18,8 +18,6 @@ from ..array import Array, Index
 from ..tolerances import TINY
 from .surface import DEEP, UPRIGHT
 
-SIDEWAYS = 4.0  # [1] κ, the factor on distances to faces that do not point up
-
 
 @dataclass(frozen=True)
 class Box:
@@ -30,7 +28,7 @@ class Box:
         axes: The axes as columns, (3, 3).
         half: Half sizes, (3,) [m].
         buried: Whether there is no exit downwards.
-        sideways: κ of the faces that do not point up.
+        sideways: κ, the factor on distances to faces that do not point up [1].
     """
 
     name: str
@@ -38,7 +36,7 @@ class Box:
     axes: Array
     half: Array
     buried: bool = True
-    sideways: float = SIDEWAYS
+    sideways: float = 4.0
 
     def depth(self, points: Array, radius: Array, margin: float = 0.0) -> tuple[Array, Array]:
         local = self._local(points)

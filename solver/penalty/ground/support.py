@@ -28,7 +28,7 @@ from ..curvature import Curvature
 from ..penalty import Normalization, Penalty, Role
 
 EDGES = 4  # of the pyramid that approximates a friction cone
-FRICTION, SOFTNESS = 0.8, 1e-4  # defaults: coefficient of friction; ε relative to the squared edges of the cones
+FRICTION = 0.8  # default coefficient of friction
 STIFF = 1e-7  # [1] ε for measurements
 
 
@@ -64,7 +64,7 @@ class Support(Penalty):
     flights   intervals in which nothing does, regardless of footings
     unit, length  weight [N] and height [m]
     friction  coefficient μ
-    softness  ε in the added term ε |λ|², which makes the forces unique
+    softness  ε in the added term ε |λ|², which makes the forces unique, relative to the squared edges of the cones
     """
 
     root: int
@@ -73,7 +73,7 @@ class Support(Penalty):
     unit: float
     length: float
     friction: float = FRICTION
-    softness: float = SOFTNESS
+    softness: float = 1e-4
 
     name = "support"
     role = Role.PHYSICS

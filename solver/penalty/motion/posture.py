@@ -34,7 +34,6 @@ from ..block import Block, Dense, every
 from ..curvature import Curvature
 from ..penalty import Normalization, Penalty
 
-SETTLING = 0.3  # [s] default of `settling`
 # cost of squared velocities, relative to those of a joint that places a foot: of other joints [1], of a root's angular
 # velocity [1], and of its horizontal velocity [rad²/m²]; a person who takes a step leans by a few degrees
 KEEP, TURN, SHIFT = 4.0, 12.0, 2.0
@@ -90,7 +89,7 @@ class Posture(Penalty):
         between: The mean velocities of roots and the steps of legs; None: means of zero, c = 1/4.
     """
 
-    settling: float = SETTLING
+    settling: float = 0.3
     between: Between | None = None
 
     name = "posture"

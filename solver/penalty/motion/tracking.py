@@ -25,7 +25,6 @@ STRAYS, BACK = 0.01, 0.1  # standard deviation [m] and correlation time [s] of a
 MENDED = 3.0  # [1/s³], [m²/s³] minimum liveliness, which permits corrections of calm recordings
 EASED = 0.01  # [1] factor on the weight of poses at a keyframe that edits the recording
 COARSE, FINEST = 0.2, 1 / 60  # [s] maximum and minimum spacing of frames that track a recording
-DETAIL = 30.0  # [1] default of the cost per segment of detail that a spline may lose, see `times`
 REMEMBERED = 20_000  # cached samples, each 3 kB for a human figure; a search evaluates the same times repeatedly
 SHORTEST = 0.05  # [m] minimum length of a limb
 
@@ -93,7 +92,7 @@ class TrackingPenalty(Guide):
         ]
         return Timeline(tuple(frames), timeline.end_slope, timeline.ends)
 
-    def times(self, detail: float = DETAIL) -> Array:
+    def times(self, detail: float = 30.0) -> Array:
         """Return the times of few frames (M,) [s] whose spline contains the detail of the recording.
 
         Args:
