@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from scipy.sparse.linalg import SuperLU
 
 DEGREE = 3  # cubic: the least that is C²
+REACH = 4  # spans on either side of a frame, beyond which it moves the spline by less than 1 % of its own movement
 SHORT = 150  # coefficients up to which a dense inverse is faster than a sparse solve
 Complex = NDArray[np.complex128]
 TAYLOR = np.arange(2, -1, -1)[:, None] + np.arange(DEGREE + 1)  # powers of (t - knot) in y, y', y'' by coefficient

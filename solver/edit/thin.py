@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike
 from ..array import Array, Index
 from ..curve.frame import Frame, Timeline
 from ..curve.raw import raw_timeline
-from ..curve.spline import path_of
+from ..curve.spline import REACH, path_of
 from ..figure.figure import Figure, on_links
 from ..figure.kinematics import LinkMotion, States
 from ..surface.points import body_points
@@ -31,7 +31,6 @@ from ..tolerances import ROUNDING
 
 InBetween = Callable[[Sequence[Frame]], Timeline]
 
-REACH = 4  # keyframes on either side of a removed one that a trial checks; beyond, a spline moves by less than 1 %
 MARGIN = 3  # further keyframes on either side that the spline of a trial interpolates
 SHARE = 0.5  # [1] deviation relative to the worst, from which segments get a keyframe in the same round
 

@@ -15,7 +15,7 @@ import numpy as np
 from ..array import ENTRIES_AT_ONCE, Array, Index
 from ..curve.frame import Frame, Timeline
 from ..curve.quadrature import Quadrature, gauss_nodes
-from ..curve.spline import Path, Sampling, Spline, path_of
+from ..curve.spline import REACH, Path, Sampling, Spline, path_of
 from ..figure.kinematics import Samples
 from ..objective import Objective
 from ..penalty.block import one_sided_residuals
@@ -27,7 +27,6 @@ from ..tolerances import ROUNDING, SMALLEST
 FEW, MORE = 2, 3
 NODES = 8  # nodes per span of the strong form's integrals
 WINDOW = 60  # maximum number of spans whose curvature is in memory
-REACH = 4  # spans on either side of a frame in which its cardinal function is used
 
 
 @dataclass(frozen=True)
