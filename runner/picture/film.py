@@ -47,9 +47,6 @@ CODECS = {
     ".webm": ("libvpx-vp9", {"crf": "24", "b:v": "0", "deadline": "good", "cpu-used": "4", "row-mt": "0"}, {}),
 }
 
-_BT709 = 1  # H.273's code of BT.709, for primaries, transfer and matrix
-_TV_RANGE = 1  # AVCOL_RANGE_MPEG
-
 
 def check_target(path: str | os.PathLike[str], width: int, height: int) -> None:
     """Raise UserError if `write` could not write frames of this size [pixels] to a path. Writes nothing."""
@@ -87,6 +84,7 @@ def _write_video(path: Path, images: Iterator[Picture], fps: float) -> None:
     """Encode as yuv420p with BT.709."""
     codec, codec_options, container_options = CODECS[path.suffix.lower()]
     import av
+    from av.video.reformatter import ColorRange, Colorspace
 
     rate = Fraction(fps).limit_denominator(65535)
     with av.open(str(path), "w", container_options={"fflags": "+bitexact", **container_options}) as container:
@@ -96,8 +94,8 @@ def _write_video(path: Path, images: Iterator[Picture], fps: float) -> None:
         stream.pix_fmt = "yuv420p"
         context = stream.codec_context
         context.thread_count = 1
-        context.colorspace = context.color_primaries = context.color_trc = _BT709
-        context.color_range = _TV_RANGE
+        context.colorspace = context.color_primaries = context.color_trc = Colorspace.ITU709.value
+        context.color_range = ColorRange.MPEG.value
 
         def put(picture: av.VideoFrame | None) -> None:
             if picture is not None:
