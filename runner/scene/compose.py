@@ -32,7 +32,7 @@ from .mujoco_versions import lamp, portable_text, remove
 from .triangles import HIDDEN_GROUP
 
 PREFIX = "stage_"
-GREY = (0.5, 0.5, 0.5, 1.0)  # MuJoCo's default colour of a geom
+GREY = mujoco.MjSpec().default.geom.rgba.copy()  # MuJoCo's default colour of a geom
 BURIED = 0.005  # [m] depth in the floor that is permitted for a fixed figure
 BELOW = 0.02  # [1] distance of an added floor below the figure's lowest point, relative to the figure's size
 INPUTS = "give the name of a figure that ships, a path to MJCF or URDF, MJCF text or an MjSpec"
