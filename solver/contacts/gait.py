@@ -41,7 +41,6 @@ CYCLES = 0.8  # least number of cycles in a clip
 SLIP = 0.33  # largest slip of a cycle, see `GaitCycle`
 TRUST = 0.4  # least mean trust of a gait cycle over the clip
 LOWEST = 0.25  # fraction of the keyframes with the lowest soles, which stand
-TRIED = 4  # most candidates that are examined
 
 
 @dataclass(frozen=True, eq=False)
@@ -173,8 +172,7 @@ class Gait:
         gain = np.array([poses.gain(float(period)) for period in tried])
         padded = np.concatenate([[-np.inf], gain, [-np.inf]])
         peaks = np.flatnonzero((gain >= padded[:-2]) & (gain > padded[2:]))
-        peaks = peaks[np.argsort(-gain[peaks])][:TRIED]
-        return [self._rhythm(poses, _refine(poses, tried, gain, int(i))) for i in peaks]
+        return [self._rhythm(poses, _refine(poses, tried, gain, i)) for i in peaks[np.argsort(-gain[peaks])].tolist()]
 
     def _rhythm(self, poses: PoseVectors, period: float) -> GaitCycle:
         gait_cycle = GaitCycle.of(poses, period, *self._plain)
