@@ -38,7 +38,6 @@ MOST = 40  # maximum number of points along any mesh
 TOUCHED = 0.002  # [m] distance of a sphere up to which a point on a mesh needs no other sphere
 CORNERS = 60  # maximum number of corners of a mesh's hull
 HIDDEN = 0.0002  # [m] protrusion up to which a sphere counts as inside a larger one
-CLOSE = 0.001  # [m] minimum spacing of spheres' centres
 
 Spheres = tuple[Array, Array]
 
@@ -184,7 +183,7 @@ def _touching(corners: Array, faces: Index, pace: float) -> tuple[Array, Array]:
 
 def _spread(half: float, radius: float, gap: float) -> Array:
     """Return positions from −half to half with the maximum spacing for spheres of this radius."""
-    pace = max(2 * np.sqrt(2 * radius * gap), CLOSE) if radius > 0 else CLOSEST
+    pace = max(2 * np.sqrt(2 * radius * gap), gap) if radius > 0 else CLOSEST
     return np.linspace(-half, half, int(np.ceil(2 * half / pace)) + 1) if half > 0 else np.zeros(1)
 
 
