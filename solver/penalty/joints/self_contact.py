@@ -31,7 +31,7 @@ from ...figure.wrenches import of_point
 from ...surface.cover import filling_spheres
 from ...surface.points import sets_poses
 from ...surface.touch import can_collide, movers
-from ...tolerances import TINY
+from ...tolerances import SINGLE, TINY
 from ..block import Block
 from ..penalty import NEAR_LENGTH, Allowance, Normalization, Penalty, Role
 
@@ -39,7 +39,6 @@ from ..penalty import NEAR_LENGTH, Allowance, Normalization, Penalty, Role
 GAP = 0.008  # maximum gap between spheres and the geom that they fill
 HAIR = 0.015  # protrusion from a thicker shape up to which a shape is omitted
 UNWATCHED = 0.005  # [m] depth up to which links of an adult need not be watched
-FARTHEST = 0.01  # [m] limit of MuJoCo's distance computation, of which only the sign is used
 
 
 @dataclass(frozen=True)
@@ -327,5 +326,5 @@ def _overlapping(model: mujoco.MjModel, geoms: Sequence[int]) -> set[tuple[int, 
     return {
         (int(ids[i]), int(ids[j]))
         for i, j in np.argwhere(np.triu(close, 1))
-        if mujoco.mj_geomDistance(model, data, int(ids[i]), int(ids[j]), FARTHEST, None) < 0
+        if mujoco.mj_geomDistance(model, data, int(ids[i]), int(ids[j]), SINGLE, None) < 0
     }
