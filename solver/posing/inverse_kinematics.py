@@ -39,7 +39,6 @@ SPREAD = 0.4  # [rad] standard deviation of random rotations in starting poses
 HOPELESS = 0.05  # [m, rad] largest residual of a rough pose that is refined further
 # [1] largest number of multiplier updates; ratio of successive residuals that counts as no progress
 ROUNDS, STALLED = 20, 0.7
-SMALLEST_STEP = 1e-11  # [rad, m] largest change of a joint by a step at which a descent ends
 
 
 @dataclass(frozen=True, eq=False)
@@ -210,15 +209,10 @@ class PoseSearch:
         residuals: Callable[[Array], Residuals],
         qpos: Array,
         steps: int,
-        *,
-        longest: float = np.inf,
-        settled: float = 0.0,
-        smallest: float = SMALLEST_STEP,
+        **limits: float,
     ) -> tuple[Array, float]:
-        """Return the pose of least cost near a pose (nq,), and its cost; see `minimise`."""
-        return minimise(
-            residuals, self.move, self.weights, qpos, steps, longest=longest, settled=settled, smallest=smallest
-        )
+        """Return the pose of least cost near a pose (nq,), and its cost; `minimise` has these limits."""
+        return minimise(residuals, self.move, self.weights, qpos, steps, **limits)
 
     def _place(self, qpos: Array) -> None:
         set_qpos(self.model, self.data, qpos)
