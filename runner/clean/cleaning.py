@@ -27,7 +27,7 @@ from ..exchange.recording import Recording
 from ..measure.depths import bunches, depths
 from ..motion import RATE, even_times, sample_runs
 
-SOFTEST, SOFTER = (1e-3, 0.03), (0.03,)  # factors of all weights but the recording's, in first and later searches
+SOFTNESS = (1e-3, 0.03)  # factors of all weights but the recording's in successive searches; later ones omit the first
 ROUGHLY = 0.1  # relative progress of E at which a search with reduced weights ends
 FAITHFUL = 1.0  # detail that a segment may lose in a recording without noise, see `TrackingPenalty.times`
 FAR, CLOSE = 0.02, 0.01  # [s] largest distance of the ends of a stance from a frame, with and without noise
@@ -97,14 +97,14 @@ def clean(
     is_noisy = largest_noise(recorded, context.points) > Thresholds.of(figure).noisy
     if is_noisy:
         sure = rests if specified is not None else tuple(_without_ends(context, recorded, rest) for rest in rests)
-        tracking = _with_soft_start(problem_of(sure, near.times()), near, SOFTEST, improved)
+        tracking = _with_soft_start(problem_of(sure, near.times()), near, SOFTNESS, improved)
         if specified is None:
             rests = _refined_stances(context, recorded, tracking)
             tracking = start_on(problem_of(rests, _times(tracking)), path_of(tracking.raw))
     else:
         tracking = problem_of(rests, near.times(FAITHFUL), far=CLOSE)
     if is_noisy or _is_deep(context, recorded):
-        tracking = _with_soft_start(tracking, near, SOFTER, improved)
+        tracking = _with_soft_start(tracking, near, SOFTNESS[1:], improved)
     return Cleaned(context, before, recorded, rests, raised, tracking, inbetween(tracking, improved=improved))
 
 
