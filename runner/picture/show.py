@@ -35,7 +35,6 @@ KEY_SECONDS = 0.5  # [s] duration of a keyframe in a video of keyframes
 PIXELS_OF_A_PROCESS = 4_000_000  # minimum number of pixels per process; drawing them takes twice its starting time
 SMALLEST = 16  # [pixels] minimum width and height
 MAX_FRAMES = 100_000  # maximum number of video frames, an hour at 30 frames per second
-BETWEEN_RATE = 15.0  # [1/s] rate of in-betweens in a still
 PAPER, INK = (250, 251, 252), (24, 30, 38)  # red, green, blue of captions
 
 
@@ -245,7 +244,7 @@ def _key_ghosts(saved: Saved) -> tuple[Ghost, ...]:
     return tuple(Ghost(q, shade=0.6, opacity=0.3) for q in qpos)
 
 
-def figure_six(saved: Saved, look: Look, graphics: Graphics, *, rate: float = BETWEEN_RATE) -> Picture:
+def figure_six(saved: Saved, look: Look, graphics: Graphics, *, rate: float = 15.0) -> Picture:
     """Return one still as figure 6 of the paper: keyframes darkest, then variable frames, then in-betweens (`rate`
     [1/s])."""
     figure = saved.figure

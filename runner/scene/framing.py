@@ -12,7 +12,6 @@ from dynsplines.solver.surface.touch import moves
 
 from .configuration import kinematics_of
 
-MOST_POSES = 60  # number of poses that represent a motion
 STANDING = 2.05  # [m] height of a person with a hand raised over the head
 PEOPLE = (1.3, 2.2)  # [m] range of heights of people
 WIDTH, HEIGHT = 0.8, 1.06  # [1] visible width and height about a figure's middle, relative to the figure's
@@ -81,8 +80,9 @@ def height(figure: Figure, qpos: Array) -> float:
     return _camera_height(np.maximum(high - middle, middle - low).max(axis=0))
 
 
-def spread(count: int, most: int = MOST_POSES) -> Index:
-    """Return evenly spaced indices of at most `most` of `count` items, with the first and the last."""
+def spread(count: int, most: int = 60) -> Index:
+    """Return evenly spaced indices of at most `most` of `count` items, with the first and the last. By default, these
+    poses represent a motion."""
     return np.unique(np.linspace(0, count - 1, min(count, most)).round().astype(np.intp))
 
 

@@ -54,8 +54,7 @@ CLEAR = 0.035  # [m] minimum height of a foot in the air
 STANDING = 0.03  # [m] height below which a sole is on the ground
 SHORT = 0.002  # [m] distance above which a limb does not reach its target
 MOVED = 1e-5  # [rad, m] difference above which a joint was moved
-DIGITS = 4  # decimal places of angles of hinges [degrees], and of slides [m]
-PLACES = {"rotvec": 3, "position": 5}  # decimal places of other entries: degrees (2e-5 rad) and metres
+PLACES = {"rotvec": 3, "position": 5}  # decimal places of entries: degrees (2e-5 rad) and metres
 
 
 @dataclass(frozen=True)
@@ -378,7 +377,8 @@ class Poser:
         return names | {point.name for point in self.soles if point.link in links}
 
 
-def _round(value: Any, digits: int = DIGITS) -> Any:
+def _round(value: Any, digits: int = 4) -> Any:
+    """Return entries with rounded numbers, by default the angles of hinges [degrees] and slides [m]."""
     if isinstance(value, dict):
         return {key: _round(entry, PLACES.get(key, digits)) for key, entry in value.items()}
     return [_round(entry, digits) for entry in value] if isinstance(value, tuple) else round(value, digits) + 0.0

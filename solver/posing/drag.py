@@ -31,7 +31,6 @@ STIFFNESS = 0.1, 1.0, 1.0, 1.0, 1.0  # factors of the constraints' weights in su
 FIXED_MISS = 3e-4  # [m] largest residual of fixed goals
 STEPS, MAX_STEP = 14, 0.5  # per descent; [rad, m] of any degree of freedom
 MIN_GAIN, MIN_STEP = 1e-4, 1e-5  # limits of convergence [1], [rad, m]
-SUPPORT_SHARE = 0.8  # size of the polygon for the centre of mass in a drag, relative to the support polygon
 NEAR_FLOOR = 0.05  # [m] height below which a body's clearance is linearise
 
 
@@ -48,9 +47,9 @@ class SupportPolygon:
     corners: Array
 
     @classmethod
-    def of(cls, root: int, points: Array, share: float = SUPPORT_SHARE) -> SupportPolygon | None:
-        """Return the convex hull of contact points (n, 3) [m], scaled by `share` about its centroid, or None if they
-        are collinear."""
+    def of(cls, root: int, points: Array, share: float = 0.8) -> SupportPolygon | None:
+        """Return the convex hull of contact points (n, 3) [m], scaled by `share` [1] about its centroid, by default for
+        the centre of mass in a drag; None if they are collinear."""
         from scipy.spatial import ConvexHull  # slow to import
 
         rays = points[1:, :2] - points[0, :2]
