@@ -7,6 +7,7 @@ float32.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import cache
 from typing import Any, NamedTuple
 
@@ -145,14 +146,14 @@ class Projection(NamedTuple):
     """The inputs of a picture.
 
     By triangle: normals at its corners (m, 3, 3) and its geom (m,). By geom: colour (k, 3), emission (k,), and whether
-    it is part of the static scene (k,).
+    it is part of the static scene (k,). `closeness` is that of `_closeness_over`.
     """
 
     eye: Eye
     faces: Faces
     normals: Array
     geom: Index
-    lowest: HeightMap
+    closeness: Callable[[Array], Floats]
     geoms: list[Any]
     colour: Floats
     emission: Floats
@@ -198,8 +199,8 @@ class Raster:
         colour = np.array([g.rgba[:3] * self._tint(g.matid) for g in geoms], np.float32).reshape(-1, 3)
         emission = np.array([g.emission for g in geoms], np.float32)
         is_still = np.array([g.category == mujoco.mjtCatBit.mjCAT_STATIC for g in geoms], bool)
-        lowest = HeightMap(points[~is_still[geom]])
-        return Projection(eye, Faces(eye, points), normals, geom, lowest, geoms, colour, emission, is_still)
+        closeness = _closeness_over(points[~is_still[geom]])
+        return Projection(eye, Faces(eye, points), normals, geom, closeness, geoms, colour, emission, is_still)
 
     def _eye(self) -> Eye:
         """Return the camera of the scene, midway between its two stereo cameras."""
@@ -263,7 +264,7 @@ class Raster:
                 base[on] = plane.rgba[:3] * _pattern_colour(*self._pattern(plane.objid), local, patch)
         energy = view.emission[geom, None] + self._light(points, normals)
         still = np.flatnonzero(view.is_still[geom])
-        base[still] *= 1 - SHADE * view.lowest.closeness(points[still])[:, None]
+        base[still] *= 1 - SHADE * view.closeness(points[still])[:, None]
         depth = np.where(view.is_still[geom], np.maximum(distance - HAZE_START, 0), 0)
         clear = np.exp(-depth.astype(np.float32) / np.float32(HAZE_LENGTH))[:, None]
         out[met] = SKY + clear * (np.minimum(base * energy, 1) - SKY)
@@ -297,23 +298,26 @@ def _pattern_colour(texture: Floats, mean: Floats, repeat: Array, points: Array,
     return mean + strength * (texture[row % height, column % width] - mean)
 
 
-class HeightMap:
-    """The lowest surface of the figures above every point of the ground, seen from far below."""
+def _closeness_over(figures: Array) -> Callable[[Array], Floats]:
+    """Return a function of points (n, 3): how near the lowest surface above them is, 1 at contact and towards 0 in
+    height, (n,). It is determined from far below.
 
-    def __init__(self, points: Array) -> None:
-        """Draw triangles (m, 3, 3) of figures."""
-        low, high = (points.min(axis=(0, 1)), points.max(axis=(0, 1))) if len(points) else np.zeros((2, 3))
-        self._depth = 1000 * (float((high - low).max()) + 1e-3)  # so far that rays are almost vertical
-        position, size = (low + high) / 2 - [0, 0, self._depth], SHADE_TEXELS
-        self._eye = Eye(position, np.eye(3), 990.0 * size, size, size, near=1e-3)
-        self._closest = Faces(self._eye, points).cover(np.array([0.5, 0.5]))[0]
+    Args:
+        figures: The triangles of the figures, (m, 3, 3).
+    """
+    low, high = (figures.min(axis=(0, 1)), figures.max(axis=(0, 1))) if len(figures) else np.zeros((2, 3))
+    away = 1000 * (float((high - low).max()) + 1e-3)  # so far that rays are almost vertical
+    size = SHADE_TEXELS
+    eye = Eye((low + high) / 2 - [0, 0, away], np.eye(3), 990.0 * size, size, size, near=1e-3)
+    lowest, _ = Faces(eye, figures).cover(np.array([0.5, 0.5]))
 
-    def closeness(self, points: Array) -> Floats:
-        """Return how near the lowest surface above points (n, 3) is: 1 at contact, towards 0 in height, (n,)."""
-        x, y, depth = self._eye.project(points).T
+    def closeness(points: Array) -> Floats:
+        x, y, depth = eye.project(points).T
         column, row = (x / depth).astype(int), (y / depth).astype(int)
-        inside = (column > 0) & (row > 0) & (column < SHADE_TEXELS) & (row < SHADE_TEXELS)
-        closest = np.where(inside, self._closest[np.where(inside, row * SHADE_TEXELS + column, 0)], 0.0)
+        inside = (column > 0) & (row > 0) & (column < size) & (row < size)
+        closest = np.where(inside, lowest[np.where(inside, row * size + column, 0)], 0.0)
         with np.errstate(divide="ignore"):
             height = 1 / closest - depth
         return np.exp(-np.abs(height) / SHADE_HEIGHT).astype(np.float32)
+
+    return closeness
