@@ -12,9 +12,10 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.spline import path_of
-from dynsplines.solver.figure.dynamics import generalised_forces, velocities
+from dynsplines.solver.figure.dynamics import velocities
 from dynsplines.solver.figure.figure import Figure, JointKind, Link, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
+from dynsplines.solver.penalty import Torque
 from dynsplines.solver.problem import Solution
 from dynsplines.solver.tolerances import ROUNDING
 
@@ -68,12 +69,24 @@ def _times(timeline: Timeline) -> Array:
 
 def _series(figure: Figure, samples: Samples) -> list[tuple[str, Link, int | None, Array]]:
     """Return group, joint, axis and values (T,) of every series."""
-    (qvel, _), forces = velocities(samples), generalised_forces(samples)
+    (qvel, _), torques = velocities(samples), _torques(samples)
     out: list[tuple[str, Link, int | None, Array]] = [*_coordinates(figure, figure.to_qpos(samples.y))]
     out += [("speed", link, None, np.degrees(_norm(link, qvel))) for link in figure.links[1:] if not _slides(link)]
     return out + [
-        ("torque", link, None, _norm(link, forces)) for link in figure.links[1:] if link.kind is not JointKind.FREE
+        ("torque", link, None, torques[i])
+        for i, link in enumerate(figure.links[1:], start=1)
+        if link.kind is not JointKind.FREE
     ]
+
+
+def _torques(samples: Samples) -> Array:
+    """Return the torques of hinges and slides, and the norms of those of ball joints, by link (L, T)."""
+    tables, (efforts,) = samples.figure.tables, Torque().residuals(samples)
+    balls, others = np.split(efforts.value, [3 * tables.ball_links.size])
+    out = np.zeros((len(tables.parents), samples.count))
+    out[tables.ball_links] = np.linalg.norm(balls.reshape(3, -1, samples.count), axis=0)
+    out[[*tables.hinge_links, *tables.slide_links]] = others
+    return out
 
 
 def _coordinates(figure: Figure, qpos: Array) -> Iterator[tuple[str, Link, int, Array]]:
@@ -106,7 +119,7 @@ def _slides(link: Link) -> bool:
 
 
 def _norm(link: Link, values: Array) -> Array:
-    """Return the norm of a joint's part of velocities or forces (T, nv), of a free joint's rotation only, (T,)."""
+    """Return the norm of a joint's part of velocities (T, nv), of a free joint's rotation only, (T,)."""
     components = values[:, link.dofs]
     return np.linalg.norm(components[:, -3:], axis=1) if components.shape[1] > 1 else components[:, 0]
 

@@ -25,7 +25,7 @@ import numpy as np
 from ..array import Array
 from ..tolerances import TINY
 from .adjoint import Cotangent, attached_pulled_back
-from .algebra import combine, cross, cross_sum, dot, rotate, rotate_back
+from .algebra import combine, cross, cross_sum, rotate, rotate_back
 from .figure import Figure
 from .kinematics import LinkMotion, Samples
 
@@ -106,35 +106,6 @@ class InverseDynamics:
         anchor_bar += centre_bar
         into.accumulate("x", anchor_bar, donate=True)
         into.accumulate("x_dd", f_bar, donate=True)
-
-
-def generalised_forces(samples: Samples) -> Array:
-    """Return MuJoCo's qfrc_inverse without contacts, limits and passive forces, (S, nv).
-
-    Free joints: force in the world, moment in the body's axes. Ball joints: body axes. Hinges and slides: along the
-    axis.
-    """
-    figure, links = samples.figure, samples.links
-    inverse = samples.cache(InverseDynamics)
-    local = rotate_back(links.rotation, inverse.moment)
-    qacc = None
-    if np.any(figure.tables.armature):
-        qacc = velocities(samples)[1]
-    out = np.zeros((samples.count, figure.model.nv))
-    for i, link in enumerate(figure.links[1:], start=1):
-        axis = link.axis[:, None]
-        if link.kind == link.kind.FREE:
-            out[:, link.dof : link.dof + 3] = inverse.force[:, i].T
-            out[:, link.dof + 3 : link.dof + 6] = local[:, i].T
-        elif link.kind == link.kind.BALL:
-            out[:, link.dof : link.dof + 3] = local[:, i].T
-        elif link.kind == link.kind.HINGE:
-            out[:, link.dof] = dot(axis, local[:, i])
-        else:
-            out[:, link.dof] = dot(axis, rotate_back(links.rotation, inverse.force)[:, i])
-    if qacc is not None:
-        out += figure.model.dof_armature * qacc
-    return out
 
 
 def inverse_dynamics(model: mujoco.MjModel, qpos: Array, qvel: Array, qacc: Array, *, disabled: int = 0) -> Array:

@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 from figures import TINY, figure_of, stance_of
+from oracles import mujoco_forces
 from random_models import at_times, closed, evenly, mask_without, partial_keys, random_keys, random_samples
 
 from dynsplines.solver import penalty as kinds
@@ -13,7 +14,6 @@ from dynsplines.solver.curve.quadrature import gauss_nodes
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of
 from dynsplines.solver.figure.adjoint import Cotangent
-from dynsplines.solver.figure.dynamics import generalised_forces
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.objective import Discretised, Objective
@@ -238,7 +238,7 @@ def _root(samples: Samples) -> Array:
 
 def _efforts(samples: Samples) -> Array:
     """MuJoCo's joint entries of qfrc_inverse, those of ball joints turned from the body's axes to the world's."""
-    figure, forces = samples.figure, generalised_forces(samples)
+    figure, forces = samples.figure, mujoco_forces(samples)
     efforts = []
     for i, link in enumerate(figure.links[1:], start=1):
         if link.kind == link.kind.BALL:

@@ -13,11 +13,14 @@ import numpy as np
 import problems
 import psutil
 import pytest
+from figures import figure_of
+from oracles import mujoco_forces
 from processes import Recorded
+from random_models import random_samples
+from texts import read_data
 
 from dynsplines.solver.figure.figure import Figure
-from dynsplines.studio import paths
-from dynsplines.studio.curves import overshoots
+from dynsplines.studio import curves, paths
 from dynsplines.studio.solver import release_memory
 
 
@@ -114,6 +117,18 @@ def test_curves_are_of_joints(work, tmp_path):
     assert len(knee["after"]) == len(told["curves"]["time"])
 
 
+def test_torques_are_those_of_mujoco_for_joints_of_every_kind(rng):
+    figure = figure_of(read_data("every_joint.xml"))
+    samples = random_samples(figure, rng)
+    forces = mujoco_forces(samples)
+    torques = [(link, values) for group, link, _, values in curves._series(figure, samples) if group == "torque"]
+    assert len(torques) == 6
+    for link, values in torques:
+        expected = forces[:, link.dofs]
+        expected = expected[:, 0] if expected.shape[1] == 1 else np.linalg.norm(expected, axis=1)
+        np.testing.assert_allclose(values, expected, rtol=1e-9)
+
+
 def test_a_rotation_beyond_half_a_turn_is_a_curve_without_jumps(work, tmp_path):
     turned = problems.changed("rotvec = [0, 10, 170]", "rotvec = [0, 0, 170]")
     turned += "\n[[keyframe]]\ntime = 0.6\nroot.position = [0.5, 0, 1]\nroot.rotation = {rotvec = [0, 0, 200]}\n"
@@ -130,11 +145,11 @@ def test_a_joint_that_goes_beyond_both_its_keyframes_is_marked_at_the_peak(work,
     at = fast.rindex("joints.left_knee")
     work.loaded(tmp_path, fast[:at] + "joints.left_knee = {rotvec = [0, 140, 0]}\n")
     clip = work.clip
-    (mark,) = overshoots(clip.figure, clip.authored_keys, clip.problem.raw)
+    (mark,) = curves.overshoots(clip.figure, clip.authored_keys, clip.problem.raw)
     assert mark["joint"] == "left_knee"
     assert 0.2 < mark["time"] < 0.41
     assert re.fullmatch(r"left_knee y goes from 140° to 15\d°, and then to 140°", mark["text"])
-    assert overshoots(clip.figure, clip.authored_keys[:2], clip.problem.raw) == []
+    assert curves.overshoots(clip.figure, clip.authored_keys[:2], clip.problem.raw) == []
 
 
 def test_the_present_motion_is_kept_for_what_is_made_of_it(work, tmp_path):
