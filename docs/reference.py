@@ -60,7 +60,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "recording": "a recorded motion that the clip follows",
             "penalty": "changes to soft constraints, by [these keys](soft_constraints.md#all-kinds)",
             "solve": "settings of the solver",
-            "mirror": "left and right of the figure, for mirror images",
+            "mirror": "names of left and right parts, for mirror images",
         },
     ),
     "[[keyframe]]": (
@@ -152,7 +152,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "keyframes",
             "turn": "the rotation of the root in one cycle of a loop, in degrees; default: as in the keyframes",
             "variable": "variable frames between two keyframes at the start of the search; default 2 (3 in a "
-            "clip solved in windows), and more between distant keyframes",
+            "long clip), and more between distant keyframes",
             "frames": "the maximum number of variable frames; default: 3 between two keyframes, or 10 per second if "
             "that is more",
             "criterion": 'how the solver finds the intervals into which it inserts frames: "weak" (the default) by '
@@ -166,8 +166,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "tolerance": "the search ends when a step is predicted to decrease the objective by less than this share; "
             "default 0.001",
             "quadrature": "the quadrature rule of the objective",
-            "samples": f"samples in each interval of up to {LONGEST_PANEL:g} s between spline points, default {POINTS}"
-            ', and more where these would miss a collision; with "uniform": samples in the whole clip, default 100',
+            "samples": f"samples in each part of the spline of up to {LONGEST_PANEL:g} s; default {POINTS}, more where "
+            'a collision would be missed. With "uniform": samples in the whole clip; default 100',
         },
     ),
 }
@@ -286,13 +286,13 @@ def speed() -> Iterator[str]:
     time, length = seconds(solve[1]), duration("run_and_step")
     yield f"- The clip `run_and_step`, {length} of motion, is solved in {time}."
     yield (
-        f"- A runner with a simplified objective is solved to 0.5 % of the optimum in {seconds(runner[1])}. "
+        f"- A run with a simplified objective is solved to within 0.5 % of the optimum in {seconds(runner[1])}. "
         f"CasADi with IPOPT takes {factor(ipopt[2])} times as long."
     )
     dense = factor(row("barr", DENSE)[2])
     yield (
-        f"- On the problem of Barr et al. 1992, the method is {dense} times as fast as dense SQP, and {sparse()} times "
-        "as fast as sparse Newton SQP and IPOPT."
+        f"- For a body that rotates through keyframes (Barr et al. 1992), the method is {dense} times as fast as dense "
+        f"SQP, and {sparse()} times as fast as sparse Newton SQP and IPOPT."
     )
 
 
@@ -342,9 +342,12 @@ def solvers() -> Iterator[str]:
         task = ours = ""
     for count in (7, 1000):
         cells = row("shooting", count, "moderate", "ours, 3 a segment")
-        task = f"a rotating body with {count} keyframes, to 0.01 % of the least energy"
+        task = f"a rotating body with {count} keyframes, to 0.01 % of the optimum"
         yield f"| {task} | {seconds(cells[3] / 1000)} | InterpolatePy, C++ shooting | {factor(1 / cells[4])} |"
-    task, ours = "the problem of Barr et al. 1992, to 0.1 % of the least energy", seconds(row("barr", "ours")[1] / 1000)
+    task, ours = (
+        "the rotating body of Barr et al. 1992, to 0.1 % of the optimum",
+        seconds(row("barr", "ours")[1] / 1000),
+    )
     for solver in (*SPARSE, DENSE):
         yield f"| {task} | {ours} | {solver} | {factor(row('barr', solver)[2])} |"
         task = ours = ""
@@ -364,7 +367,7 @@ def quality() -> Iterator[str]:
     energies = [row("quaternions", name) for name in ("ours, 3 variable frames a segment", "RotationSpline", "SQUAD")]
     for column, sets in ((1, "steps of 20 to 90°"), (3, "random rotations")):
         values = " | ".join(f"{float(cells[column]):.5g}" for cells in energies)
-        yield f"| energy of a rotating body / least energy, {sets} | {values} |"
+        yield f"| objective of a rotating body / optimum, {sets} | {values} |"
     rebuilt = [row("inbetweening", 10, name) for name in ("ours", "RotationSpline", "SLERP")]
     for column, what, unit in ((4, "error of hands and ankles", "cm"), (6, "sliding of feet on the ground", "cm/s")):
         values = " | ".join(f"{cells[column]:.2g} {unit}" for cells in rebuilt)
@@ -380,13 +383,13 @@ CLAIMS = (  # verdict, claim, measurement of the benchmarks
     ),
     (
         "not reproduced",
-        "With the weights 2 : 5 of the unit and acceleration terms and 1 variable frame per segment, quaternions keep "
-        "unit length to 0.2 % ([figure 9](#figure-9)).",
+        "With the weights 2 : 5 of the unit and acceleration terms and 1 variable frame between keyframes, quaternions "
+        "keep unit length to 0.2 % ([figure 9](#figure-9)).",
         "",
     ),
     (
         "reproduced",
-        "The same with the weights 10 : 1 and 3 variable frames per segment, with nearly the least energy.",
+        "The same with the weights 10 : 1 and 3 variable frames, with nearly the least objective.",
         "",
     ),
     (
@@ -397,7 +400,7 @@ CLAIMS = (  # verdict, claim, measurement of the benchmarks
     ("not reproduced", "The same for sparse solvers.", "{sparse} times"),
     (
         "not reproduced",
-        "The Euler-Lagrange residual in its strong form decreases with 0, 1 and 3 variable frames per segment "
+        "The Euler-Lagrange residual in its strong form decreases with 0, 1 and 3 variable frames between keyframes "
         "([figure 10](#figure-10)).",
         "",
     ),

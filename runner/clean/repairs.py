@@ -79,7 +79,7 @@ def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Mask
     if bad.size:
         joints = [_name(figure, columns) for columns in groups(figure) if not known[:, columns].all()]
         notes.append(
-            f"{bad.size} samples of {list_names(joints)} hold no numbers, first at {time[bad[0]]:.3f} s: bridged"
+            f"{bad.size} samples of {list_names(joints)} hold no numbers, first at {time[bad[0]]:.3f} s: interpolated"
         )
     np.copyto(qpos, np.asarray(figure.model.qpos0), where=~known)
     return known
@@ -102,7 +102,7 @@ def _interpolate(time: Array, qpos: Array, known: Mask, notes: list[str]) -> tup
     missing = np.maximum(np.round(np.diff(time) / step).astype(int) - 1, 0)
     missing[np.diff(time) < 1.5 * step] = 0
     for i in np.flatnonzero(missing):
-        notes.append(f"nothing is recorded from {time[i]:.3f} to {time[i + 1]:.3f} s: bridged")
+        notes.append(f"gap from {time[i]:.3f} to {time[i + 1]:.3f} s: interpolated")
     if not missing.any():
         return time, qpos, known
     row = np.repeat(np.arange(time.size), np.append(missing + 1, 1))
@@ -126,6 +126,6 @@ def _jumps(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[st
     if has_jump.any():
         whose = sorted({_name(figure, columns) for columns in groups(figure) if out[:, columns].any()})
         notes.append(
-            f"{list_names(whose)}: {int(has_jump.sum())} samples jump, first at {time[has_jump][0]:.3f} s: bridged"
+            f"{list_names(whose)}: {int(has_jump.sum())} samples jump, first at {time[has_jump][0]:.3f} s: interpolated"
         )
     return out

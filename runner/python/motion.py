@@ -164,7 +164,7 @@ class Motion:
         if times.ndim > 1:
             raise UserError(f"{self.name}: times are one number or a list of them, not {times.shape}")
         if times.size and not (self.start - ROUNDING <= times.min() and times.max() <= self.end + ROUNDING):
-            raise UserError(f"{self.name}: the motion runs from {self.start:g} to {self.end:g} s; give a time within")
+            raise UserError(f"{self.name}: the motion runs from {self.start:g} to {self.end:g} s; choose a time in it")
         return times
 
     def sampled(self, fps: float | None = None, *, times: ArrayLike | None = None) -> Sampled:

@@ -30,7 +30,7 @@ def retime(timeline: Timeline, speed: float) -> Timeline:
 def check_interval(span: tuple[float, float], first: float, last: float) -> None:
     """Raise TimelineError unless `first` to `last` [s] is within the motion."""
     if not first < last:
-        raise TimelineError(f"an interval ends after it begins, not from {first:g} to {last:g} s")
+        raise TimelineError(f"the interval from {first:g} to {last:g} s ends before it begins")
     if first < span[0] - ROUNDING or last > span[1] + ROUNDING:
         raise TimelineError(f"from {first:g} to {last:g} s is not inside {span[0]:g} to {span[1]:g} s")
 

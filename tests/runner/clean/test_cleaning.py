@@ -204,16 +204,16 @@ FAULTS = {  # times, qpos, rows and columns that are not known afterwards, notes
         ("60 samples come twice, first at 0.000 s: left out",)),
     "no numbers in one joint": (
         TIMES, changed([10, 11, 12], ELBOW + 1, np.nan), [10, 11, 12], JOINT,
-        ("3 samples of 'left_elbow' hold no numbers, first at 0.333 s: bridged",)),
+        ("3 samples of 'left_elbow' hold no numbers, first at 0.333 s: interpolated",)),
     "a quaternion of zeros": (
         TIMES, changed(20, JOINT, 0), [20], JOINT,
-        ("1 samples of 'left_elbow' hold no numbers, first at 0.667 s: bridged",)),
+        ("1 samples of 'left_elbow' hold no numbers, first at 0.667 s: interpolated",)),
     "missing": (
         TIMES[MISSING], motion()[MISSING], slice(30, 40), slice(None),
-        ("nothing is recorded from 0.967 to 1.333 s: bridged",)),
+        ("gap from 0.967 to 1.333 s: interpolated",)),
     "a sample off": (
         TIMES, changed(25, 2, motion()[25, 2] + 0.3), [25], slice(0, 3),
-        ("'root': 1 samples jump, first at 0.833 s: bridged",)),
+        ("'root': 1 samples jump, first at 0.833 s: interpolated",)),
     "a pose at the start": (
         np.arange(-1, 60) / 30, np.vstack([POSE, motion()]), (), (), (STARTS.format(0),)),
     "a pose held at the start": (
