@@ -5,7 +5,7 @@ The figure travels along x. The mirror plane is y = 0.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from dynsplines.solver.figure.figure import Figure
@@ -44,7 +44,7 @@ def _whole(half: ClipTable, figure: Figure, where: str) -> ClipTable:
         raise UserError("ends = 'mirrored': [[grasp]] is not for half a cycle; write the keyframes of the whole cycle")
     if half.solve.turn:
         raise UserError("ends = 'mirrored': a figure that turns has no mirrored half; remove turn")
-    mirror, (first, *between, last) = figure_mirror(figure, half, where), half.keyframe
+    mirror, (first, *between, last) = figure_mirror(figure, half, where), _with_roots(figure, half.keyframe)
     if last.model_fields_set != {"time"}:
         raise UserError(
             "ends = 'mirrored': the last keyframe is the mirror image of the first; specify only its time, and the "
@@ -66,6 +66,20 @@ def _whole(half: ClipTable, figure: Figure, where: str) -> ClipTable:
     penalties = [_repeat(entry, seconds) for entry in half.penalty]
     solve = half.solve.change(ends="periodic")
     return half.change(keyframe=[first, *between, *images, end], contact=contacts, penalty=penalties, solve=solve)
+
+
+def _with_roots(figure: Figure, rows: Sequence[KeyframeTable]) -> list[KeyframeTable]:
+    """Return keyframes that name the position of the root if `others` takes it from the model."""
+    if figure.root is None:
+        return list(rows)
+    out, first = list[KeyframeTable](), figure.links[figure.root.link].qpos
+    for row in rows:
+        qpos = figure.model.qpos0 if row.model_key is None else figure.model.key(row.model_key).qpos
+        is_from_model = row.others == "rest" or row.model_key is not None
+        if is_from_model and not row.roots and "position" not in row.root.model_fields_set:
+            row = row.change(root=row.root.change(position=tuple(qpos[first : first + 3].tolist())))
+        out.append(row)
+    return out
 
 
 def _move(row: KeyframeTable, by: Shift) -> KeyframeTable:

@@ -29,6 +29,19 @@ def half_of(walk: str) -> str:
 
 
 HALF = half_of(WALK)
+HALF_AT_REST = """figure = "human"
+solve = {{ends = "mirrored", travel = [1.4, 0, 0]}}
+[[keyframe]]
+time = 0
+joints.left_hip = {{rotvec = [0, -20, 0]}}
+{0}
+[[keyframe]]
+time = 0.25
+root.position = [0.35, 0, 0.93]
+others = "rest"
+[[keyframe]]
+time = 0.5
+"""
 
 
 def test_half_a_walk_is_the_walk_also_when_it_is_saved_or_written_as_a_whole(tmp_path):
@@ -55,6 +68,16 @@ def test_half_a_walk_is_the_walk_also_when_it_is_saved_or_written_as_a_whole(tmp
     written = dynsplines.load(target)
     for one, other in zip(written.keys, half.keys, strict=True):
         np.testing.assert_allclose(one.state, other.state, atol=1e-9)
+
+
+def test_keyframes_at_rest_travel_as_others_do():
+    """Their root is then where the model has it."""
+    rest = HALF_AT_REST.format("others = 'rest'")
+    named = HALF_AT_REST.format("root = {position = [0, 0, 0.93], rotation = {rotvec = [0, 0, 0]}}\nothers = 'rest'")
+    one, other = (from_text(text, name="half") for text in (rest, named))
+    for key, expected in zip(one.keys, other.keys, strict=True):
+        np.testing.assert_allclose(key.state, expected.state, atol=1e-12)
+    assert one.keys[-1].state[0] == pytest.approx(1.4)
 
 
 WRONG = {
