@@ -253,7 +253,7 @@ Columns = Annotated[
     str,
     value(
         "COLUMNS",
-        "Columns to add to csv: a comma-separated list of velocities, torques, wrench (at the root), ground; or all",
+        "Columns to add to csv, separated by commas: angles, velocities, torques, wrench (at the root), ground; or all",
         "none",
         "--with",
     ),

@@ -1,6 +1,6 @@
 """Groups of further columns of a table, named after joints and bodies, with their units.
 
-angles      left_hip.rx [deg]: rotation vectors of ball joints and free roots, as in keyframes; knee.r [deg] of hinges
+angles      left_hip.rx [deg]: rotation vectors of ball joints and free roots; angles of hinges as knee.r [deg]
 velocities  left_hip.wx [rad/s]: MuJoCo's qvel; free joints in world axes, their rotation and ball joints in body axes
 torques     left_hip.tx [N m]: joint torques, qfrc_inverse minus the ground reactions, in body axes
 wrench      root.fx [N], root.mx [N m], com.x [m]: qfrc_inverse at the free root, moment about the centre of mass
@@ -39,7 +39,7 @@ UNKNOWN_NOTE = "the support of the figure is unknown in {share:.0%} of the insta
 
 
 def angles(forces: Forces) -> Columns:
-    """Return the rotations of all joints in degrees, as keyframes specify them."""
+    """Return rotation vectors, at most half a turn long, of ball joints and free roots, and angles of hinges."""
     model, qpos, out = forces.sampled.model, forces.sampled.qpos, {}
     for joint in range(model.njnt):
         kind, first = JointKind(model.jnt_type[joint]), int(model.jnt_qposadr[joint])
