@@ -34,6 +34,12 @@ def runs(mask: Mask) -> list[tuple[int, int]]:
     return list(zip(edges[::2].tolist(), edges[1::2].tolist(), strict=True))
 
 
+def count_off(lengths: Index) -> tuple[Index, Index]:
+    """Return the index of the run and the position in it, for every item of runs of these lengths (n,)."""
+    run = np.repeat(np.arange(lengths.size), lengths)
+    return run, np.arange(run.size) - (np.cumsum(lengths) - lengths)[run]
+
+
 def segments_at(times: Array, t: Array) -> Index:
     """Return for each of the times t (T,) the segment between `times` (K,) that contains it, 0 to K − 2.
 
@@ -53,10 +59,8 @@ def pairs_within(t: Array, first: Array, last: Array) -> tuple[Index, Index]:
     order = np.argsort(t, kind="stable")
     rising = t[order]
     begin, end = np.searchsorted(rising, first, "left"), np.searchsorted(rising, last, "right")
-    active = np.flatnonzero(end > begin)
-    begin, counts = begin[active], (end - begin)[active]
-    place = np.arange(counts.sum()) + np.repeat(begin - (np.cumsum(counts) - counts), counts)
-    return np.repeat(active, counts), order[place]
+    interval, place = count_off(np.maximum(end - begin, 0))
+    return interval, order[begin[interval] + place]
 
 
 def add_rows_at(into: Array, at: Index, rows: Array) -> None:

@@ -15,7 +15,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from dynsplines.solver.array import IN_CACHE, Array, Index, Mask
+from dynsplines.solver.array import IN_CACHE, Array, Index, Mask, count_off
 from dynsplines.solver.tolerances import SINGLE, TINY
 
 from ..scene.mujoco_versions import lamp
@@ -96,7 +96,7 @@ class Faces:
         high = np.clip(np.floor(self._high - at), -1, self._size - 1).astype(int)
         for start in range(0, len(self.edges), 10 * IN_CACHE):
             part = slice(start, start + 10 * IN_CACHE)
-            face, row = _runs(high[part, 1] - low[part, 1] + 1)
+            face, row = count_off(np.maximum(high[part, 1] - low[part, 1] + 1, 0))
             face += start
             row += low[face, 1]
             slope, rest = (
@@ -108,7 +108,7 @@ class Faces:
             begin = np.ceil(np.where(slope > 0, place, -np.inf).max(axis=1, initial=0)).clip(low[face, 0])
             right = np.floor(np.where(slope < 0, place, np.inf).min(axis=1, initial=width)).clip(None, high[face, 0])
             right[((slope == 0) & (rest < 0)).any(axis=1)] = -1
-            run, column = _runs((right - begin + 1).astype(int))
+            run, column = count_off(np.maximum(right - begin + 1, 0).astype(int))
             column += begin.astype(int)[run]
             face, row = face[run], row[run]
             along, down, start_value = self.closeness[face].T
@@ -133,13 +133,6 @@ def _extent(corners: Array, near: float) -> tuple[Array, Array]:
     low[crossing] = np.fmin(low[crossing], np.fmin.reduce(cut, axis=1))
     high[crossing] = np.fmax(high[crossing], np.fmax.reduce(cut, axis=1))
     return low, high
-
-
-def _runs(lengths: Index) -> tuple[Index, Index]:
-    """Return the index of the run and the position in it, for every item of runs of these lengths."""
-    lengths = np.maximum(lengths, 0)
-    run = np.repeat(np.arange(len(lengths)), lengths)
-    return run, np.arange(len(run)) - np.repeat(np.cumsum(lengths) - lengths, lengths)
 
 
 class Projection(NamedTuple):

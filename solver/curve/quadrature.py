@@ -12,7 +12,7 @@ from functools import cache
 
 import numpy as np
 
-from ..array import Array
+from ..array import Array, count_off
 from ..tolerances import NEGLIGIBLE, ROUNDING
 
 LEAST_PER_SPAN = 4  # minimum number of uniform samples in the shortest span between frames
@@ -60,8 +60,8 @@ class Quadrature:
         counts = np.maximum(np.ceil(np.diff(times) / self.longest - ROUNDING), 1).astype(int)
         edges = np.asarray(times, float)
         if np.any(counts > 1):
-            number = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
-            inner = np.repeat(times[:-1], counts) + number * np.repeat(np.diff(times) / counts, counts)
+            span, number = count_off(counts)
+            inner = times[:-1][span] + number * (np.diff(times) / counts)[span]
             edges = np.append(inner, times[-1])
         if not self.cuts:
             return edges

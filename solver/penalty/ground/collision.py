@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ...array import Array, Index
+from ...array import Array, Index, count_off
 from ...curve.frame import Timeline
 from ...figure.algebra import rotate
 from ...figure.dynamics import Size
@@ -103,9 +103,8 @@ class Collision(Penalty):
     def _places(self) -> tuple[Index, Index]:
         """Index of every point in `_by_group`: its rank in its group (n,) and its group (n,)."""
         _, owner = self._groups
-        order, counts = np.argsort(owner, kind="stable"), np.bincount(owner)
-        rank = np.empty_like(order)
-        rank[order] = np.arange(owner.size) - np.repeat(np.cumsum(counts) - counts, counts)
+        rank = np.empty_like(owner)
+        _, rank[np.argsort(owner, kind="stable")] = count_off(np.bincount(owner))
         return rank, owner
 
     @cached_property
