@@ -24,6 +24,7 @@ from ..system.quantity import positive
 from . import gaps
 from .formats import recording, stem
 from .recording import Recording
+from .robot import joint_name
 
 
 def read_recording(
@@ -104,6 +105,6 @@ def _unwrap(model: mujoco.MjModel, time: Array, qpos: Array) -> tuple[Array, tup
     is_other = np.abs(out - qpos) > np.pi
     if not is_other.any():
         return qpos, ()
-    names = [model.joint(j).name or f"joint{j}" for j in hinges[is_other[:, columns].any(axis=0)].tolist()]
+    names = [joint_name(model, j) for j in hinges[is_other[:, columns].any(axis=0)].tolist()]
     whose, first = list_names(f"'{name}'" for name in names), time[is_other.any(axis=1).argmax()]
     return out, (f"{whose}: angles wrap at a whole turn, first at {first:.3f} s: unwrapped",)

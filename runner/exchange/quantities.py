@@ -26,6 +26,7 @@ from dynsplines.solver.figure.figure import JointKind
 from ..errors import UserError, unknown
 from ..measure.forces import Forces
 from ..motion import Sampled
+from .robot import joint_name
 
 Columns = dict[str, Array]
 ALL = "all"
@@ -43,7 +44,7 @@ def angles(forces: Forces) -> Columns:
     model, qpos, out = forces.sampled.model, forces.sampled.qpos, {}
     for joint in range(model.njnt):
         kind, first = JointKind(model.jnt_type[joint]), int(model.jnt_qposadr[joint])
-        name = model.joint(joint).name or f"joint{joint}"
+        name = joint_name(model, joint)
         if kind is JointKind.HINGE:
             out[f"{name}.r [deg]"] = np.degrees(qpos[:, first])
         elif kind is not JointKind.SLIDE:
@@ -154,7 +155,7 @@ def constraint_notes(forces: Forces) -> list[str]:
         CONSTRAINT_NOTE.format(
             size=size[at, dof],
             unit="N" if is_force else "N m",
-            joint=model.joint(joint).name or f"joint{joint}",
+            joint=joint_name(model, joint),
             time=sampled.time[at],
         )
     ]
@@ -170,7 +171,7 @@ def _by_dof(model: mujoco.MjModel, values: Array, letters: dict[str, str], units
     kinds, out = ("free", "ball", "slide", "hinge"), {}
     for joint in range(model.njnt):
         kind, dof = kinds[int(model.jnt_type[joint])], int(model.jnt_dofadr[joint])
-        name = model.joint(joint).name or f"joint{joint}"
+        name = joint_name(model, joint)
         if kind not in letters:
             continue
         if kind in ("slide", "hinge"):

@@ -15,6 +15,16 @@ from dynsplines.solver.figure.root import root_of, subtree
 from ..errors import EXPORT_SKELETON, GIVE_FIGURE, UserError
 
 
+def joint_name(model: mujoco.MjModel, joint: int) -> str:
+    """Return the name of a joint in files, with its number if the model has none."""
+    return model.joint(joint).name or f"joint{joint}"
+
+
+def body_name(model: mujoco.MjModel, body: int) -> str:
+    """Return the name of a body in files, likewise."""
+    return model.body(body).name or f"body{body}"
+
+
 @dataclass(frozen=True, eq=False)
 class Robot:
     """A model with one free joint, and hinges and slides otherwise.
@@ -49,11 +59,11 @@ class Robot:
 
     @property
     def joint_names(self) -> list[str]:
-        return [self.model.joint(joint).name or f"joint{joint}" for joint in self.joints]
+        return [joint_name(self.model, joint) for joint in self.joints]
 
     @property
     def body_names(self) -> list[str]:
-        return [self.model.body(body).name or f"body{body}" for body in self.bodies]
+        return [body_name(self.model, body) for body in self.bodies]
 
     @property
     def columns(self) -> list[int]:
@@ -85,7 +95,7 @@ def configurations(
         raise UserError(f"{where}: the format '{form}' is for one figure with a free joint")
     figure_joints = robot_joints(model)
     refuse_balls(model, figure_joints, form)
-    expected = [model.joint(joint).name or f"joint{joint}" for joint in figure_joints]
+    expected = [joint_name(model, joint) for joint in figure_joints]
     if names is None and joints.shape[1] != len(expected):
         raise UserError(f"{where}: {joints.shape[1]} joints; the figure has {len(expected)}: {', '.join(expected)}")
     if names is not None and joints.shape[1] != len(names):
@@ -102,7 +112,7 @@ def refuse_balls(model: mujoco.MjModel, joints: Sequence[int], form: str) -> Non
     ball = next((joint for joint in joints if model.jnt_type[joint] == JointKind.BALL), None)
     if ball is not None:
         raise UserError(
-            f"the format '{form}' contains hinges and slides only; '{model.joint(ball).name or f'joint{ball}'}' is a "
+            f"the format '{form}' contains hinges and slides only; '{joint_name(model, ball)}' is a "
             "ball joint: use a figure of hinges, or one of the formats csv, npz, mjcf, mimickit and bvh"
         )
 

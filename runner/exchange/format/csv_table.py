@@ -26,6 +26,7 @@ from ...motion import Sampled
 from .. import quantities
 from ..array_reader import times
 from ..recording import Recording
+from ..robot import joint_name
 
 FORMULA = "=+-@\t\r"  # first characters of cells that spreadsheets execute as formulas
 QUOTE = "'"
@@ -39,7 +40,7 @@ def columns(model: mujoco.MjModel) -> list[str]:
     """Return the heading of qpos (nq,): "root.x" … "root.qz", "left_hip.qw" …, and the plain name of scalar joints."""
     out: list[str] = []
     for joint in range(model.njnt):
-        name = model.joint(joint).name or f"joint{joint}"
+        name = joint_name(model, joint)
         match model.jnt_type[joint]:
             case JointKind.FREE:
                 out += [f"{name}.{part}" for part in FREE]

@@ -28,7 +28,7 @@ from ...motion import Sampled, write_arrays
 from .. import layouts
 from ..array_reader import ArrayReader, names_in, read_npz, times, unit_quaternions
 from ..recording import Recording
-from ..robot import Robot, configurations, needs_figure
+from ..robot import Robot, body_name, configurations, joint_name, needs_figure
 
 NAME = "locomujoco"
 OF_MODEL = (
@@ -45,8 +45,8 @@ def write(sampled: Sampled, path: Path) -> None:
         "qpos": sampled.qpos,
         "qvel": sampled.qvel,
         "split_points": np.array([0, len(sampled.qpos)]),
-        "joint_names": np.array([model.joint(i).name or f"joint{i}" for i in range(model.njnt)]),
-        "body_names": np.array([model.body(i).name or f"body{i}" for i in range(model.nbody)]),
+        "joint_names": np.array([joint_name(model, i) for i in range(model.njnt)]),
+        "body_names": np.array([body_name(model, i) for i in range(model.nbody)]),
         "site_names": np.array([model.site(i).name or f"site{i}" for i in range(model.nsite)], dtype=np.str_),
         "frequency": np.array(sampled.fps),
         **{name: np.array(getattr(model, name)) for name in ("njnt", "nbody", "nsite", *OF_MODEL)},

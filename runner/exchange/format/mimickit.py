@@ -29,7 +29,7 @@ from ...motion import Sampled
 from .. import plain_pickle
 from ..array_reader import times
 from ..recording import Recording
-from ..robot import needs_figure
+from ..robot import body_name, needs_figure
 from ..skeleton.hierarchy import euler_angles
 
 WRAP = 1  # loop_mode of a motion that repeats; 0 of others
@@ -76,7 +76,7 @@ def parts(model: mujoco.MjModel) -> tuple[int, list[MimicPart]]:
         joints = [j for j in range(model.njnt) if int(model.jnt_bodyid[j]) == body and kinds[j] != JointKind.FREE]
         if not joints:
             continue
-        name = model.body(body).name or f"body{body}"
+        name = body_name(model, body)
         if int(model.body_rootid[body]) != root or body == root:
             raise UserError(f"the format 'mimickit' has no place for the joints of the body '{name}'")
         out.append(_part(model, joints, name))
