@@ -1,6 +1,7 @@
 """Contacts, stances, targets, grasps, resting points, skating and hovering: values, and motions that obey them."""
 
 import dataclasses
+from dataclasses import replace
 
 import mujoco
 import numpy as np
@@ -318,3 +319,5 @@ def test_the_value_of_hovering_by_hand(figure, rng):
     expected = 0.64 * (1 - np.exp(-((low / 0.8) ** 2)))
     np.testing.assert_allclose(grounded.evaluate(samples), expected, rtol=1e-9)
     assert np.count_nonzero(expected) > 1
+    landed, during = replace(grounded, landed=((0.3, 0.7),)), (samples.t >= 0.3) & (samples.t <= 0.7)
+    np.testing.assert_allclose(landed.evaluate(samples), np.where(during, 100, 1) * expected, rtol=1e-9)
