@@ -134,6 +134,7 @@ def test_contacts_of_the_thighs_make_the_forces_of_a_seat_known(tmp_path):
     assert forces.has_known_support.all()
     carried = {foot.name: foot.force[:, 2] for foot in forces.feet}
     assert (carried["left_thigh"] > 100).all() and (carried["left_foot"] > 0).all()
+    assert forces.wrench is not None
     total = sum(foot.force for foot in forces.feet) + forces.rest[:, :3]
     np.testing.assert_allclose(total, forces.wrench.force.T, atol=1e-3)
     assert np.abs(forces.rest[:, :3]).max() < 1
