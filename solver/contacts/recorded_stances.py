@@ -61,14 +61,11 @@ def infer_stances(
     largest = np.minimum(largest, limits.fast + noises / limits.blurred)
     stances, raised = list[Contact](), list[Contact]()
     for i, point in enumerate(points):
-        place, noise = places[:, i], float(noises[i])
         for contacts, run in [*((stances, run) for run in near[i]), *((raised, run) for run in high[i])]:
             usual = float(np.median(speeds[i, slice(*run)])) if smoothed else 0.0
-            still = speeds[i] <= max(largest[i], min(usual, limits.fast))
-            still &= _is_low(place, *run, noise, limits)
-            a, b = _trim(still, *run)
-            if b - a > 1 and not _moves(times, place, a, b, noise, limits):
-                ground = ground_at(surfaces, place[:, a:b].mean(axis=1), point.radius, limits.edge)
+            a, b = _trim(speeds[i] <= max(largest[i], min(usual, limits.fast)), *run)
+            if b - a > 1:
+                ground = ground_at(surfaces, places[:, i, a:b].mean(axis=1), point.radius, limits.edge)
                 first, last = float(times[a]), float(times[b - 1])
                 contacts.append(Contact(point, first, last, surface=ground, rolls=True))
     return tuple(stances), tuple(raised)
@@ -219,21 +216,6 @@ def _trim(still: Mask, first: int, last: int) -> tuple[int, int]:
 def _parts(mask: Mask, first: int, last: int) -> list[tuple[int, int]]:
     """Return the intervals [a, b) within a run in which a mask (T,) holds."""
     return [(first + start, first + end) for start, end in array.runs(mask[first:last])]
-
-
-def _is_low(place: Array, first: int, last: int, noise: float, limits: Thresholds) -> Mask:
-    """Return where positions (3, T) [m] are raised over the median of a run by no more than noise and rolling feet."""
-    return place[2] - np.median(place[2, first:last]) < limits.rolls + SURE * noise
-
-
-def _moves(times: Array, place: Array, first: int, last: int, noise: float, limits: Thresholds) -> bool:
-    """Return whether a run is part of a motion that is slow enough to look like standing for a moment."""
-    seconds, third = times[last - 1] - times[first], max(1, (last - first) // 3)
-    if not limits.settling <= seconds < limits.long_stance:
-        return bool(seconds < limits.settling)
-    moved = place[:, last - third : last].mean(axis=1) - place[:, first : first + third].mean(axis=1)
-    distance = float(np.linalg.norm(moved)) - SURE * noise / np.sqrt(third)
-    return distance > max(limits.rolls, limits.drift * seconds)
 
 
 def surprisal(times: Array, places: Array, variance: Array, known: Mask, limits: Thresholds) -> Array:

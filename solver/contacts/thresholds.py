@@ -71,8 +71,6 @@ class Thresholds:
     fast: float = _of(0.35, 1, -1)  # speed from which a point is not planted
     still: float = _of(0.05, 1, -1)  # likewise in a recording whose planted points do not move
     blurred: float = _seconds(0.03)  # noise of positions over this time is noise of smoothed speeds
-    drift: float = _of(0.2, 1, -1)  # speed of a planted point in a recording that drifts
-    long_stance: float = _seconds(0.3)  # a longer stance is none of the moments in which a moving foot is slow
     same_middle: float = _metres(0.03)  # distance between the means of two parts of one stance
     lively: float = _of(100.0, 2, -3)  # squared acceleration by frequency: 45 m/s² of a foot or hand, up to 10 Hz
     fastest: float = _of(3.0, 1, -1)  # standard deviation of the initial speed of a point
