@@ -70,7 +70,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "root": "the pose of the root, see [joints and roots](keyframes.md#joints-and-roots)",
             "roots": "the poses of other free bodies and robots, by the name of their joint or body",
             "joints": "joints by name: a rotation for a ball joint, degrees for a hinge, metres for a slide",
-            "sites": "target positions of sites, sole points, geoms and bodies, by name, in metres in the world",
+            "sites": "target positions of sites, sole points, bodies, geoms and joints, by name, in metres in the "
+            "world",
             "bodies": "target orientations or positions of bodies, by name",
             "others": "[unspecified joints and root](keyframes.md#unspecified-degrees-of-freedom), "
             'by "key:NAME" or one of these',
@@ -153,8 +154,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "turn": "the rotation of the root in one cycle of a loop, in degrees; default: as in the keyframes",
             "variable": "variable frames between two keyframes at the start of the search; default 2 (3 in a "
             "long clip), and more between distant keyframes",
-            "frames": "the maximum number of variable frames; default: 3 between two keyframes, or 10 per second if "
-            "that is more",
+            "frames": "the maximum total of variable frames; default: 3 per interval between keyframes, or 10 per "
+            "second if that is more",
             "criterion": 'how the solver finds the intervals into which it inserts frames: "weak" (the default) by '
             'the predicted decrease of the objective, "residual" by the Euler-Lagrange residual; see '
             "[the paper](paper.md)",
@@ -166,8 +167,8 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "tolerance": "the search ends when a step is predicted to decrease the objective by less than this share; "
             "default 0.001",
             "quadrature": "the quadrature rule of the objective",
-            "samples": f"samples in each part of the spline of up to {LONGEST_PANEL:g} s; default {POINTS}, more where "
-            'a collision would be missed. With "uniform": samples in the whole clip; default 100',
+            "samples": f"samples in each piece (at most {LONGEST_PANEL:g} s) of the spline; default {POINTS}, more "
+            'where a collision would be missed. With "uniform": samples in the whole clip; default 100',
         },
     ),
 }
@@ -286,7 +287,7 @@ def speed() -> Iterator[str]:
     time, length = seconds(solve[1]), duration("run_and_step")
     yield f"- The clip `run_and_step`, {length} of motion, is solved in {time}."
     yield (
-        f"- A run with a simplified objective is solved to within 0.5 % of the optimum in {seconds(runner[1])}. "
+        f"- A runner with a simplified objective is solved to within 0.5 % of the optimum in {seconds(runner[1])}. "
         f"CasADi with IPOPT takes {factor(ipopt[2])} times as long."
     )
     dense = factor(row("barr", DENSE)[2])
@@ -389,7 +390,7 @@ CLAIMS = (  # verdict, claim, measurement of the benchmarks
     ),
     (
         "reproduced",
-        "The same with the weights 10 : 1 and 3 variable frames, with nearly the least objective.",
+        "The same with the weights 10 : 1 and 3 variable frames, at a nearly minimal objective.",
         "",
     ),
     (
