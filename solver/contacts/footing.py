@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..array import Array, Index, Mask, segments_at
+from ..figure.algebra import perpendicular
 from ..figure.figure import Figure
 from ..surface import Plane
 from ..surface.points import Point
@@ -65,8 +66,7 @@ def _outermost(spots: KeyframePoints, link: int, points: Index, keys: Index) -> 
 
 def _around(normal: Array) -> Array:
     """Return eight unit vectors (3, 8) across a normal (3,), in all directions."""
-    across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
-    across /= np.linalg.norm(across)
+    across = perpendicular(normal)
     angle = 2 * np.pi * (np.arange(8) + TURNED) / 8
     both = np.column_stack([across, np.cross(normal, across)])
     return np.asarray(both @ np.array([np.cos(angle), np.sin(angle)]), float)

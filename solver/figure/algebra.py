@@ -32,6 +32,12 @@ def cross(a: Array, b: Array) -> Array:
     return out
 
 
+def perpendicular(v: Array) -> Array:
+    """Return a unit vector across a vector (3,)."""
+    across = np.cross(v, np.eye(3)[np.argmin(np.abs(v))])
+    return across / np.linalg.norm(across)
+
+
 def _cross(a: Array, b: Array, out: Array) -> None:
     (a0, a1, a2), (b0, b1, b2), (x, y, z) = a, b, out
     other = np.empty_like(x)

@@ -18,7 +18,7 @@ from ...array import Array, Index, Mask
 from ...cone import Unsupplied, projection, split_off_cone
 from ...contacts import Contact, Interval, within
 from ...figure.adjoint import Cotangent
-from ...figure.algebra import cross, rotate
+from ...figure.algebra import cross, perpendicular, rotate
 from ...figure.dynamics import RootWrench, height, weight
 from ...figure.effort_rows import Pushes, wrench_rows
 from ...figure.figure import Figure
@@ -189,8 +189,7 @@ class Support(Penalty):
 
 def friction_edges(normal: Array, friction: float) -> Array:
     """Return the edges (3, 4), with unit normal parts, of the pyramid in the friction cone about a normal (3,)."""
-    across = np.cross(normal, np.eye(3)[np.argmin(np.abs(normal))])
-    across /= np.linalg.norm(across)
+    across = perpendicular(normal)
     along = np.cross(across, normal)
     tangents = np.array([across + along, along - across, -across - along, across - along]) / np.sqrt(2)
     return (normal + friction * tangents).T
