@@ -23,7 +23,7 @@ from dynsplines.solver.array import Array
 from dynsplines.solver.figure.dynamics import inverse_dynamics
 from dynsplines.solver.figure.figure import JointKind
 
-from ..errors import UserError, unknown
+from ..errors import UserError, list_names, unknown
 from ..measure.forces import Forces
 from ..motion import Sampled
 from .robot import joint_name
@@ -36,7 +36,6 @@ EQUALITIES_AND_LIMITS = int(mujoco.mjtDisableBit.mjDSBL_EQUALITY | mujoco.mjtDis
 CONSTRAINT_NOTE = (
     "torques include forces of joint limits and equality constraints: up to {size:.3g} {unit} at {joint}, {time:.2f} s"
 )
-UNKNOWN_NOTE = "the support of the figure is unknown in {share:.0%} of the instants: forces there are nan"
 
 
 def angles(forces: Forces) -> Columns:
@@ -131,10 +130,22 @@ def table(sampled: Sampled, groups: Sequence[str]) -> tuple[Columns, list[str]]:
                 raise UserError(f"{sampled.name}: {missing}") from None
             notes.append(f"no columns `{group}`: {missing}")
     if {"torques", "ground"} & set(wanted) and not forces.has_known_support.all():
-        notes.append(UNKNOWN_NOTE.format(share=1 - float(forces.has_known_support.mean())))
+        notes.append(_unknown_note(forces))
     if "torques" in wanted:
         notes.extend(constraint_notes(forces))
     return out, notes
+
+
+def _unknown_note(forces: Forces) -> str:
+    """Return the note on instants at which the support of the figure is unknown."""
+    unknown_at = ~forces.has_known_support
+    first = int(unknown_at.argmax())
+    bodies = list_names(f"'{body}'" for body, touches in forces.touching.items() if touches[first])
+    touches = "" if not bodies else f", where {bodies} without a [[contact]] touches something"
+    return (
+        f"the support of the figure is unknown in {unknown_at.mean():.0%} of the instants, first at "
+        f"{forces.samples.t[first]:.2f} s{touches}: forces there are nan"
+    )
 
 
 def constraint_notes(forces: Forces) -> list[str]:

@@ -68,14 +68,14 @@ class Forces:
         samples: The same times of its spline.
         support: The contacts that may exert forces on the figure; None without a free root.
         model: The motion's model, or one with the same joints whose forces are evaluated.
-        touches_elsewhere: Whether another part of the body than those in contact touches the surroundings, (T,).
+        touching: When other parts of the body than those in contact touch the surroundings, (T,) each, by body.
     """
 
     sampled: Sampled
     samples: Samples
     support: Support | None
     model: mujoco.MjModel
-    touches_elsewhere: Mask
+    touching: dict[str, Mask]
 
     @classmethod
     def of(cls, sampled: Sampled, model: mujoco.MjModel | None = None) -> Forces:
@@ -84,10 +84,13 @@ class Forces:
         support, samples = context.support, samples_at(figure, path, sampled.time)
         if support is not None and not context.is_tracking:
             support = replace(support, footings=(*support.footings, *_landings(context, support, path)))
-        stiff, elsewhere = None if support is None else support.stiff, np.zeros(samples.count, bool)
+        stiff, elsewhere = None if support is None else support.stiff, dict[str, Mask]()
         if support is not None:
             _, others = split_at_feet(context.points, body_points(figure))
-            elsewhere = np.asarray(_touches(context, support, samples, others)[1].any(axis=0))
+            points, near, _, _ = _touches(context, support, samples, others)
+            for i in np.flatnonzero(near.any(axis=1)).tolist():
+                body = figure.body_name(points[i].link)
+                elsewhere[body] = near[i] | elsewhere.get(body, False)
         return cls(sampled, samples, stiff, sampled.model if model is None else model, elsewhere)
 
     @cached_property
@@ -95,7 +98,8 @@ class Forces:
         """(T,) whether the forces that carry the figure are known: while feet stand and no other part of the body
         touches the surroundings, in flights, and where there is no ground or no gravity."""
         if self.support is not None and self.support.has_intervals:
-            return np.asarray(self.support.is_known(self.samples.t) & ~self.touches_elsewhere)
+            touches_elsewhere = np.any([np.zeros(self.samples.count, bool), *self.touching.values()], axis=0)
+            return np.asarray(self.support.is_known(self.samples.t) & ~touches_elsewhere)
         is_carried = self.support is not None and self.sampled.figure.gravity.any() and static_surfaces(self.model)
         return np.full(self.samples.count, not is_carried)
 

@@ -1,6 +1,7 @@
 """Columns of velocities and forces: named, with units, and what MuJoCo's inverse dynamics says of the same motion."""
 
 import csv
+import re
 
 import motions
 import mujoco
@@ -123,6 +124,8 @@ def test_forces_of_a_figure_on_a_seat_are_unknown():
     seated, standing = forces.sampled.time > 1.2, forces.sampled.time < 0.5
     assert np.isnan(forces.torques[seated]).all() and not any(foot.has_contact[seated].any() for foot in forces.feet)
     assert np.isfinite(forces.torques[standing]).all() and all(foot.has_contact[standing].all() for foot in forces.feet)
+    _, (note, *_) = quantities.table(forces.sampled, ("ground",))
+    assert re.search(r"first at 1\.\d\d s, where 'left_thigh', 'right_thigh' without a \[\[contact\]\] touches", note)
 
 
 @pytest.mark.slow
