@@ -141,7 +141,7 @@ def _unknown_note(forces: Forces) -> str:
     unknown_at = ~forces.has_known_support
     first = int(unknown_at.argmax())
     bodies = list_names(f"'{body}'" for body, touches in forces.touching.items() if touches[first])
-    touches = "" if not bodies else f", where {bodies} without a [[contact]] touches something"
+    touches = "" if not bodies else f", where {bodies} touch something without a [[contact]]"
     return (
         f"the support of the figure is unknown in {unknown_at.mean():.0%} of the instants, first at "
         f"{forces.samples.t[first]:.2f} s{touches}: forces there are nan"

@@ -83,11 +83,12 @@ class Forces:
         context, path, figure = clip.clip_from_motion(sampled.motion).context, sampled.motion.path, sampled.figure
         support, samples = context.support, samples_at(figure, path, sampled.time)
         if support is not None and not context.is_tracking:
-            support = replace(support, footings=(*support.footings, *_landings(context, support, path)))
+            support = replace(support, footings=tuple(_carriers(context, support, path)))
         stiff, elsewhere = None if support is None else support.stiff, dict[str, Mask]()
         if support is not None:
             _, others = split_at_feet(context.points, body_points(figure))
             points, near, _, _ = _touches(context, support, samples, others)
+            near &= ~_in_contact(context, points, samples.t)
             for i in np.flatnonzero(near.any(axis=1)).tolist():
                 body = figure.body_name(points[i].link)
                 elsewhere[body] = near[i] | elsewhere.get(body, False)
@@ -198,14 +199,28 @@ class Forces:
         return np.where(self.has_known_support[:, None], out, np.nan)
 
 
-def _landings(context: Context, support: Support, path: Path) -> list[Contact]:
-    """Return the contacts of slow feet with the ground outside their stances, as measured along the path."""
+def _carriers(context: Context, support: Support, path: Path) -> list[Contact]:
+    """Return the contacts that carry the figure: the stances of feet, and, while they touch a surface along the path,
+    slow feet outside their stances and other parts of the body in specified contacts."""
     figure, t = context.figure, sparse_times(path)
-    samples, (feet, _) = samples_at(figure, path, t), split_at_feet(context.points, body_points(figure))
+    samples, (feet, others) = samples_at(figure, path, t), split_at_feet(context.points, body_points(figure))
+    links = {point.link for point in feet}
+    stances = [footing for footing in support.footings if footing.point.link in links]
+    support = replace(support, footings=tuple(stances))
     points, touches, centres, up = _touches(context, support, samples, feet)
     speeds = np.linalg.norm(np.gradient(centres, t, axis=2), axis=0)
     touches &= (speeds < Thresholds.of(figure).fast) & ~within(support.flights, t)
-    return touching(samples, points, touches, up)
+    landings = touching(samples, points, touches, up)
+    points, touches, _, up = _touches(context, support, samples, others)
+    touches &= _in_contact(context, points, t)
+    return [*stances, *landings, *touching(samples, points, touches, up)]
+
+
+def _in_contact(context: Context, points: Sequence[Point], t: Array) -> Mask:
+    """Return at which times (T,) [s] the links of points (n,) have specified contacts, (n, T)."""
+    contacts = context.schedule.on_ground
+    during = [within([(c.first, c.last) for c in contacts if c.point.link == point.link], t) for point in points]
+    return np.reshape(during, (len(points), t.size))
 
 
 def _touches(
