@@ -394,7 +394,8 @@ def _prior(context: Context, options: Options) -> Penalty | None:
     person = context.person
     if person is None:
         return None
-    prior = Prior.of(person, context.keys, models.prior(), _ground(context.surfaces), context.schedule.gait_cycle)
+    schedule, ground = context.schedule, _ground(context.surfaces)
+    prior = Prior.of(person, context.keys, models.prior(), ground, schedule.gait_cycle, schedule.on_ground)
     return prior if prior.weights.any() else None
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from ... import quaternion as quat
 from ...array import Array, Index, Mask, segments_at
+from ...contacts.contact import Contact
 from ...contacts.gait import GaitCycle
 from ...curve.frame import Timeline
 from ...curve.seam import Seam
@@ -31,6 +32,7 @@ CLEAR = 0.45  # [1] squared differences from linear interpolation, relative to s
 WORTH = 0.86e-3  # [rad⁻² s⁴] value that costs as much as angular accelerations of quaternions of 1 s⁻²
 # parts of arms and legs, without feet, which hang in the zero pose
 HANGING = [i for i, part in enumerate(PARTS) if part.endswith(("arm", "thigh", "shin"))]
+FOREARMS = (3, 5)  # each follows its upper arm
 DOWN, LATERAL = np.array([0.0, 0, -1]), np.array([0.0, 1, 0])
 
 
@@ -127,6 +129,17 @@ class Person:
         specified &= keys.known[:, self.position].all(axis=1, keepdims=True)
         return specified[:-1] & specified[1:]
 
+    def is_unattached(self, keys: Timeline, contacts: Sequence[Contact]) -> Mask:
+        """Return which predicted entries of each segment are not those of an arm that approaches, holds or leaves a
+        contact, (K − 1, 51)."""
+        out = np.ones((keys.times.size - 1, 3 + 4 * len(PARTS)), bool)
+        for contact in contacts:
+            is_near = (keys.times[1:] >= contact.first) & (keys.times[:-1] <= contact.last)
+            for forearm in FOREARMS:
+                if self.figure.tables.path[contact.point.link, self.links[forearm]]:
+                    out[is_near, 4 * forearm - 1 : 4 * forearm + 7] = False
+        return out
+
     def posture(self, states: Array, ground: float) -> tuple[Array, Array]:
         """Return hips (..., 3), relative to the length of a leg, and orientations (..., 12, 4) of states (..., N)."""
         motion = Samples.still(self.figure, states.reshape(-1, states.shape[-1])).links
@@ -177,6 +190,7 @@ class Prior(Penalty):
         networks: Sequence[Weights],
         ground: float | None = None,
         cycle: GaitCycle | None = None,
+        contacts: Sequence[Contact] = (),
     ) -> Prior:
         """Return the prior of a timeline of keyframes.
 
@@ -186,6 +200,7 @@ class Prior(Penalty):
             networks: The weights of the networks, see `people.outputs_of`.
             ground: The height of level ground [m]; None: it is unknown.
             cycle: The gait cycle that the motion approaches; None: there is none. It lowers the weights.
+            contacts: The specified contacts. The networks do not know what hands touch, so their arms have no weight.
         """
         segments = _segments(person, keys, ground)
         count, floor = len(segments.hips), ground or 0.0
@@ -201,7 +216,7 @@ class Prior(Penalty):
         weights = trust[:, None] / (13 * variances * np.maximum(segments.is_moved, STIFF))
         by_entry = [np.repeat(weights[:, 12:] / person.leg**2, 3, axis=1), np.repeat(4 * weights[:, :12], 4, axis=1)]
         values = np.concatenate([positions, rotations.reshape(count, PHASES, 48)], axis=2)
-        weights = np.concatenate(by_entry, axis=1) * person.is_specified(keys)
+        weights = np.concatenate(by_entry, axis=1) * person.is_specified(keys) * person.is_unattached(keys, contacts)
         return cls(keys.times, person.position, person.links, person.quaternions, values, weights)
 
     def residuals(self, samples: Samples) -> Iterator[Block]:

@@ -15,12 +15,14 @@ from dynsplines.clip.build import Clip
 from dynsplines.clip.context import person_of
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
+from dynsplines.solver.contacts.contact import Contact
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import Prior
 from dynsplines.solver.penalty.motion import people
 from dynsplines.solver.penalty.motion.prior import Person
+from dynsplines.solver.surface.points import Point
 
 
 @pytest.fixture(scope="module")
@@ -146,6 +148,20 @@ def test_trust_is_zero_between_keyframes_close_in_time_or_very_far_apart(walk: C
     prior = prior_of(walk, timeline(keys, np.append(0, np.cumsum(spans)), keys.states))
     trusted = prior.weights.max(axis=1) > 0
     np.testing.assert_array_equal(trusted, (spans > 0.2) & (spans < 2.5))
+
+
+def test_an_arm_has_no_weight_before_during_and_after_a_contact_of_its_hand(walk: Clip) -> None:
+    person, keys, prior = walker(walk), walk.context.keys, prior_of(walk)
+    contacts = [
+        Contact(Point(part, int(person.links[people.PARTS.index(part)]), np.zeros(3)), *keys.times[[2, 3]].tolist())
+        for part in ("left_forearm", "right_foot")
+    ]
+    expected = prior.weights.copy()
+    arm = [people.PARTS.index(part) for part in ("left_upper_arm", "left_forearm")]
+    expected[1:4, 3:].reshape(3, 12, 4)[:, arm] = 0
+    touching = Prior.of(person, keys, models.prior(), 0.0, contacts=contacts)
+    assert np.all(prior.weights[1:4, 3:].reshape(3, 12, 4)[:, arm] > 0)
+    np.testing.assert_array_equal(touching.weights, expected)
 
 
 def test_a_loop_is_predicted_across_its_seam(walk: Clip) -> None:
