@@ -28,8 +28,8 @@ STANDS = 0.8  # [1] smallest height of the hips above the ankles at rest, relati
 SOLE = 0.06  # [1] height of the ankles above the ground in the recordings, relative to the length of a leg
 REACH, TOE = 0.95, 0.16  # [1] lengths of a forearm relative to an upper arm, and of a foot relative to a leg
 STIFF = 0.1  # [1] squared error of a part that does not move between keyframes, relative to the expected one
-CLEAR = 0.45  # [1] squared differences from linear interpolation, relative to squared errors, at which trust is half
-WORTH = 0.86e-3  # [rad⁻² s⁴] value that costs as much as angular accelerations of quaternions of 1 s⁻²
+CLEAR = 0.2  # [1] squared differences from linear interpolation, relative to squared errors, at which trust is half
+WORTH = 0.6e-3  # [rad⁻² s⁴] value that costs as much as angular accelerations of quaternions of 1 s⁻²
 # parts of arms and legs, without feet, which hang in the zero pose
 HANGING = [i for i, part in enumerate(PARTS) if part.endswith(("arm", "thigh", "shin"))]
 FOREARMS = (3, 5)  # each follows its upper arm
@@ -210,7 +210,7 @@ class Prior(Penalty):
         variances = prediction.expected * segments.gaps[:, 1:2] ** power + factor * prediction.apart
         clearness = prediction.changes[:, :12].sum(axis=1) / variances[:, :12].sum(axis=1)
         trust = np.interp(segments.gaps[:, 1], [BRIEF, SHORT, LONG, ENDLESS], [0, 1, 1, 0])
-        trust *= clearness**2 / (clearness**2 + CLEAR**2)
+        trust *= clearness**3 / (clearness**3 + CLEAR**3)
         if cycle is not None:
             trust /= 1 + cycle.mean_trust(keys.times)
         weights = trust[:, None] / (13 * variances * np.maximum(segments.is_moved, STIFF))
