@@ -45,11 +45,11 @@ class Foot:
 
     Attributes:
         name: The name of the body.
-        has_contact: Whether the ground is known to press against the body, (T,).
+        has_contact: Whether the body touches the ground, with or without load, and the support is known, (T,).
         force: The force (T, 3) [N]; zero without contact.
         centre: The centre of pressure (T, 3) [m]: mean of the points in contact, weighted by normal force; nan without
-            contact.
-        moment: The moment (T, 3) [N m] about the centre, about the normal alone on level ground; nan without contact.
+            load.
+        moment: The moment (T, 3) [N m] about the centre, about the normal alone on level ground; nan without load.
     """
 
     name: str
@@ -88,7 +88,7 @@ class Forces:
         if support is not None:
             _, others = split_at_feet(context.points, body_points(figure))
             points, near, _, _ = _touches(context, support, samples, others)
-            near &= ~_in_contact(context, points, samples.t)
+            near &= ~_during(context.schedule.on_ground, points, samples.t)
             for i in np.flatnonzero(near.any(axis=1)).tolist():
                 body = figure.body_name(points[i].link)
                 elsewhere[body] = near[i] | elsewhere.get(body, False)
@@ -163,10 +163,11 @@ class Forces:
         away = place - centre[:, at]
         moment = np.array([np.bincount(at, part, count) for part in cross(away, force)])
         loaded = total > 0
+        spans = [(footing.first, footing.last) for footing in self.support.footings if footing.point.link == link]
         is_known, is_placed = self.has_known_support[:, None], (self.has_known_support & loaded)[:, None]
         return Foot(
             figure.body_name(link),
-            self.has_known_support & loaded,
+            self.has_known_support & within(spans, self.samples.t),
             np.where(is_known, whole.T, np.nan),
             np.where(is_placed, centre.T, np.nan),
             np.where(is_placed, moment.T, np.nan),
@@ -210,17 +211,20 @@ def _carriers(context: Context, support: Support, path: Path) -> list[Contact]:
     points, touches, centres, up = _touches(context, support, samples, feet)
     speeds = np.linalg.norm(np.gradient(centres, t, axis=2), axis=0)
     touches &= (speeds < Thresholds.of(figure).fast) & ~within(support.flights, t)
+    stands = _during(stances, points, t)
+    lands, lifts = touches[:, :-1] & stands[:, 1:], touches[:, 1:] & stands[:, :-1]
+    touches[:, 1:] |= lands  # without a gap between a landing and its stance
+    touches[:, :-1] |= lifts
     landings = touching(samples, points, touches, up)
     points, touches, _, up = _touches(context, support, samples, others)
-    touches &= _in_contact(context, points, t)
+    touches &= _during(context.schedule.on_ground, points, t)
     return [*stances, *landings, *touching(samples, points, touches, up)]
 
 
-def _in_contact(context: Context, points: Sequence[Point], t: Array) -> Mask:
-    """Return at which times (T,) [s] the links of points (n,) have specified contacts, (n, T)."""
-    contacts = context.schedule.on_ground
+def _during(contacts: Sequence[Contact], points: Sequence[Point], t: Array) -> Mask:
+    """Return at which times (T,) [s] the links of points (n,) have one of the contacts, (n, T)."""
     during = [within([(c.first, c.last) for c in contacts if c.point.link == point.link], t) for point in points]
-    return np.reshape(during, (len(points), t.size))
+    return np.array(during, bool).reshape(len(points), t.size)
 
 
 def _touches(
@@ -236,10 +240,7 @@ def _touches(
     centres, radii = places_of(points, samples)
     height, up = height_over(context.surfaces, centres, radii)
     near = height < Thresholds.of(context.figure).near_surface
-    for i, point in enumerate(points):
-        contacts = [(footing.first, footing.last) for footing in support.footings if footing.point.link == point.link]
-        near[i] &= ~within(contacts, samples.t)
-    return points, near, centres, up
+    return points, near & ~_during(support.footings, points, samples.t), centres, up
 
 
 def motor_torques(model: mujoco.MjModel, qpos: Array, torques: Array) -> Array:

@@ -213,7 +213,7 @@ class Motion:
         Returns:
             sampled; torques (T, nv) [N m, N]; feet, each with name, has_contact (T,), force (T, 3) [N], centre (T, 3)
             [m] and moment (T, 3) [N m]; rest (T, 6), the force [N] and moment [N m] at the root that nothing supplies;
-            has_known_support (T,). has_contact is False without known support, and while a foot carries no load.
+            has_known_support (T,). has_contact is False without known support, and may be True for a foot without load.
 
         Raises:
             UserError: For times outside the motion, or both arguments.

@@ -230,6 +230,8 @@ def test_feet_carry_before_they_leave_and_after_they_land_between_keyframes():
     assert right.has_contact.all()
     weight = 9.81 * motion.model.body_subtreemass[1]
     assert 0.2 * weight < left.force[0, 2] < 0.8 * weight
+    left, right = motion.forces(100).feet  # contacts do not flicker
+    assert np.count_nonzero(np.diff(left.has_contact)) == 2 and right.has_contact.all()
 
 
 def test_forces_without_a_known_contact_are_not_numbers():
