@@ -200,7 +200,9 @@ def _of_tree(
         "unbalanced": "the centre of mass of the standing figure is {{}} beside its contacts, for {:.2f} s, worst",
     }
     explained = _is_explained(motion, samples, limits.clear)
-    explained |= ~touches.any(axis=0) & ~within(motion.clip.context.schedule.specified_flights or (), t)  # see `float`
+    aloft = ~touches.any(axis=0) & ~within(motion.clip.context.schedule.specified_flights or (), t)
+    for start, end in runs(aloft):
+        explained[start:end] |= np.ptp(t[start:end]) >= limits.moment  # reported as `float`
     for kind, amount in amounts.items():
         if kind != "unbalanced" and is_imported(motion.clip, motion.timeline):
             continue

@@ -4,6 +4,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import mujoco
 import numpy as np
@@ -246,6 +247,24 @@ def test_a_fault_is_reported_once_and_nothing_else(fault):
         assert re.fullmatch(pattern, each.text)
         assert (each.keyframe is not None) == each.text.startswith(f"keyframe {each.keyframe} itself: ")
         assert each.amount > each.bound and each.unit == BOUNDS[each.kind].unit
+
+
+@pytest.mark.slow
+def test_a_push_in_the_air_just_before_a_flight_is_reported():
+    """The feet are in the air too briefly to float, but the figure still accelerates upward."""
+    feet: Any = {
+        "sites": {f"{side}_heel": [-0.055, y, 0] for side, y in (("left", 0.09), ("right", -0.09))},
+        "bodies": {f"{side}_foot": {"flat": True} for side in ("left", "right")},
+    }
+    keys = [
+        Keyframe(0.0, root={"position": [0, 0, 0.92]}, others="rest", **feet),
+        Keyframe(0.5, root={"position": [0, 0, 0.7]}, others="previous", **feet),
+        Keyframe(0.72, root={"position": [0, 0, 1.25]}, others="rest"),
+        Keyframe(0.94, root={"position": [0, 0, 0.7]}, others="rest", **feet),
+        Keyframe(1.44, root={"position": [0, 0, 0.92]}, others="rest", **feet),
+    ]
+    motion = inbetween(build("human", keys, penalties={"flight": {"intervals": [[0.62, 0.82]]}}))
+    assert "unsupported" in kinds(motion.violations)
 
 
 @pytest.mark.parametrize(
