@@ -34,7 +34,7 @@ Picture = NDArray[np.uint8]
 Writer = Callable[[Path, Iterator[Picture], float], None]
 Item = TypeVar("Item")
 
-SHEET_PICTURES = 12  # maximum number of frames on a contact sheet
+SHEET_PICTURES = 12  # maximum number of frames on a contact sheet, except of keyframes
 SHEET_TILE = 480  # [pixels] longer side of a frame on a contact sheet
 SHEET_MARGIN = 8  # [pixels] between frames on a contact sheet
 GIF_FPS = 50  # [1/s] maximum rate of a GIF; browsers slow down faster ones

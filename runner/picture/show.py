@@ -116,7 +116,8 @@ def draw(
             return
         shots = shots_of(saved, look)
         if still:
-            shots = [replace(shots[i], frames=1) for i in spread(len(shots), film.SHEET_PICTURES)]
+            most = len(shots) if look.only == "keys" else film.SHEET_PICTURES
+            shots = [replace(shots[i], frames=1) for i in spread(len(shots), most)]
         with contextlib.closing(images(saved, look, graphics, shots, workers)) as pictures:
             film.write(target, progress.over(pictures, "rendering", sum(shot.frames for shot in shots)), look.fps)
     except ValueError as error:

@@ -3,13 +3,15 @@
 import pickle
 from dataclasses import replace
 
+import imageio.v3 as iio
 import numpy as np
 import pytest
 
 from dynsplines.motion import Saved
-from dynsplines.picture import show
+from dynsplines.picture import film, show
 from dynsplines.picture.graphics import Graphics
 from dynsplines.picture.show import Look, figure_six, images, shots_of
+from dynsplines.system.progress import silent
 from dynsplines.system.workers import in_order
 
 SOFTWARE = Graphics("software", "renderer: software")
@@ -42,27 +44,38 @@ def test_before_and_after_stand_side_by_side_in_one_picture_of_the_requested_siz
 
 
 def test_one_image_at_a_time_and_picked_images_are_those_of_the_video_and_slower_means_more_of_them(saved):
-    film = shot(saved, only="after")
+    shown = shot(saved, only="after")
     (one,) = shot(saved, only="after", at=0.2)
-    np.testing.assert_array_equal(one, film[2])
+    np.testing.assert_array_equal(one, shown[2])
     shots = shots_of(saved, look(only="after"))
     some = list(images(saved, look(only="after"), SOFTWARE, [shots[0], shots[3]]))
-    np.testing.assert_array_equal(some, [film[0], film[3]])
-    assert apart(film[0], film[-1]) > 5
-    np.testing.assert_array_equal(shot(saved, only="after", slow=2.0)[::2], film)
+    np.testing.assert_array_equal(some, [shown[0], shown[3]])
+    assert apart(shown[0], shown[-1]) > 5
+    np.testing.assert_array_equal(shot(saved, only="after", slow=2.0)[::2], shown)
 
 
 def test_keyframes_are_shown_as_they_are_each_for_half_a_second(saved):
-    film = shot(saved, only="keys")
-    assert len(film) == 3 * 5
+    shown = shot(saved, only="keys")
+    assert len(shown) == 3 * 5
     for i in range(3):
-        for image in film[5 * i : 5 * i + 5]:
-            np.testing.assert_array_equal(image, film[5 * i])
-    assert apart(film[0], film[5]) > 3
+        for image in shown[5 * i : 5 * i + 5]:
+            np.testing.assert_array_equal(image, shown[5 * i])
+    assert apart(shown[0], shown[5]) > 3
     single = [replace(shot, frames=1) for shot in shots_of(saved, look(only="keys"))]
     sheet = list(images(saved, look(only="keys"), SOFTWARE, single))
     assert len(sheet) == 3
-    np.testing.assert_array_equal(sheet, film[::5])
+    np.testing.assert_array_equal(sheet, shown[::5])
+
+
+def test_a_sheet_shows_all_keyframes_but_few_moments_of_a_motion(saved, tmp_path, monkeypatch):
+    def sheet(only: str) -> np.ndarray:
+        show.draw(saved, look(only=only), SOFTWARE, tmp_path / "a.png", 1, silent())
+        return iio.imread(tmp_path / "a.png")
+
+    keys, after = sheet("keys"), sheet("after")
+    monkeypatch.setattr(film, "SHEET_PICTURES", 2)
+    np.testing.assert_array_equal(sheet("keys"), keys)
+    assert sheet("after").size < after.size
 
 
 def test_ghosts_add_the_keyframes_to_every_image(saved):
