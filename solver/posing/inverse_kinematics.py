@@ -24,7 +24,7 @@ from .bounds import Bends, Ranges
 from .goals import Goal, entries_of, moved_by
 from .least_squares import Part, Residuals, join, minimise
 
-STARTS = 12  # [1] largest number of starting poses
+STARTS = 24  # [1] largest number of starting poses
 MOST_CACHED = 1000  # [1] largest number of cached poses
 # [m, rad] largest residual norm of a goal that counts as met
 MET = SINGLE
