@@ -38,6 +38,7 @@ class Thresholds:
     near_surface: float = _metres(0.012)  # distance of a planted sole from its surface, and of two contacts of one body
     clear: float = _metres(0.05)  # height from which a point is in the air: tips of shoes bend, recordings drift
     tiny: float = _metres(0.001)  # distance or depth that counts as none
+    fast: float = _of(0.35, 1, -1)  # speed from which a point is not planted, in recordings, too
     same_spot: float = _metres(0.05)  # between the positions of a planted point, or the heights of level ground
     object_arm: float = _metres(0.2)  # from an object's origin to the points that fix its pose: half its size
     moved: float = _metres(0.02)  # of a recorded contact point from its place or from the lowest point of its foot
@@ -68,8 +69,7 @@ class Thresholds:
     edge: float = _metres(0.1)  # distance of a planted point beyond the edge of a surface: recordings drift
     longest: float = _seconds(1.0)  # longest stance that is examined at once
     finest: float = _of(60.0, 0, -1)  # rate of the samples that are examined
-    fast: float = _of(0.35, 1, -1)  # speed from which a point is not planted
-    still: float = _of(0.05, 1, -1)  # likewise in a recording whose planted points do not move
+    still: float = _of(0.05, 1, -1)  # speed from which a point is not planted in a recording whose planted points do not move
     blurred: float = _seconds(0.03)  # noise of positions over this time is noise of smoothed speeds
     same_middle: float = _metres(0.03)  # distance between the means of two parts of one stance
     lively: float = _of(100.0, 2, -3)  # squared acceleration by frequency: 45 m/s² of a foot or hand, up to 10 Hz
