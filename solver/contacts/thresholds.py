@@ -69,7 +69,7 @@ class Thresholds:
     edge: float = _metres(0.1)  # distance of a planted point beyond the edge of a surface: recordings drift
     longest: float = _seconds(1.0)  # longest stance that is examined at once
     finest: float = _of(60.0, 0, -1)  # rate of the samples that are examined
-    still: float = _of(0.05, 1, -1)  # speed from which a point is not planted in a recording whose planted points do not move
+    still: float = _of(0.05, 1, -1)  # the same in a recording whose planted points do not move
     blurred: float = _seconds(0.03)  # noise of positions over this time is noise of smoothed speeds
     same_middle: float = _metres(0.03)  # distance between the means of two parts of one stance
     lively: float = _of(100.0, 2, -3)  # squared acceleration by frequency: 45 m/s² of a foot or hand, up to 10 Hz
