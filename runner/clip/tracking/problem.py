@@ -61,6 +61,8 @@ def rests_of(context: Context, tables: Sequence[ContactTable], span: tuple[float
             raise UserError(
                 f"{name}: {table.start:g} to {table.end:g} s is not within the recording, {span[0]:g} to {span[1]:g} s"
             )
+        if table.position is not None:
+            raise UserError(f"{name}: beside a recording, which determines it, a contact has no position; remove it")
         rests.append(Contact(point, table.start, table.end, rolls=True))
     return tuple(rests)
 

@@ -136,6 +136,7 @@ def test_what_cannot_be_cleaned_is_told_and_nothing_is_written(command, squats, 
     (tmp_path / "bad.toml").write_text("[figure]\nname = 1\n", encoding="utf-8")
     (tmp_path / "s.toml").write_text("[scene.step]\nx = 1.0\nheight = 0.2\n", encoding="utf-8")
     (tmp_path / "far.toml").write_text(text.format("left_heel", 1, 9), encoding="utf-8")
+    (tmp_path / "placed.toml").write_text(text.format("left_heel", 0, 1) + "position = [0, 0, 0]\n", encoding="utf-8")
     (tmp_path / "odd.toml").write_text(text.format("left_hel", 0, 1), encoding="utf-8")
     present = sorted(tmp_path.iterdir())
     done = command("clean", *(word.format(f=squats) for word in words))
