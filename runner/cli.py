@@ -179,6 +179,8 @@ def render(
     film.check_target(target, width, height)
     if at is not None and only == "keys":
         raise UserError("--at and --only keys: give one of them; --only keys draws all keyframes")
+    if at is not None and ghosts and target.suffix.lower() == ".png":
+        raise UserError("--at and --ghosts: give one of them for a picture; --ghosts draws many times in it")
     if width % 2 and not only and not (ghosts and target.suffix.lower() == ".png"):
         raise UserError(f"--size {width}x{height}: two halves side by side need an even width")
     renderer = graphics.choose_while_importing(BEFORE_MUJOCO)

@@ -429,6 +429,13 @@ def test_violations_are_reported_last_and_only_strict_makes_them_an_error(sinkin
     assert (tmp_path / wrote).stat().st_size > 100
 
 
+@pytest.mark.parametrize("other", [["--only", "keys"], ["--ghosts"]])
+def test_a_picture_of_many_times_has_no_time(sinking, tmp_path, other):
+    done = sinking("render", "sinks.toml", *SMALL, "--at", 0.2, *other, "-o", "a.png")
+    assert done.code == 2 and "give one of them" in done.last
+    assert not (tmp_path / "a.png").exists()
+
+
 def test_a_motion_that_is_well_ends_with_what_was_written_and_strict_is_content(run, tmp_path):
     well = changed("joints.left_knee = {rotvec = [0, 40, 0]}", "joints.left_knee = {rotvec = [0, 0, 0]}")
     well = well.replace("0, 1]", "0, 0.54]").replace("evaluations = 8", "evaluations = 99")  # on the ground
