@@ -37,7 +37,7 @@ OBSTACLE = {
     "body": "the movable object that this obstacle is a part of; positions are then in the axes of the object",
     "mass": "the mass of this part of an object, in kg",
     "color": "red, green, blue and opacity, each from 0 to 1",
-    "position": "the centre, in metres",
+    "position": "the centre, in metres; required without `body`",
     "rotation": "a rotation",
 }
 BAR = {
