@@ -1,6 +1,6 @@
 """Pictures of the shipped clips, for the README or the gallery: python docs/gallery.py [-o renders/gallery.png]
 
---films writes the animated pictures of docs/gallery.md instead, renders/films/NAME.webp.
+--films writes the animated pictures of docs/howto.md instead, renders/films/NAME.webp.
 The picture has a tile per clip, four in a row, each drawn by `dynsplines render`. A clip without an entry in TILES is
 shown in the middle of its time; `tumble` is shown along its whole path, in a tile twice as wide.
 """
