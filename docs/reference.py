@@ -162,7 +162,7 @@ TABLES: dict[str, tuple[type[table.Table], dict[str, str]]] = {
             "threshold": "the value of the criterion below which no frame is inserted; default 0.001",
             "optimiser": 'the NLopt algorithm that refines the result of the Gauss-Newton steps: "lbfgs" (the '
             'default), "slsqp", "ccsaq", "tnewton", "var2", or "none"',
-            "evaluations": "the maximum number of evaluations of the objective after an insertion of frames; "
+            "evaluations": "the maximum number of evaluations of the objective after each insertion of frames; "
             "default 250",
             "tolerance": "the search ends when a step is predicted to decrease the objective by less than this share; "
             "default 0.001",
@@ -430,7 +430,7 @@ CLAIMS = (  # verdict, claim, measurement of the benchmarks
 def claims() -> Iterator[str]:
     """The claims of the paper."""
     runner = seconds(row("clip", "solve, subdivision included")[1])
-    yield "| result | claim of the paper | measured |"
+    yield "| result | claim of the paper, or variant | measured |"
     yield "|---|---|---|"
     for verdict, claim, measured in CLAIMS:
         text = measured.format(dense=factor(row("barr", DENSE)[2]), sparse=sparse(), runner=runner)

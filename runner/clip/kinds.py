@@ -479,7 +479,7 @@ KINDS = {
         ), ("bend_joints", "least_bend", "sideways", "twist", "speed")),
         Kind("equality", (Part(300.0, "violation of <equality> constraints", _equality),)),
         Kind("upright", (
-            Part(1.0, "tilt of a root relative to its posed tilt, near keyframes with free rotation", _trunk, "trunk"),
+            Part(1.0, "change of the tilt of a root from posing, near keyframes that leave it free", _trunk, "trunk"),
             Part(30.0, "tilt of listed bodies, such as a head or a tray", _bodies, "bodies", "bodies"),
         ), ("bodies", "axis")),
         Kind("flight", (
