@@ -101,7 +101,7 @@ def with_pose(
     home = np.where(key.fixed, key.state, figure.to_qpos(path.states[k]))
     for columns in figure.tables.quaternion_columns.T:
         home[columns] = quat.normalise(home[columns])
-    goals = [*goals, *_kept_headings(figure, keys[k - 1], goals)] if k else [*goals]
+    goals = [*goals, *_kept_headings(figure, keys[:k], goals)]
     home = _root_above_feet(figure, home, ~key.fixed, goals, soles)
     ground = stander.surfaces if _is_slow(figure, path, k) else ()
     best = _Request(stander, key, [*goals, *also], soles).pose(home, ground)
@@ -207,14 +207,19 @@ def _depths(figure: Figure, qpos: Array, points: Sequence[Point], surfaces: Sequ
     return -height[:, 0]
 
 
-def _kept_headings(figure: Figure, before: Frame, goals: Sequence[Goal]) -> list[Goal]:
-    """Return goals of the headings of flat bodies that the keyframe `before` has in the same position."""
-    model, data, kept = figure.model, kinematics(figure.model, before.state), list[Goal]()
+def _kept_headings(figure: Figure, earlier: Sequence[Frame], goals: Sequence[Goal]) -> list[Goal]:
+    """Return goals of the headings of flat bodies that the last keyframe to set them has in the same position."""
+    model, kept = figure.model, list[Goal]()
     for flat in (goal for goal in goals if isinstance(goal, BodyGoal) and goal.rotation is None):
         (body,) = flat.bodies(model)
-        is_set = all(before.fixed[figure.links[link].columns].all() for link in figure.chain(body))
-        missed = [goal.residual(model, data) for goal in goals if isinstance(goal, PointGoal) and goal.index == body]
-        if is_set and missed and np.linalg.norm(np.concatenate(missed)) <= Thresholds.of(figure).tiny:
+        columns = [figure.links[link].columns for link in figure.chain(body)]
+        before = next((key for key in reversed(earlier) if all(key.fixed[each].all() for each in columns)), None)
+        points = [goal for goal in goals if isinstance(goal, PointGoal) and goal.index == body]
+        if before is None or not points:
+            continue
+        data = kinematics(model, before.state)
+        missed = np.concatenate([goal.residual(model, data) for goal in points])
+        if np.linalg.norm(missed) <= Thresholds.of(figure).tiny:
             kept.append(same_heading(figure, before.state, body))
     return kept
 

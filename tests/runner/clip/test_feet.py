@@ -319,6 +319,21 @@ def test_a_squat_is_posed_over_the_middle_of_the_feet(height, tmp_path):
     assert state.qpos[1] == pytest.approx(0, abs=1e-3)
 
 
+def test_feet_that_stay_keep_their_heading_beyond_a_keyframe_that_leaves_the_legs_free():
+    """Of a figure that turns, while a keyframe before specifies only a hand."""
+    turned = """root.rotation = {heading = 15}
+sites = {left_heel = [-0.055, 0.09, 0], right_heel = [-0.055, -0.09, 0]}
+bodies = {left_foot = {flat = true}, right_foot = {flat = true}}
+joints.spine = {rotvec = [0, 0, 20]}
+"""
+    texts = ('others = "rest"\n', "sites.right_hand = [0.3, -0.2, 1.15]\n", turned)
+    keys = [f"[[keyframe]]\ntime = {0.7 * i:g}\n{text}" for i, text in enumerate(texts)]
+    problem = recordings.from_text('figure = "human"\n' + "".join(keys), name="c")
+    for toe in ("left_toe", "right_toe"):
+        first, last = (kinematics(problem.figure.model, problem.keys[i].state).site(toe).xpos for i in (0, 2))
+        np.testing.assert_allclose(last, first, atol=0.005)
+
+
 def test_a_figure_with_one_foot_in_the_air_is_posed_above_the_other():
     lifted = """others = "previous"
 root.position = "free"
