@@ -42,7 +42,7 @@ OBSTACLE = {
 }
 BAR = {
     "radius": "the radius, in metres",
-    "length": "the length, in metres, with `position` as the centre",
+    "length": "the length along z, in metres, with `position` as the centre",
     "from": "one end, in metres; use `from` and `to`, or `position` and `length`",
     "to": "the other end, in metres",
 } | OBSTACLE
