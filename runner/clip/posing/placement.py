@@ -213,7 +213,7 @@ def _kept_headings(figure: Figure, earlier: Sequence[Frame], goals: Sequence[Goa
     for flat in (goal for goal in goals if isinstance(goal, BodyGoal) and goal.rotation is None):
         (body,) = flat.bodies(model)
         columns = [figure.links[link].columns for link in figure.chain(body)]
-        before = next((key for key in reversed(earlier) if all(key.fixed[each].all() for each in columns)), None)
+        before = next((key for key in reversed(earlier) if all(key.fixed[entries].all() for entries in columns)), None)
         points = [goal for goal in goals if isinstance(goal, PointGoal) and goal.index == body]
         if before is None or not points:
             continue

@@ -200,7 +200,7 @@ class Prior(Penalty):
             networks: The weights of the networks, see `people.outputs_of`.
             ground: The height of level ground [m]; None: it is unknown.
             cycle: The gait cycle that the motion approaches; None: there is none. It lowers the weights.
-            contacts: The specified contacts. The networks do not know what hands touch, so their arms have no weight.
+            contacts: The specified contacts. The networks ignore what hands touch, so their arms have no weight.
         """
         segments = _segments(person, keys, ground)
         count, floor = len(segments.hips), ground or 0.0
