@@ -140,7 +140,7 @@ def _unknown_note(forces: Forces) -> str:
     """Return the note on instants at which the support of the figure is unknown."""
     unknown_at = ~forces.has_known_support
     first = int(unknown_at.argmax())
-    bodies = list_names(f"'{body}'" for body, touches in forces.touching.items() if touches[first])
+    bodies = list_names(f"'{body}'" for body, touches in forces.touches_elsewhere.items() if touches[first])
     touches = "" if not bodies else f", where {bodies} touch something without a [[contact]]"
     return (
         f"the support of the figure is unknown in {unknown_at.mean():.0%} of the instants, first at "

@@ -68,14 +68,14 @@ class Forces:
         samples: The same times of its spline.
         support: The contacts that may exert forces on the figure; None without a free root.
         model: The motion's model, or one with the same joints whose forces are evaluated.
-        touching: When other parts of the body than those in contact touch the surroundings, (T,) each, by body.
+        touches_elsewhere: When parts of the body without contacts touch the surroundings, (T,) each, by body.
     """
 
     sampled: Sampled
     samples: Samples
     support: Support | None
     model: mujoco.MjModel
-    touching: dict[str, Mask]
+    touches_elsewhere: dict[str, Mask]
 
     @classmethod
     def of(cls, sampled: Sampled, model: mujoco.MjModel | None = None) -> Forces:
@@ -99,8 +99,8 @@ class Forces:
         """(T,) whether the forces that carry the figure are known: while feet stand and no other part of the body
         touches the surroundings, in flights, and where there is no ground or no gravity."""
         if self.support is not None and self.support.has_intervals:
-            touches_elsewhere = np.any([np.zeros(self.samples.count, bool), *self.touching.values()], axis=0)
-            return np.asarray(self.support.is_known(self.samples.t) & ~touches_elsewhere)
+            elsewhere = np.any([np.zeros(self.samples.count, bool), *self.touches_elsewhere.values()], axis=0)
+            return np.asarray(self.support.is_known(self.samples.t) & ~elsewhere)
         is_carried = self.support is not None and self.sampled.figure.gravity.any() and static_surfaces(self.model)
         return np.full(self.samples.count, not is_carried)
 
