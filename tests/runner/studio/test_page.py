@@ -758,9 +758,8 @@ def test_a_grasp_is_drawn_for_the_hand_of_the_arm_that_is_chosen(tab):
     page = tab.page
     assert page.locator("[data-hand]").count() == 0
     tab.evaluate("studio.model.choose('left_elbow')")
-    row = page.locator("[data-hand='left_hand']")
-    row.wait_for()
-    row.scroll_into_view_if_needed()
+    page.locator("[data-hand='left_hand']").wait_for()
+    tab.evaluate("document.querySelector(`[data-hand='left_hand']`).scrollIntoView()")  # at once, as rows are redrawn
     tab.drawn()
     top = tab.box("[data-hand='left_hand']")[1]
     begin, end = (tab.on_timeline(t) for t in (0.65, 0.9))
