@@ -184,16 +184,15 @@ def _of_tree(
     feet = {point.link for point in motion.clip.context.points}  # their soles are wider and bend
     near = np.where([point.link in feet for point in points], limits.clear, limits.near_surface)
     touches: Mask = np.asarray(height < near[:, None])
-    contacts = touching(samples, points, touches, up)
-    air = [(t[first], t[end - 1]) for first, end in runs(np.asarray(~touches.any(axis=0)))]
     wrench = RootWrench(samples, root)
-    missing = Support.of(figure, root, contacts, air).stiff.rest(samples, wrench)
     size, speed = Size.of(figure), np.linalg.norm(np.gradient(wrench.centre[:2], t, axis=1), axis=0)
-    amounts = {
-        "unsupported": np.linalg.norm(missing[:3], axis=0),
-        "toppling": np.linalg.norm(missing[3:], axis=0),
-        "unbalanced": (speed < SLOW * size.length / size.time) * _beside(wrench.centre[:2], centres[:2], touches),
-    }
+    is_slow = speed < SLOW * size.length / size.time
+    amounts = {"unbalanced": is_slow * _beside(wrench.centre[:2], centres[:2], touches)}
+    if not is_imported(motion.clip, motion.timeline):
+        contacts = touching(samples, points, touches, up)
+        air = [(t[first], t[end - 1]) for first, end in runs(np.asarray(~touches.any(axis=0)))]
+        missing = Support.of(figure, root, contacts, air).stiff.rest(samples, wrench)
+        amounts["unsupported"], amounts["toppling"] = (np.linalg.norm(part, axis=0) for part in np.split(missing, 2))
     texts = {
         "unsupported": "contacts cannot supply a force of {{}} of the weight, for {:.2f} s, worst",
         "toppling": "contacts cannot supply a moment of {{}} of weight times height, for {:.2f} s, worst",
@@ -204,8 +203,6 @@ def _of_tree(
     for start, end in runs(aloft):
         explained[start:end] |= np.ptp(t[start:end]) >= limits.moment  # reported as `float`
     for kind, amount in amounts.items():
-        if kind != "unbalanced" and is_imported(motion.clip, motion.timeline):
-            continue
         amount = np.where(explained, 0.0, amount)
         mean = _average(amount, t, window)
         worst, bound = int(mean.argmax()), BOUNDS[kind].most
