@@ -20,7 +20,7 @@ from ...figure.kinematics import Samples
 from ...figure.wrenches import every_axis, of_turn
 from ..block import Block, every
 from ..penalty import Normalization, Penalty
-from .people import PARENTS, PARTS, Prediction, Segments, Weights, neighbours
+from .people import PARENTS, PARTS, TIPS, Prediction, Segments, Weights, neighbours
 
 PHASES = 33  # number of phases per segment at which poses are predicted; in between they are interpolated
 BRIEF, SHORT, LONG, ENDLESS = 0.2, 0.3, 1.5, 2.5  # [s] durations of segments between which trust rises, and falls
@@ -32,7 +32,7 @@ CLEAR = 0.2  # [1] squared differences from linear interpolation, relative to sq
 WORTH = 0.6e-3  # [rad⁻² s⁴] value that costs as much as angular accelerations of quaternions of 1 s⁻²
 # parts of arms and legs, without feet, which hang in the zero pose
 HANGING = [i for i, part in enumerate(PARTS) if part.endswith(("arm", "thigh", "shin"))]
-FOREARMS = (3, 5)  # each follows its upper arm
+FOREARMS = TIPS[:2]
 DOWN, LATERAL = np.array([0.0, 0, -1]), np.array([0.0, 1, 0])
 
 
@@ -137,7 +137,8 @@ class Person:
             is_near = (keys.times[1:] >= contact.first) & (keys.times[:-1] <= contact.last)
             for forearm in FOREARMS:
                 if self.figure.tables.path[contact.point.link, self.links[forearm]]:
-                    out[is_near, 4 * forearm - 1 : 4 * forearm + 7] = False
+                    for part in (PARENTS[forearm], forearm):  # behind the 3 entries of the hips
+                        out[is_near, 3 + 4 * part : 7 + 4 * part] = False
         return out
 
     def posture(self, states: Array, ground: float) -> tuple[Array, Array]:
