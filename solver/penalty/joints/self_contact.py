@@ -326,5 +326,5 @@ def _overlapping(model: mujoco.MjModel, geoms: Sequence[int]) -> set[tuple[int, 
     return {
         (int(ids[i]), int(ids[j]))
         for i, j in np.argwhere(np.triu(close, 1))
-        if mujoco.mj_geomDistance(model, data, int(ids[i]), int(ids[j]), SINGLE, None) < 0
+        if mujoco.mj_geomDistance(model, data, int(ids[i]), int(ids[j]), SINGLE, None) < 0  # only the sign counts
     }
