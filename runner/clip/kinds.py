@@ -15,6 +15,7 @@ from pydantic import Discriminator, Field, Tag
 from dynsplines import models
 from dynsplines.solver.contacts import Interval, surfaces_on
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
+from dynsplines.solver.contacts.stances import low_swing_segments
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure, JointKind
 from dynsplines.solver.figure.kinematics import Samples
@@ -328,7 +329,7 @@ def _no_slip(context: Context, options: Options) -> Penalty | None:
         return None
     at_keys = KeyframePoints.of(context.figure, context.keys, context.points)
     reach = options.reach or at_keys.limits.slip_reach
-    return Skate(context.points, context.surfaces, reach, context.keys.times, at_keys.swings)
+    return Skate(context.points, context.surfaces, reach, context.keys.times, low_swing_segments(at_keys))
 
 
 def _hover(context: Context, options: Options) -> Penalty | None:

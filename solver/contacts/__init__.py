@@ -1,9 +1,9 @@
 """Inference of when and where figures touch their surroundings, from keyframes, clips and recordings.
 
 schedule          all contacts of one clip: stances, grasps, flights, gait
-contact           a point that stays in one place, and the stances of keyframes
+contact           a point that stays in one place
+stances           where a figure stands, from keyframes: planted points, the footings that carry it, steps of its legs
 grasp             which links are held, and where they rest before and after
-footing           points of standing feet that carry, and legs that swing while another one stands
 flight            free fall around keyframes in the air
 keyframe_points   positions and heights of points at keyframes, from which all these are inferred
 gait              the walking or running cycle of keyframes: a Gaussian process of poses, and the choice of its period
@@ -15,12 +15,12 @@ thresholds        all distances, times and speeds that decide, relative to the s
 
 from .contact import Contact as Contact
 from .contact import Interval as Interval
-from .contact import stances as stances
 from .contact import within as within
-from .footing import Steps as Steps
-from .footing import footings as footings
 from .grasp import grasped_links as grasped_links
 from .grasp import resting_objects as resting_objects
 from .grasp import surfaces_on as surfaces_on
 from .grasp import tree_of as tree_of
 from .schedule import ContactSchedule as ContactSchedule
+from .stances import Steps as Steps
+from .stances import footings as footings
+from .stances import stances as stances

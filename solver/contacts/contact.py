@@ -17,9 +17,7 @@ from ..figure.algebra import cross
 from ..surface import Plane
 from ..surface.points import Point
 from ..tolerances import ROUNDING
-from .keyframe_points import KeyframePoints
 
-HELD = 10.0  # [1] weight of stances of posed keyframes, which meet positions only approximately
 Interval = tuple[float, float]
 
 
@@ -124,21 +122,6 @@ class Contact:
     def overlaps(self, other: Contact) -> bool:
         """Return whether another contact of the same point overlaps this one in time."""
         return self.meets(other.first, other.last) and self.point.coincides(other.point)
-
-
-def stances(soles: KeyframePoints) -> tuple[Contact, ...]:
-    """Return the stances of points inferred from keyframes: one for each segment in which a point stays."""
-    is_exact = soles.is_fixed[:, :-1] & soles.is_fixed[:, 1:]
-    return tuple(
-        between_keyframes(soles, i, k, 1.0 if is_exact[i, k] else HELD) for k, i in np.argwhere(soles.stays.T).tolist()
-    )
-
-
-def between_keyframes(points: KeyframePoints, i: int, k: int, weight: float = 1.0) -> Contact:
-    """Return the contact of point i from keyframe k to the next, from its position in the one to that in the other."""
-    times = points.keys.times[k : k + 2]
-    places = np.ascontiguousarray(points.centres[:, i, k : k + 2].T)
-    return Contact(points.points[i], float(times[0]), float(times[1]), 0, places, times, weight=weight)
 
 
 def within(intervals: Sequence[Interval], t: Array) -> Mask:

@@ -19,6 +19,7 @@ from ..surface.heights import FAR
 from ..surface.points import Point, places_of
 from .contact import Interval
 from .keyframe_points import KeyframePoints
+from .stances import is_grounded
 from .thresholds import Thresholds
 
 # height of the centre of mass above the ground of a stretched figure on its toes, relative to that at rest or in a
@@ -90,7 +91,7 @@ class Air:
         rest = Samples.of_qpos(figure)
         tall = _centre(rest, root)[0] - _bottoms(figure, KeyframePoints(rest, body.keys, tuple(soles))).min()
         tiptoe = ground + STRETCHED * max(tall, (centre - ground)[touches].max(initial=0.0))
-        is_known, is_low = body.keys.known[:, figure.links[root].qpos + 2], body.heights.min(axis=0) < body.limits.clear
+        is_known, is_low = body.keys.known[:, figure.links[root].qpos + 2], is_grounded(body)
         is_aloft = is_known & ~is_low & (low < FAR) & (centre > tiptoe)
         for first, last in held:
             is_aloft &= (times < first) | (last < times)

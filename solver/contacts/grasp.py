@@ -14,8 +14,9 @@ from ..figure.kinematics import Samples
 from ..surface import Surface, moving_surface
 from ..surface.points import Point
 from ..surface.touch import movers
-from .contact import Contact, between_keyframes
+from .contact import Contact
 from .keyframe_points import KeyframePoints
+from .stances import contact_between
 
 
 def tree_of(figure: Figure, link: int) -> int:
@@ -68,7 +69,7 @@ def resting_objects(
         points = keyframes.with_points([Point(name, link, arm * axis) for axis in np.eye(3)])
         is_set = np.logical_and.reduce(points.is_known)
         stays: Mask = np.logical_and.reduce(points.moves < points.limits.tiny) & is_set[:-1] & is_set[1:]
-        inferred += [between_keyframes(points, i, k) for k in np.flatnonzero(stays).tolist() for i in range(3)]
+        inferred += [contact_between(points, i, k) for k in np.flatnonzero(stays).tolist() for i in range(3)]
         for k, grasp, hold in _unheld(points, stays, is_set, [grasp for grasp in grasps if grasp.on == link]):
             if _is_near(points, k, grasp, hold, link):
                 first, last = sorted((float(keyframes.keys.times[k]), hold))

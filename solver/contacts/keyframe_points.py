@@ -105,60 +105,32 @@ class KeyframePoints:
         """Whether the keyframe fixes the position, (n, K)."""
         return sets_places(self.figure, self.keys.fixed, self.points)
 
-    @property
-    def is_near(self) -> Mask:
-        """Whether the position is known and near a surface, (n, K)."""
-        return np.asarray((np.abs(self.heights) < self.limits.near_surface) & self.is_known)
-
-    @property
-    def stays(self) -> Mask:
-        """Whether the point is planted between two successive keyframes, (n, K − 1).
-
-        In both, its position is known and near a surface. The two positions are close to each other (12 mm and 5 cm for
-        an adult, see `Thresholds`), and the point moves slower than 0.35 m/s.
-        """
-        drift = self.limits.farthest_planted(np.diff(self.keys.times))
-        return np.asarray(self.is_near[:, :-1] & self.is_near[:, 1:] & (self.moves < drift))
-
-    def stance(self, i: int, k: int) -> Array | None:
-        """Return the position (3,) [m] of point i in keyframe k if it is planted around it, or None.
-
-        The point is planted, as in `stays`, between the nearest keyframes before and after that determine its position.
-        If there is only one such keyframe, it is planted if this has it near a surface.
-        """
-        beside = self._beside(i, k)
-        if not beside or not all(self.is_near[i, n % self._count] for n in beside):
-            return None
-        times, places = zip(*(self._at(i, n) for n in beside), strict=True)
-        first, last, seconds = places[0], places[-1], times[-1] - times[0]
-        if len(beside) == 1:
-            return first
-        if np.linalg.norm(last - first) >= self.limits.farthest_planted(seconds):
-            return None
-        return first + (self.keys.times[k] - times[0]) / seconds * (last - first)
+    def beside(self, i: int, k: int) -> tuple[Index, Array, Array]:
+        """Return the nearest keyframes before and after k that determine point i, at most two, with their times [s] and
+        the positions (m, 3) [m] of the point. In a loop, they may belong to the periods before and after."""
+        numbers = self._beside(i, k)
+        periods, keys = np.divmod(numbers, self._count)
+        times, places = self.keys.times[keys], self.centres[:, i, keys].T
+        if self._seam is not None:
+            times = times + periods * (self.keys.times[-1] - self.keys.times[0])
+            moved = [self._seam.moved_points(self.figure, p, int(n)) for p, n in zip(places, periods, strict=True)]
+            places = np.reshape(moved, (-1, 3))
+        return keys, times, places
 
     def orientation(self, i: int, k: int) -> Array:
         """Return the orientation (4,) of the link of point i in the nearest keyframe that determines it, else in k."""
-        n = min(self._beside(i, k), key=lambda n: abs(self._at(i, n)[0] - self.keys.times[k]), default=k)
+        numbers, times = self._beside(i, k), self.beside(i, k)[1]
+        n = int(numbers[np.abs(times - self.keys.times[k]).argmin()]) if numbers.size else k
         rotation = quat.from_matrix(self.samples.links.rotation[:, :, self.links[i], n % self._count])
         return rotation if self._seam is None else quat.product(self._seam.turn(n // self._count), rotation)
 
-    def _beside(self, i: int, k: int) -> list[int]:
-        """Return the nearest keyframes before and after k that determine point i. In a loop, numbers below zero and
-        beyond the last belong to the periods before and after."""
+    def _beside(self, i: int, k: int) -> Index:
+        """Return the numbers of `beside`. In a loop, numbers below zero and beyond the last belong to the periods
+        before and after."""
         at = np.flatnonzero(self.is_known[i, : self._count])
         if self._seam is not None:
             at = np.concatenate([at - self._count, at, at + self._count])
-        return [*at[at < k][-1:].tolist(), *at[at > k][:1].tolist()]
-
-    def _at(self, i: int, n: int) -> tuple[float, Array]:
-        """Return the time [s] and the position (3,) [m] of point i in a keyframe, see `_beside`."""
-        period, k = divmod(n, self._count)
-        time, place = float(self.keys.times[k]), self.centres[:, i, k]
-        if self._seam is None:
-            return time, place
-        seconds = float(self.keys.times[-1] - self.keys.times[0])
-        return time + period * seconds, self._seam.moved_points(self.figure, place, period)
+        return np.concatenate([at[at < k][-1:], at[at > k][:1]])
 
     @cached_property
     def _seam(self) -> Seam | None:
@@ -168,23 +140,6 @@ class KeyframePoints:
     def _count(self) -> int:
         """The number of keyframes; the last one of a loop, which repeats the first, does not count."""
         return len(self.keys.frames) - (self._seam is not None)
-
-    @property
-    def strides(self) -> Mask:
-        """Whether the point moves so far between two successive keyframes that it swings (8 cm for an adult),
-        (n, K − 1)."""
-        return np.asarray((self.moves > self.limits.strode) & self.is_known[:, :-1] & self.is_known[:, 1:])
-
-    @property
-    def swings(self) -> Mask:
-        """Whether the point strides within a short time (0.25 s), so that its foot may pass low over the ground,
-        (n, K − 1)."""
-        return np.asarray(self.strides & (np.diff(self.keys.times) <= self.limits.shortly))
-
-    @property
-    def is_low(self) -> Mask:
-        """Whether the lowest of the points is on the ground, (K,)."""
-        return np.asarray(self.heights.min(axis=0, initial=np.inf) < self.limits.clear)
 
     def segments(self) -> Iterator[tuple[int, float, float]]:
         """Yield k, the time of keyframe k and the time of keyframe k + 1 [s], for every segment."""

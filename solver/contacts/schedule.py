@@ -13,12 +13,12 @@ from ..curve.frame import Timeline
 from ..figure.figure import Figure
 from ..surface import Surface
 from ..surface.points import Point, body_points, free_root, hanging
-from .contact import Contact, Interval, stances
+from .contact import Contact, Interval
 from .flight import Air, Fall
-from .footing import Steps, footings
 from .gait import Gait, GaitCycle
 from .grasp import grasped_links, resting_objects
 from .keyframe_points import KeyframePoints
+from .stances import Steps, footings, is_grounded, planted_place, stances
 from .thresholds import Thresholds
 
 
@@ -85,7 +85,7 @@ class ContactSchedule:
     @cached_property
     def steps(self) -> Steps:
         """The legs that take a step while another leg stands."""
-        return Steps.of(self._soles, self._standing)
+        return Steps.of(self._soles, (*self.stances, *self.on_ground))
 
     @cached_property
     def footings(self) -> tuple[Contact, ...]:
@@ -94,7 +94,9 @@ class ContactSchedule:
             return ()
         if self.is_recording:
             return tuple(replace(contact, surface=None) for contact in self.on_ground)
-        return footings(self._tree_soles, self._carriers, self._tree_body)
+        rests = (*self.stances, *self.on_ground)
+        carriers = [rest for rest in rests if self.figure.tables.path[rest.point.link, self.root]]
+        return footings(self._tree_soles, carriers, self._tree_body)
 
     @property
     def flights(self) -> tuple[Interval, ...]:
@@ -116,7 +118,7 @@ class ContactSchedule:
     @property
     def is_grounded(self) -> bool:
         """Whether the figure is on the ground in any keyframe."""
-        return bool(self._low_points.is_low.any())
+        return bool(self._is_down.any())
 
     @property
     def grounded_intervals(self) -> tuple[Interval, ...]:
@@ -129,13 +131,13 @@ class ContactSchedule:
         keys, blur, intervals = self.keys.times, Thresholds.of(self.figure).lift_off, list[Interval]()
         for begin, end in () if self.specified_flights is not None else self.flights:
             before, after = np.searchsorted(keys, begin) - 1, np.searchsorted(keys, end, side="right")
-            if before >= 0 and self._low_points.is_low[before]:
+            if before >= 0 and self._is_down[before]:
                 intervals.append((float(keys[before]), begin - blur))
-            if after < keys.size and self._low_points.is_low[after]:
+            if after < keys.size and self._is_down[after]:
                 intervals.append((end + blur, float(keys[after])))
         if self.root is not None and self.points:
             first = self.figure.links[self.root].qpos
-            is_open, down = ~self.keys.fixed[:, first + 2], self._low_points.is_low
+            is_open, down = ~self.keys.fixed[:, first + 2], self._is_down
             travel = np.linalg.norm(np.diff(self.keys.states[:, first : first + 2], axis=0), axis=1)
             is_slow = travel < Thresholds.of(self.figure).travels * np.diff(keys)
             for k in np.flatnonzero((is_open[:-1] | is_open[1:]) & down[:-1] & down[1:] & is_slow).tolist():
@@ -181,12 +183,12 @@ class ContactSchedule:
             return spots[0] if spots and all(np.linalg.norm(spot - spots[0]) < same for spot in spots) else None
         limb = self.figure.limb(self.figure.links[point.link].body)
         is_set = any(self.keys.fixed[k, self.figure.links[link].columns].any() for link in limb)
-        return None if is_set or i >= len(self.points) else self.resting_points.stance(i, k)
+        return None if is_set or i >= len(self.points) else planted_place(self.resting_points, i, k)
 
     @property
     def is_low(self) -> Mask:
         """For each keyframe, whether any sole point is on the ground, (K,)."""
-        return self._soles.is_low
+        return is_grounded(self._soles)
 
     def exclude_grasped(self, points: Sequence[Point]) -> tuple[Point, ...]:
         """Return the points that do not belong to grasped objects."""
@@ -198,9 +200,9 @@ class ContactSchedule:
         return KeyframePoints.of(self.figure, self.keys, self.points, self.surfaces)
 
     @cached_property
-    def _low_points(self) -> KeyframePoints:
-        """`low_points` at the keyframes."""
-        return self._soles.with_points(self.low_points)
+    def _is_down(self) -> Mask:
+        """For each keyframe, whether any of `low_points` is on the ground, (K,)."""
+        return is_grounded(self._soles.with_points(self.low_points))
 
     @cached_property
     def _tree_soles(self) -> KeyframePoints:
@@ -213,13 +215,3 @@ class ContactSchedule:
         return (
             () if self.root is None else hanging(self.figure, self.root, self.exclude_grasped(body_points(self.figure)))
         )
-
-    @property
-    def _standing(self) -> tuple[Contact, ...]:
-        """The stances and specified contacts."""
-        return (*self.stances, *self.on_ground)
-
-    @property
-    def _carriers(self) -> tuple[Contact, ...]:
-        """Those in the kinematic tree of `root`."""
-        return tuple(contact for contact in self._standing if self.figure.tables.path[contact.point.link, self.root])

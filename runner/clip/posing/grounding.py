@@ -16,6 +16,7 @@ import numpy as np
 from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.contacts import ContactSchedule
 from dynsplines.solver.contacts.keyframe_points import KeyframePoints
+from dynsplines.solver.contacts.stances import planted_place
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.figure.dynamics import height
@@ -76,7 +77,7 @@ class Grounding:
             down = self._shallowest(centres[..., k], radii, self._drops(centres[..., k], radii, above))
             if down is None:
                 continue
-            stances = [before.resting_points.stance(i, k) for i in mine]
+            stances = [planted_place(before.resting_points, i, k) for i in mine]
             spots = np.array([np.full(3, np.nan) if spot is None else spot for spot in stances]).T
             stay = self._across(centres[..., k] + down[:, None], radii, spots)
             if stay is not None:

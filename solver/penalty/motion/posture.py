@@ -22,7 +22,7 @@ import numpy as np
 
 from ... import quaternion as quat
 from ...array import Array, Index, Mask, segments_at
-from ...contacts.footing import Steps
+from ...contacts.stances import Steps
 from ...curve.frame import Timeline
 from ...figure.adjoint import Cotangent
 from ...figure.algebra import add_at, cross, vector_product

@@ -1,4 +1,4 @@
-"""Footings, stances and the thresholds that decide them."""
+"""Stances, footings, and the thresholds that decide them."""
 
 from dataclasses import replace
 from functools import cache

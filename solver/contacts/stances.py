@@ -1,8 +1,10 @@
-"""The points that can support a figure over time, and its legs that take a step, inferred from its stances.
+"""Where a figure stands, inferred from its keyframes: the one place that decides stances, footings and steps.
 
-A segment between two keyframes is a stance if a point of a sole rests on one spot in both, see `contact`. It is a
-flight if nothing can support the figure there, see `flight`. Otherwise its support is unknown, because a foot may touch
-down and lift off in between. A step is a leg that swings while another leg stands, or a hop on one leg.
+A point is planted between two keyframes if it rests on one spot in both. Then it has a stance, a `Contact`. A segment
+without stances is a flight if nothing can support the figure there, see `flight`. Otherwise its support is unknown,
+because a foot may touch down and lift off in between. A footing is a point of a link with a stance by which a surface
+can push. A step is a leg that swings while another leg stands, or a hop on one leg. Recordings have many frames and
+noise instead, see `recorded_stances`.
 """
 
 from __future__ import annotations
@@ -21,7 +23,73 @@ from ..tolerances import ROUNDING
 from .contact import Contact
 from .keyframe_points import KeyframePoints
 
+POSED = 10.0  # [1] weight of stances of posed keyframes, which meet positions only approximately
 TURNED = 0.3  # rotation of search directions, as a fraction of the angle between them, so that no two points tie
+
+
+def stances(soles: KeyframePoints) -> tuple[Contact, ...]:
+    """Return the stances of points, one for each segment in which a point is planted, in order of time."""
+    is_exact = soles.is_fixed[:, :-1] & soles.is_fixed[:, 1:]
+    return tuple(
+        contact_between(soles, i, k, 1.0 if is_exact[i, k] else POSED)
+        for k, i in np.argwhere(planted_segments(soles).T).tolist()
+    )
+
+
+def contact_between(points: KeyframePoints, i: int, k: int, weight: float = 1.0) -> Contact:
+    """Return the contact of point i from keyframe k to the next, from its position in the one to that in the other."""
+    times = points.keys.times[k : k + 2]
+    places = np.ascontiguousarray(points.centres[:, i, k : k + 2].T)
+    return Contact(points.points[i], float(times[0]), float(times[1]), 0, places, times, weight=weight)
+
+
+def planted_segments(points: KeyframePoints) -> Mask:
+    """Return whether each point is planted between each two successive keyframes, (n, K − 1).
+
+    In both, its position is known and near a surface. The two positions are close to each other (12 mm and 5 cm for an
+    adult, see `Thresholds`), and the point moves slower than 0.35 m/s.
+    """
+    near, drift = is_near(points), points.limits.farthest_planted(np.diff(points.keys.times))
+    return np.asarray(near[:, :-1] & near[:, 1:] & (points.moves < drift))
+
+
+def planted_place(points: KeyframePoints, i: int, k: int) -> Array | None:
+    """Return the position (3,) [m] of point i in keyframe k, which leaves it free, if it is planted around it, or None.
+
+    The rule is that of `planted_segments`, between the nearest keyframes before and after that determine the position.
+    If there is only one such keyframe, the point is planted if this has it near a surface.
+    """
+    keys, times, places = points.beside(i, k)
+    if not keys.size or not is_near(points)[i, keys].all():
+        return None
+    if keys.size == 1:
+        return places[0]
+    move, seconds = places[1] - places[0], times[1] - times[0]
+    if np.linalg.norm(move) >= points.limits.farthest_planted(seconds):
+        return None
+    return np.asarray(places[0] + (points.keys.times[k] - times[0]) / seconds * move)
+
+
+def is_near(points: KeyframePoints) -> Mask:
+    """Return whether the position of each point is known and near a surface in each keyframe, (n, K)."""
+    return np.asarray((np.abs(points.heights) < points.limits.near_surface) & points.is_known)
+
+
+def is_grounded(points: KeyframePoints) -> Mask:
+    """Return whether the lowest of the points is on the ground in each keyframe, (K,)."""
+    return np.asarray(points.heights.min(axis=0, initial=np.inf) < points.limits.clear)
+
+
+def stride_segments(points: KeyframePoints) -> Mask:
+    """Return whether each point moves so far between each two successive keyframes that it swings (8 cm for an adult),
+    (n, K − 1)."""
+    return np.asarray((points.moves > points.limits.strode) & points.is_known[:, :-1] & points.is_known[:, 1:])
+
+
+def low_swing_segments(points: KeyframePoints) -> Mask:
+    """Return whether each point strides within a short time (0.25 s), so that its foot may pass low over the ground,
+    (n, K − 1)."""
+    return np.asarray(stride_segments(points) & (np.diff(points.keys.times) <= points.limits.shortly))
 
 
 def footings(soles: KeyframePoints, standing: Sequence[Contact], body: Sequence[Point] = ()) -> tuple[Contact, ...]:
@@ -33,10 +101,10 @@ def footings(soles: KeyframePoints, standing: Sequence[Contact], body: Sequence[
     begin, end = np.array([(contact.first, contact.last) for contact in standing]).reshape(-1, 2).T
     links = np.array([contact.point.link for contact in standing], np.intp)
     spots = soles.with_points((*soles.points, *(point for point in body if point.link in links)))
-    result = []
+    near, result = is_near(spots), list[Contact]()
     for k, first, last in spots.segments():
         for link in np.unique(links[(begin <= first) & (last <= end)]).tolist():
-            on, at = np.nonzero(spots.is_near[:, k : k + 2] & (spots.links == link)[:, None])
+            on, at = np.nonzero(near[:, k : k + 2] & (spots.links == link)[:, None])
             if on.size:
                 outer, surface = _outermost(spots, link, on, k + at)
                 result += [
@@ -106,7 +174,7 @@ class Steps:
         first, last = np.array([stance.first for stance in standing]), np.array([stance.last for stance in standing])
         feet = np.array([stance.point.link for stance in standing])
         is_same_leg = same_leg(soles.figure)
-        strides = soles.strides
+        strides = stride_segments(soles)
         for k, segment in enumerate(segments_at(key_times, times[:-1]).tolist()):
             stands = np.unique(feet[(first <= times[k]) & (times[k + 1] <= last)])
             for link in np.unique(soles.links[strides[:, segment]]).tolist():
