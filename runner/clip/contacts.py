@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
-from itertools import pairwise
+from itertools import combinations, pairwise
 
 import numpy as np
 
@@ -24,7 +24,7 @@ from dynsplines.solver.penalty import grasp_places
 from dynsplines.solver.penalty.penalty import Allowance
 from dynsplines.solver.surface import Surface
 from dynsplines.solver.surface.heights import height_over
-from dynsplines.solver.surface.points import Point, sets_places
+from dynsplines.solver.surface.points import Point, arrays_of, sets_places, sets_poses
 from dynsplines.solver.tolerances import ROUNDING
 
 from ..errors import UserError, unknown
@@ -78,6 +78,7 @@ def contacts(
         contact = _without_places(places, table, name)
         _check_times(table, [(f"{kind} {k}", other) for k, other in enumerate(tables[:i], 1)], keys, name)
         specified.append(_with_places(samples, keys, contact, surfaces, f"{name}: keyframe {{}} (t = {{:g}} s)"))
+    _check_hands(samples, keys, [contact for contact in specified if contact.on], where)
     _check_bodies(
         [piece for contact in specified if not contact.on for piece in contact.pieces()], places.figure, where
     )
@@ -224,6 +225,27 @@ def _check_bodies(contacts: Sequence[Contact], figure: Figure, where: str) -> No
                     f"{where}: contacts of '{other.point.name}' and '{one.point.name}' contradict each other from "
                     f"{start:g} to {end:g} s: they are {apart:.3f} m apart there, but {distance:.3f} m on their body"
                 )
+
+
+def _check_hands(samples: Samples, keys: Timeline, grasps: Sequence[Contact], where: str) -> None:
+    """Raise UserError if a keyframe fixes two hands at another distance than that at which they hold one body."""
+    figure, (links, positions, _) = samples.figure, arrays_of([grasp.point for grasp in grasps])
+    hands = samples.links.points(links, positions)[0]
+    for (i, one), (j, other) in combinations(enumerate(grasps), 2):
+        if one.on != other.on or not one.meets(other.first, other.last):
+            continue
+        is_fixed = sets_poses(figure, keys.fixed, [one.point.link], [other.point.link])[0]
+        inside = [k for k in np.flatnonzero(is_fixed).tolist() if all(g.covers(keys.times[k]) for g in (one, other))]
+        apart = np.linalg.norm(hands[:, i] - hands[:, j], axis=0)[inside]
+        held = apart[0] if apart.size else 0.0
+        if one.places is not None and other.places is not None:
+            held = np.linalg.norm(one.places[0] - other.places[0])
+        for k in np.flatnonzero(np.abs(apart - held) > Thresholds.of(figure).same_spot)[:1].tolist():
+            raise UserError(
+                f"{where}: keyframe {inside[k] + 1} (t = {keys.times[inside[k]]:g} s) has '{one.point.name}' and "
+                f"'{other.point.name}' {apart[k]:.3f} m apart, but they grasp '{figure.body_name(one.on)}' "
+                f"{held:.3f} m apart; free an arm in this keyframe, or end a grasp before it"
+            )
 
 
 def moving_bodies(figure: Figure) -> dict[str, int]:

@@ -302,6 +302,20 @@ def test_a_crate_that_keyframes_leave_free_goes_with_the_hands():
         np.testing.assert_allclose(place(clip, clip.keys[2].state, hand), [0, y, 0], atol=1e-5)
 
 
+@pytest.mark.parametrize("is_placed", [True, False])
+def test_keyframes_that_fix_two_hands_farther_apart_than_they_hold_one_object_are_an_error(is_placed):
+    def rows(spread: float) -> str:
+        arms = "joints = {left_shoulder = {rotvec = [%g, 0, 0]}, right_shoulder = {rotvec = [%g, 0, 0]}}"
+        held = keyframe(0.0, 'others = "rest"', AT if is_placed else "", arms % (20, -20))
+        grasps = "".join(HOLD.format(hand=hand, start=0.0, end=1.0) for hand in ("left", "right"))
+        free = 'roots.crate = {position = ["free", "free", "free"], rotation = "free"}'
+        return SCENE + grasps + held + keyframe(1.0, 'others = "rest"', free, arms % (20 + spread, -20 - spread))
+
+    recordings.from_text(rows(2), name="near")
+    with pytest.raises(UserError, match=r"keyframe 2 .* m apart, but they grasp 'crate' 0\.\d+ m"):
+        recordings.from_text(rows(4), name="far")
+
+
 ARM = read_data("arm_and_block.xml")
 
 
