@@ -94,7 +94,7 @@ def clean(
         standing = context.with_schedule(on_ground=tuple(rests))
         return tracking_problem(near, standing, options, _times_with_ends(near, rests, times, far))
 
-    is_noisy = largest_noise(recorded, context.points) > Thresholds.of(figure).noisy
+    is_noisy = largest_noise(recorded, context.points) > Thresholds.of(figure).slight
     if is_noisy:
         sure = rests if specified is not None else tuple(_without_ends(context, recorded, rest) for rest in rests)
         tracking = _with_soft_start(problem_of(sure, near.times()), near, SOFTNESS, improved)
@@ -163,7 +163,7 @@ def _refined_stances(context: Context, recorded: Track, soft_problem: Problem) -
     Brief stances are left out, at both ends of a recording also somewhat longer ones: noise hides that a foot moves."""
     calm = context.figure.to_qpos(path_of(soft_problem.raw).at(recorded.times))
     smoothed = Track.of(context.figure, recorded.times, calm)
-    averaged = max(1.0, recorded.rate * Thresholds.of(context.figure).blurred)  # samples
+    averaged = max(1.0, recorded.rate * Thresholds.of(context.figure).lift_off)  # samples
     noise = largest_noise(recorded, context.points) / np.sqrt(averaged)
     stances, _ = infer_stances(smoothed, context.points, context.surfaces, noise)
     unsure, (first, last) = Thresholds.of(context.figure).moment, recorded.path.span

@@ -336,8 +336,8 @@ def _hover(context: Context, options: Options) -> Penalty | None:
     schedule, limits = context.schedule, Thresholds.of(context.figure)
     if not schedule.is_grounded or not (context.points or context.figure.tables.free_links.size):
         return None
-    reach = options.reach or limits.highest
-    return HoverPenalty(schedule.low_points, context.surfaces, reach, limits.float_blend, schedule.grounded_intervals)
+    reach = options.reach or limits.away
+    return HoverPenalty(schedule.low_points, context.surfaces, reach, 2 * limits.tiny, schedule.grounded_intervals)
 
 
 def _equality(context: Context, options: Options) -> Penalty | None:

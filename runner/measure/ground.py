@@ -82,7 +82,7 @@ def _floating(motion: Measurement, samples: Samples, at: Index, root: int, heigh
         run = np.arange(start, end)
         t, top, number = samples.t[run], run[height[run].argmax()], 0
         seconds = np.ptp(t) * np.mean(np.abs(carried[run]) >= CARRIED)
-        if np.ptp(t) < limits.moment or seconds < min(np.ptp(t) / 2, limits.push_off):
+        if np.ptp(t) < limits.moment or seconds < min(np.ptp(t) / 2, limits.far_apart):
             continue
         keys = np.flatnonzero(np.isin(motion.key_at, at[run[carried[run] >= CARRIED]]))
         if keys.size:
@@ -116,13 +116,13 @@ def _sliding(motion: Measurement, samples: Samples) -> Iterator[Violation]:
             for point in points
         ]
     )
-    feet, drags = feet_of(figure, points)[links], (height < limits.brushes) & ~rests
+    feet, drags = feet_of(figure, points)[links], (height < limits.slight) & ~rests
     for foot in np.unique(feet):
         sole = np.flatnonzero(feet == foot)
         top, speed = height[sole].max(axis=0), speeds[sole].min(axis=0)
         slides = top < limits.near_surface
         for start, end in runs((top < limits.clear) & (speed > limits.travels)):
-            slides[start:end] |= np.ptp(samples.t[start:end]) >= limits.step
+            slides[start:end] |= np.ptp(samples.t[start:end]) >= limits.shortly
         for start, end, distance in _moves(centres[:2, sole], slides & ~rests[sole].any(axis=0), BOUNDS["slide"]):
             drags[sole, start:end] = False
             yield _move("slide", figure.body_name(int(foot)), samples.t[start:end], speed[start:end], distance)

@@ -190,7 +190,7 @@ class Gait:
         """Whether the figure has feet, ground and one root, and travels."""
         if not self.points or not self.surfaces or self.figure.tables.free_links.size != 1:
             return False
-        return self._hips > 0 and self._travel > self.limits.slowest
+        return self._hips > 0 and self._travel > self.limits.fast
 
     @property
     def _is_level(self) -> bool:

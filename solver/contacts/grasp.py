@@ -116,4 +116,4 @@ def _is_near(points: KeyframePoints, k: int, grasp: Contact, hold: float, link: 
     place: Array = links.x[:, link, k]
     if grasp.is_placed:
         place = place + links.rotation[:, :, link, k] @ grasp.place(at)[:, 0]
-    return float(np.linalg.norm(hand[:, 0, 0] - place)) < points.limits.at_hand
+    return float(np.linalg.norm(hand[:, 0, 0] - place)) < points.limits.away

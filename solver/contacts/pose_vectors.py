@@ -118,7 +118,7 @@ class PoseVectors:
         mean_height = float(poses[:, heights].mean()) if heights.size else 0.0
         root = np.flatnonzero(np.isin(tables.quaternion_links, tables.free_links))
         links, hinges, limits = tables.quaternion_links, tables.hinge_columns, Thresholds.of(figure)
-        drawn = PoseMap(heading, links, root, columns, means, hinges, heights, mean_height, limits.height_turn)
+        drawn = PoseMap(heading, links, root, columns, means, hinges, heights, mean_height, 1 / limits.object_arm)
         rows = drawn.vectors(poses)
         return None if np.ptp(rows, axis=0).max() < SINGLE else cls(drawn, times, rows, len(poses) // len(qpos), limits)
 
@@ -130,7 +130,7 @@ class PoseVectors:
     def _smooth_likelihood(self) -> float:
         blocks = np.kron(np.eye(self.sides), np.ones((self.times.size,) * 2))
         times = np.tile(self.times, self.sides)
-        return max(self._likelihood(blocks * _smooth(times, times, length)) for length in self.limits.alike)
+        return max(self._likelihood(blocks * _smooth(times, times, length)) for length in self.limits.smooth)
 
     def _likelihood(self, covariance: Array) -> float:
         """Return the log-likelihood of all rows with their likeliest common variance, per entry, without constants."""
@@ -146,14 +146,14 @@ class PoseVectors:
         shifted = np.concatenate([times + side * period / 2 for side in range(sides)])
         out = PERIODIC * _periodic(shifted if at is None else at, shifted, period)
         if at is not None:
-            out[:, : times.size] += REST * _smooth(at, times, self.limits.smooth)
+            out[:, : times.size] += REST * _smooth(at, times, self.limits.smooth[0])
             return out
         return out + self._rest
 
     @cached_property
     def _rest(self) -> Array:
         """Covariances of the part of the rows that does not repeat."""
-        smooth = _smooth(self.times, self.times, self.limits.smooth)
+        smooth = _smooth(self.times, self.times, self.limits.smooth[0])
         return np.asarray(REST * np.kron(np.eye(self.sides), smooth), dtype=np.float64)
 
     def predict(self, period: float, at: Array) -> tuple[Array, Array]:

@@ -57,15 +57,15 @@ def infer_stances(
     times, places, _, noises = tracks
     speeds, heights = _smooth(recorded, points, surfaces, times)
     near, high = _resting_runs(tracks, heights, points, surfaces, limits, aligned=aligned)
-    largest = _largest_speed(speeds, near, limits) + REMAINS * smoothed / limits.blurred
-    largest = np.minimum(largest, limits.fast + noises / limits.blurred)
+    largest = _largest_speed(speeds, near, limits) + REMAINS * smoothed / limits.lift_off
+    largest = np.minimum(largest, limits.fast + noises / limits.lift_off)
     stances, raised = list[Contact](), list[Contact]()
     for i, point in enumerate(points):
         for contacts, run in [*((stances, run) for run in near[i]), *((raised, run) for run in high[i])]:
             usual = float(np.median(speeds[i, slice(*run)])) if smoothed else 0.0
             a, b = _trim(speeds[i] <= max(largest[i], min(usual, limits.fast)), *run)
             if b - a > 1:
-                ground = ground_at(surfaces, places[:, i, a:b].mean(axis=1), point.radius, limits.edge)
+                ground = ground_at(surfaces, places[:, i, a:b].mean(axis=1), point.radius, limits.same_spot)
                 first, last = float(times[a]), float(times[b - 1])
                 contacts.append(Contact(point, first, last, surface=ground, rolls=True))
     return tuple(stances), tuple(raised)
@@ -88,7 +88,7 @@ def _resting_runs(
     heights  (p, T) [m] of the smoothed motion
     """
     times, centres, is_known, noise = tracks
-    height, _ = heights_nearby(surfaces, centres, np.array([point.radius for point in points]), limits.edge)
+    height, _ = heights_nearby(surfaces, centres, np.array([point.radius for point in points]), limits.same_spot)
     moving = surprisal(times, centres, noise**2 + limits.rolls**2, is_known, limits)
     lowest = heights.min(axis=0)  # of the soles at each time, which a recording that drifts raises or lowers
     above = heights - (np.clip(lowest, 0, limits.same_spot) if aligned else lowest)
@@ -116,7 +116,7 @@ def largest_noise(recorded: Track, points: Sequence[Point]) -> float:
 
 def _tracks(recorded: Track, points: Sequence[Point]) -> tuple[Array, Array, Mask, Array]:
     """Return times (T,), positions (3, p, T) [m], which times are known (T,), and noise of the positions (p,) [m]."""
-    step = max(1, round(recorded.rate / Thresholds.of(recorded.figure).finest))
+    step = max(1, round(recorded.rate * Thresholds.of(recorded.figure).lift_off))
     states = np.where(recorded.known > 0, recorded.states, recorded.bridged)[::step]
     centres, _ = places_of(points, Samples.still(recorded.figure, states))
     is_known = recorded.known.min(axis=1)[::step]
@@ -131,7 +131,7 @@ def _smooth(recorded: Track, points: Sequence[Point], surfaces: Sequence[Surface
     motion = samples.links
     offset = np.einsum("ijpt,jp->ipt", motion.rotation[:, :, links], positions) - (radii * UP[:, None])[:, :, None]
     speeds = np.linalg.norm(motion.x_d[:, links] + cross(motion.omega[:, links], offset), axis=0)
-    reach = Thresholds.of(recorded.figure).edge
+    reach = Thresholds.of(recorded.figure).same_spot
     return speeds, heights_nearby(surfaces, places_of(points, samples)[0], radii, reach)[0]
 
 
@@ -139,7 +139,8 @@ def _largest_speed(speeds: Array, runs: Sequence[Sequence[tuple[int, int]]], lim
     """Return the largest speed [m/s] of planted points, from speeds (p, T) and the runs of all points. It is higher in
     a recording with noise, or whose feet skate."""
     planted = [row[a:b] for row, cuts in zip(speeds, runs, strict=True) for a, b in cuts]
-    return max(limits.still, LOOSE * float(np.median(np.concatenate(planted)))) if any(map(len, runs)) else limits.still
+    still = limits.tiny / limits.lift_off
+    return max(still, LOOSE * float(np.median(np.concatenate(planted)))) if any(map(len, runs)) else still
 
 
 def position_noise(places: Array, known: Array) -> Array:
@@ -175,9 +176,9 @@ def _cut(
         x, y, z, squares, high, n, moved = (row[j] - row[a] for row in sums)
         scatter = (squares - (x**2 + y**2 + z**2) / n) / size + 3 * (n - 1) * np.log(2 * np.pi * size) + 3 * np.log(n)
         spread = limits.hovers**2 + noise**2 / n
-        hover = (high / n) ** 2 / spread + np.log(2 * np.pi * spread / limits.highest**2)
+        hover = (high / n) ** 2 / spread + np.log(2 * np.pi * spread / limits.away**2)
         total = best[a] + DEAR + 0.5 * (scatter + hover) - (moved - moving[a])
-        total[np.abs(high / n) > limits.highest / 2] = np.inf
+        total[np.abs(high / n) > limits.away / 2] = np.inf
         k = int(total.argmin())
         if total[k] < best[j]:
             best[j], came[j] = total[k], a[k]
@@ -200,7 +201,7 @@ def _join(
         if out and times[a] - times[out[-1][1] - 1] <= limits.moment:
             first, last = out[-1]
             apart = place[:, first:last].mean(axis=1) - place[:, a:b].mean(axis=1)
-            if np.linalg.norm(apart) < limits.same_middle + SURE * noise / np.sqrt(min(last - first, b - a)):
+            if np.linalg.norm(apart) < limits.moved + SURE * noise / np.sqrt(min(last - first, b - a)):
                 out[-1] = (first, b)
                 continue
         out.append((a, b))
@@ -235,7 +236,7 @@ def surprisal(times: Array, places: Array, variance: Array, known: Mask, limits:
     if not samples.size:
         return out
     place, velocity = places[:, :, samples[0]], np.zeros((3, size))
-    variance_of_place, both, speed = np.array(variance), np.zeros(size), np.full(size, limits.fastest**2)
+    variance_of_place, both, speed = np.array(variance), np.zeros(size), np.full(size, limits.lively * limits.moment)
     for before, now in pairwise(samples.tolist()):
         h = float(times[now] - times[before])
         place = place + h * velocity

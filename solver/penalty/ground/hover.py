@@ -44,8 +44,8 @@ class HoverPenalty(Penalty):
 
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
-    reach: float = Thresholds.highest
-    blend: float = Thresholds.float_blend
+    reach: float = Thresholds.away
+    blend: float = 2 * Thresholds.tiny
     landed: tuple[Interval, ...] = ()
 
     name = "grounded"

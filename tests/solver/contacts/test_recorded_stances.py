@@ -117,7 +117,7 @@ def test_the_surprisal_of_positions_is_that_of_a_twice_integrated_wiener_process
     times, places, variance = np.cumsum(rng.uniform(0.01, 0.1, 7)), rng.normal(size=(3, 2, 7)), np.array([1e-4, 4e-3])
     found, t = surprisal(times, places, variance, known, limits), (times - times[0])[known][1:]
     least, apart = np.minimum(t[:, None], t), np.abs(t[:, None] - t)
-    moved = limits.fastest**2 * np.outer(t, t) + limits.lively * (least**3 / 3 + apart * least**2 / 2)
+    moved = limits.lively * limits.moment * np.outer(t, t) + limits.lively * (least**3 / 3 + apart * least**2 / 2)
     for i in range(2):
         away = (places[:, i] - places[:, i, :1])[:, known][:, 1:]
         density = multivariate_normal(np.zeros(t.size), moved + variance[i] * (1 + np.eye(t.size)))

@@ -197,7 +197,7 @@ def test_lengths_times_and_speeds_grow_with_the_figure():
         size, found = Size.of(figure), Thresholds.of(figure)
         assert size.length == pytest.approx(factor, rel=1e-6)
         assert size.time == pytest.approx(np.sqrt(factor), rel=1e-6)
-        speeds = ("travels", "fast", "still", "fastest", "slowest")
-        powers = {"near_surface": 1, "finest": -0.5, "lively": 0.5, "height_turn": -1}
+        speeds = ("travels", "fast")
+        powers = {"near_surface": 1, "lift_off": 0.5, "lively": 0.5}
         for name, power in (powers | dict.fromkeys(speeds, 0.5)).items():
             assert getattr(found, name) == pytest.approx(factor**power * getattr(Thresholds(), name), rel=1e-6)
