@@ -21,7 +21,7 @@ from . import cli_options as option
 from .cli_options import flag, number, seconds, value
 from .errors import UserError, unknown
 from .picture import graphics
-from .system import exit_status
+from .system import exit_status, signals
 from .system import output as outputs
 from .system.threads import without_tools
 
@@ -194,6 +194,9 @@ def render(
         progress.report(renderer.line)
         is_solved = only not in ("keys", "before")
         saved, violations = inputs.solution_of(clip, progress, repeat, solve=is_solved)
+        if signals.code(0):  # the sender of a signal other than Ctrl-C expects the end, and a video takes long
+            progress.report("nothing is drawn after this signal")
+            raise KeyboardInterrupt
         show.draw(saved, look, renderer, target, workers, progress)
         _conclude(progress, target, violations, source)
     _judge(violations, strict)

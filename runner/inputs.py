@@ -13,6 +13,7 @@ from .clip.load import clip_from_motion
 from .clip.parse import LONGEST
 from .errors import UserError
 from .motion import Saved
+from .system import signals
 
 if TYPE_CHECKING:
     from .measure.bounds import Violation
@@ -52,14 +53,15 @@ def solution_of(
 ) -> tuple[Saved, Sequence[Violation]]:
     """Return the motion of a source, repeated `repeat` times, and the violations of one period.
 
-    Without `solve` the clip's raw spline is returned, without violations.
+    Without `solve` the clip's raw spline is returned, without violations. After a signal that ends the command, they
+    are not measured.
     """
     from . import solving  # imported here because rejected clips do not need it
     from .measure import violation
 
     violations: Sequence[Violation] = ()
     out = solving.saved_motion(source, progress) if solve or isinstance(source, Saved) else solving.raw_spline(source)
-    if solve and not (out is source and violation.is_recording(out)):
+    if solve and not signals.code(0) and not (out is source and violation.is_recording(out)):
         violations = violation.violations(clip_of(source), out)
     if repeat is not None:
         from .edit import edits  # imported here because few commands repeat

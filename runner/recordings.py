@@ -116,4 +116,4 @@ def _solution(source: str, following: tuple[str, ...]) -> Saved:
 
     file = read(source)
     clip = clips.from_parsed(file, recording=recording_of(file, following=following))
-    return solving.solve(clip, silent())
+    return solving.solve_first(clip, silent())

@@ -77,6 +77,14 @@ def solve(clip: Clip, progress: Progress, *, with_report: bool = False) -> Saved
         return measure(clip, motion, progress) if with_report else motion
 
 
+def solve_first(clip: Clip, progress: Progress) -> Saved:
+    """Return the motion of a clip for another computation. Ctrl-C ends both: it raises KeyboardInterrupt."""
+    motion = solve(clip, progress)
+    if motion.stop is Stop.INTERRUPTED:
+        raise KeyboardInterrupt
+    return motion
+
+
 def motion_of(clip: Clip, solution: Solution, seconds: float | None = None) -> Saved:
     """Return the motion of a solved clip, without a report.
 

@@ -19,6 +19,7 @@ from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.inbetween import inbetween
 from dynsplines.solver.penalty import TrackingPenalty, UnitMagnitude
 from dynsplines.solver.problem import Improvement, Problem, Solution
+from dynsplines.solver.search.minimum import Stop
 
 from ..clip.context import Context
 from ..clip.kinds import Options
@@ -124,6 +125,8 @@ def _with_soft_start(
         )
         roughly = replace(problem.settings, tolerance=ROUGHLY)
         solution = inbetween(replace(problem, penalties=weights, settings=roughly), improved=improved)
+        if solution.stop is Stop.INTERRUPTED:
+            raise KeyboardInterrupt
         problem = start_on(problem, path_of(solution.timeline))
     return problem
 

@@ -30,6 +30,7 @@ from ..measure.report import compare
 from ..motion import Saved
 from ..scene import file_access
 from ..scene.assets import Scene
+from ..system import signals
 from ..system.output import check_target
 from ..system.progress import Progress, silent
 from .cleaning import Cleaned, clean, displacements
@@ -94,6 +95,9 @@ def run(
         motion.save(saved, target)
     else:
         formats.export(saved, form.name, target, overwrite=overwrite, report=progress.report)
+    if signals.code(0):
+        progress.report(f"wrote {target}")
+        return target
     before, after = Measurement.sides(clip_from_motion(saved), saved)
     progress.console.print(compare(before, after))
     violations = violation.by_name(violation.violations_of(after))

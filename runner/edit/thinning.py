@@ -84,7 +84,7 @@ def thin_motion(
         progress.step("thinning", None, note)
 
     def solved(keys: Sequence[Frame]) -> Timeline:
-        return solving.solve(of_motion(replace(saved, keys=tuple(keys))), progress).timeline
+        return solving.solve_first(of_motion(replace(saved, keys=tuple(keys))), progress).timeline
 
     loosely = replace(recorded, distance=LOOSE * distance, angle=LOOSE * angle)
     if solve:

@@ -8,6 +8,7 @@ from rich.console import Console
 
 from dynsplines import recordings, solving
 from dynsplines.clip.build import Clip
+from dynsplines.edit.thinning import thin_motion
 from dynsplines.solver.search.minimum import Stop
 from dynsplines.system.progress import Progress
 
@@ -64,6 +65,19 @@ def test_an_interrupted_solve_keeps_the_best_path(problem):
     value = problem.problem.objective.value(solved.path)
     assert value == pytest.approx(solved.trace[-1][2], rel=1e-9)
     assert value < problem.problem.objective.value(solving.raw_spline(problem).path)
+
+
+def test_nothing_is_computed_from_the_best_path_of_an_interrupted_search(tmp_path, monkeypatch):
+    """A clip that follows another, and a motion that is thinned with --solve."""
+    written(tmp_path)
+    follower = written(tmp_path, 'figure = "tiny.xml"\n[recording]\nfile = "tiny.toml"\n', "follower.toml")
+    saved = solving.solve(recordings.load(str(tmp_path / "tiny.toml")), Listening())
+    solve = solving.solve
+    monkeypatch.setattr(solving, "solve", lambda clip, _: solve(clip, Listening(interrupt_at=2)))
+    with pytest.raises(KeyboardInterrupt):
+        recordings.load(str(follower))
+    with pytest.raises(KeyboardInterrupt):
+        thin_motion(saved, 0.001, 0.01, solve=True)
 
 
 def test_unsolved_is_the_raw_spline_through_the_keyframes(problem):

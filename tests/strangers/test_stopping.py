@@ -82,6 +82,18 @@ def test_a_termination_while_solving_keeps_the_best_path_and_reports_it_in_the_e
 
 
 @pytest.mark.slow
+def test_a_termination_while_solving_draws_no_video(start: Start, tmp_path: Path):
+    process = start(COMMAND, "dynsplines", "render", "long.toml", "-o", "long.mp4")
+    assert process.stderr is not None
+    assert any("solving" in line for line in process.stderr)
+    process.send_signal(signal.SIGTERM)
+    _, said = process.communicate(timeout=60)
+    assert process.returncode == CODES[signal.SIGTERM]
+    assert said.endswith("nothing is drawn after this signal\ndynsplines: stopped\n")
+    assert not (tmp_path / "long.mp4").exists()
+
+
+@pytest.mark.slow
 def test_a_second_ctrl_c_only_cuts_the_measuring_short(start: Start, tmp_path: Path):
     process = start(COMMAND, "dynsplines", "report", "long.toml", "--json")
     assert process.stderr is not None

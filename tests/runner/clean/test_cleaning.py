@@ -29,6 +29,7 @@ from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
 from dynsplines.solver.penalty import JointRange, Support, joint_ranges
 from dynsplines.solver.penalty.motion.acceleration import relative_accelerations
+from dynsplines.solver.problem import Improvement
 from dynsplines.solver.surface.heights import height_over
 from dynsplines.solver.surface.points import places_of
 
@@ -59,10 +60,10 @@ def first_samples(take: Take, count: int) -> Take:
     return Take(take.figure, take.time[:count], take.qpos[:count])
 
 
-def cleaned_of(take: Take, qpos: Array, rests: Sequence[Contact] | None = None) -> Cleaned:
+def cleaned_of(take: Take, qpos: Array, rests: Sequence[Contact] | None = None, **options: Any) -> Cleaned:
     figure, (repaired, known) = take.figure, repair(take.figure, Recording(take.time, qpos, name="recording"))
     context = tracking_context(figure, repaired.time, figure.to_state(repaired.qpos), "recording")
-    return cleaning.clean(context, {}, repaired, known, rests)
+    return cleaning.clean(context, {}, repaired, known, rests, **options)
 
 
 def ankle_error(take: Take, found: Cleaned) -> Array:
@@ -103,6 +104,14 @@ def measured(clean: Cleaned, path: Path) -> dict[str, float]:
         "jerk": float(np.linalg.norm(np.diff(samples.links.x[:, 1:], 3, axis=2), axis=0).mean()),
         "force": float(np.linalg.norm(force, axis=0).mean()),
     }
+
+
+def test_an_interrupt_of_a_search_that_only_prepares_ends_the_cleaning(take, bad):
+    def interrupt(_: Improvement) -> None:
+        raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        cleaned_of(take, bad, improved=interrupt)
 
 
 def test_soles_stand_still_on_the_ground_and_nothing_shakes(clean):
