@@ -175,7 +175,7 @@ def constraints(
         del options["prior"]
     if context.is_free_sideways:
         options.setdefault("support", Options())
-    notes = [*context.missing_features, *context.drifting_objects]
+    notes = [*context.missing_features, *context.drifting_objects, *context.contacts_in_air]
     context = _with_options(context, options, listed.keys())
     if context.schedule.has_cycle and context.schedule.gait_cycle is None:
         notes.append(NO_CYCLE)

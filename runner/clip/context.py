@@ -249,6 +249,22 @@ class Context:
                 )
         return lines
 
+    @property
+    def contacts_in_air(self) -> list[str]:
+        """Notes on contacts at positions where no surface is near, so that nothing can supply their forces."""
+        limits, soles, lines = Thresholds.of(self.figure), {point.name for point in self.points}, list[str]()
+        for contact in self.schedule.on_ground if self.surfaces else ():
+            reach = limits.clear if contact.point.name in soles else limits.out_of_reach  # a hand is thick
+            if contact.places is not None:
+                places, radii = contact.places.T[:, None], np.array([[contact.point.radius + reach]])
+                if not any(surface.near(places, radii).any() for surface in self.surfaces):
+                    lines.append(
+                        f"contact of '{contact.point.name}' from {contact.first:g} to {contact.last:g} s: no static "
+                        f"geom is within {reach:.2g} m of its position, so its forces come from nothing; correct the "
+                        "position or the keyframes, or add an obstacle"
+                    )
+        return lines
+
     @cached_property
     def holds(self) -> list[Range]:
         """The values of joints that two neighbouring keyframes fix alike; none in loops and gait cycles."""

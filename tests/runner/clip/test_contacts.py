@@ -83,6 +83,15 @@ def test_a_contact_with_a_position_and_one_that_nobody_placed():
     assert [(r.point.name, r.first, r.last) for r in rests] == [("right_toe", 0.6, 0.9)]
 
 
+@pytest.mark.parametrize(("point", "reach"), [("left_heel", 0.05), ("left_hand", 0.15)])
+def test_a_note_names_a_contact_at_a_position_in_the_air(point, reach):
+    for height, count in ((reach - 0.001, 0), (reach + 0.001, 1)):
+        contact = f'point = "{point}"\nfrom = 0.6\nto = 0.9\nposition = [0.3, 0.1, {height}]'
+        clip = recordings.from_text(text(contact, x=0.2, y=0.4), name="air")
+        notes = [note for note in clip.notes if f"contact of '{point}' from 0.6 to 0.9 s: no static geom" in note]
+        assert len(notes) == count
+
+
 @pytest.mark.slow
 def test_a_foot_rests_where_a_contact_says_without_it_does_not_and_the_report_tells_how_far():
     contact = 'point = "left_toe"\nfrom = 0.55\nto = 0.75'
