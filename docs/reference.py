@@ -232,8 +232,8 @@ def keys_table(heading: str, fields: dict[str, FieldInfo], texts: dict[str, str]
 
 def kinds() -> Iterator[str]:
     """The soft constraints."""
-    yield "| term | weight | penalised quantity | options of the kind |"
-    yield "|---|---|---|---|"
+    yield "| term | weight | penalised quantity | violations | options of the kind |"
+    yield "|---|---|---|---|---|"
     for kind in KINDS.values():
         options = ", ".join(f"`{name}` ({text})" for name, text in kind.choices().items())
         for part in kind.parts:
@@ -241,7 +241,8 @@ def kinds() -> Iterator[str]:
             weight = f"{part.weight:g}" + (
                 f" with `{part.option}`" if not part.is_default else "" if kind.is_default else ", if listed"
             )
-            yield f"| `{kind.term(part)}` | {weight} | {small} | {options} |"
+            violations = ", ".join(f"`{violation}`" for violation in part.violations)
+            yield f"| `{kind.term(part)}` | {weight} | {small} | {violations} | {options} |"
             options = ""
 
 

@@ -123,6 +123,8 @@ class Part:
 
     Attributes:
         weight: The default α in E.
+        quantity: What it penalises.
+        violations: The kinds of violation that measure it in a motion, keys of `dynsplines.measure.bounds.BOUNDS`.
         build: Returns the penalty for a clip's context and the options of its table; None if it does not apply.
         name: The key in a table of weights; the term is KIND.NAME. Empty for the only part of a kind.
         option: The option that switches it on or off; None: always on.
@@ -133,6 +135,7 @@ class Part:
 
     weight: float
     quantity: str
+    violations: tuple[str, ...]
     build: Callable[[Context, Any], Penalty | None]
     name: str = ""
     option: str | None = None
@@ -172,6 +175,7 @@ class Kind:
                 "weight": part.weight,
                 "quantity": part.quantity,
                 "is on": self.is_default and part.is_default,
+                "violations": list(part.violations),
             }
             for part in self.parts
         ]
@@ -446,62 +450,68 @@ KINDS = {
     kind.name: kind
     for kind in (
         Kind("acceleration", (
-            Part(
-                1.0, "angular acceleration of bodies and of hinges",
-                lambda context, options: CovariantAcceleration(), "angular",
-            ),
-            Part(1.0, "acceleration of the root and of slides", lambda context, options: RootAcceleration(), "linear"),
+            Part(1.0, "angular acceleration of bodies and of hinges", ("whip",),
+                 lambda context, options: CovariantAcceleration(), "angular"),
+            Part(1.0, "acceleration of the root and of slides", (),
+                 lambda context, options: RootAcceleration(), "linear"),
         )),
-        Kind("unit", (Part(1.0, "deviation of quaternions from unit length", _unit, tracking=1e4),)),
+        Kind("unit", (Part(1.0, "deviation of quaternions from unit length", ("length",), _unit, tracking=1e4),)),
         Kind("collision", (
-            Part(30.0, "depth of heels and toes in static geoms", _soles, "soles", tracking=1e8),
+            Part(30.0, "depth of heels and toes in static geoms", ("penetration",), _soles, "soles", tracking=1e8),
             # higher while tracking, so that a body on the ground hovers rather than sinks
-            Part(
-                30.0, "depth of all geoms of the figure in static geoms and held objects", _body, "body", tracking=2e8
-            ),
-            Part(30.0, "depth of limbs in the trunk and in each other", _self, "self", "self", tracking=1e6),
+            Part(30.0, "depth of all geoms of the figure in static geoms and held objects", ("penetration",),
+                 _body, "body", tracking=2e8),
+            Part(30.0, "depth of limbs in the trunk and in each other", ("self",), _self, "self", "self", tracking=1e6),
         ), ("margin", "points", "self")),
         Kind("attach", (
-            Part(30.0, "movement of soles between two keyframes with the same sole position", _stance, "stance"),
-            Part(750.0, "movement of [[contact]] points", _contact, "contact", tracking=1e8),
-            Part(750.0, "movement of [[grasp]] sites relative to the held body", _grasp, "grasp"),
+            Part(30.0, "movement of soles between two keyframes with the same sole position", ("stance",),
+                 _stance, "stance"),
+            Part(750.0, "movement of [[contact]] points", ("contact", "hover"), _contact, "contact", tracking=1e8),
+            Part(750.0, "movement of [[grasp]] sites relative to the held body", ("grasp", "grasp rotation"),
+                 _grasp, "grasp"),
         )),
-        Kind("no_slip", (Part(1.4, "speed of heels and toes near a surface", _no_slip),), ("reach",)),
-        Kind("grounded", (
-            Part(0.003, "height of the lowest point of a figure that is on the ground in some keyframe", _hover),
+        Kind("no_slip", (
+            Part(1.4, "speed of heels and toes near a surface", ("slide", "drag"), _no_slip),
         ), ("reach",)),
-        Kind("posture", (Part(0.7, "velocity of joints and roots", _posture),)),
-        Kind("prior", (Part(1.0, "distance from the motion that is predicted for a person", _prior),)),
+        Kind("grounded", (
+            Part(0.003, "height of the lowest point of a figure that is on the ground in some keyframe",
+                 ("aloft", "float"), _hover),
+        ), ("reach",)),
+        Kind("posture", (Part(0.7, "velocity of joints and roots", (), _posture),)),
+        Kind("prior", (Part(1.0, "distance from the motion that is predicted for a person", (), _prior),)),
         Kind("limits", (
-            Part(1.0, "knees and elbows bent backward, sideways or twisted", _bend, "bend", tracking=1e7),
-            Part(1.0, "angle or displacement beyond the model's joint ranges", _range, "range", tracking=1e7),
-            Part(10.0, "movement of joints between two keyframes with the same joint value", _overshoot, "overshoot"),
-            Part(100.0, "speed of hinges and ball joints beyond a limit", _speed, "speed", "speed", tracking=1e5),
+            Part(1.0, "knees and elbows bent backward, sideways or twisted", ("backward", "sideways", "twist"),
+                 _bend, "bend", tracking=1e7),
+            Part(1.0, "angle or displacement beyond the model's joint ranges", ("range", "travel"),
+                 _range, "range", tracking=1e7),
+            Part(10.0, "movement of joints between two keyframes with the same joint value",
+                 ("overshoot", "overshoot travel"), _overshoot, "overshoot"),
+            Part(100.0, "speed of hinges and ball joints beyond a limit", ("speed",),
+                 _speed, "speed", "speed", tracking=1e5),
         ), ("bend_joints", "least_bend", "sideways", "twist", "speed")),
-        Kind("equality", (Part(300.0, "violation of <equality> constraints", _equality),)),
+        Kind("equality", (
+            Part(300.0, "violation of <equality> constraints", ("coupled", "coupled travel", "torn"), _equality),
+        )),
         Kind("upright", (
-            Part(1.0, "change of the tilt of a root from posing, near keyframes that leave it free", _trunk, "trunk"),
-            Part(30.0, "tilt of listed bodies, such as a head or a tray", _bodies, "bodies", "bodies"),
+            Part(1.0, "change of the tilt of a root from posing, near keyframes that leave it free", (),
+                 _trunk, "trunk"),
+            Part(30.0, "tilt of listed bodies, such as a head or a tray", (), _bodies, "bodies", "bodies"),
         ), ("bodies", "axis")),
         Kind("flight", (
-            Part(6.0, "force on the figure during flights, except gravity", _flight),
+            Part(6.0, "force on the figure during flights, except gravity", ("float",), _flight),
         ), ("intervals", "angular")),
         Kind("support", (
-            Part(
-                2.0,
-                "force and moment that feet on the ground cannot supply; also on if a standing figure's x or y is free",
-                _support, tracking=1000.0,
-            ),
+            Part(2.0, "force and moment that feet on the ground cannot supply; "
+                 "also on if a standing figure's x or y is free",
+                 ("unsupported", "toppling", "unbalanced"), _support, tracking=1000.0),
         ), ("friction",), is_default=False),
         Kind("peak", (
-            Part(0.01, "peaks of angular acceleration of joints", lambda context, options: PeakAcceleration()),
+            Part(0.01, "peaks of angular acceleration of joints", (), lambda context, options: PeakAcceleration()),
         ), is_default=False),
-        Kind("cycle", (Part(0.1, "deviation from the gait cycle of the keyframes", _cycle),), ("period",)),
+        Kind("cycle", (Part(0.1, "deviation from the gait cycle of the keyframes", (), _cycle),), ("period",)),
         Kind("torque", (
-            Part(
-                1.0, "joint torques of inertia, gravity and armature; ground reaction and passive forces are ignored",
-                lambda context, options: Torque(),
-            ),
+            Part(1.0, "joint torques of inertia, gravity and armature; ground reaction and passive forces are ignored",
+                 (), lambda context, options: Torque()),
         ), is_default=False),
     )
 }  # fmt: skip

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -16,22 +17,13 @@ from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.curve.spline import Path, path_of
 from dynsplines.solver.figure.figure import Figure, sets_joints
-from dynsplines.solver.penalty import (
-    Attachment,
-    BendLimits,
-    Collision,
-    Penalty,
-    Speed,
-    Sum,
-    grasp_places,
-    joint_ranges,
-)
+from dynsplines.solver.penalty import BendLimits, Collision, Sum, grasp_places, joint_ranges
 from dynsplines.solver.penalty.motion.acceleration import relative_accelerations
 from dynsplines.solver.surface.points import Point, places_of
 from dynsplines.solver.tolerances import ROUNDING
 
 from ..clip.build import Clip
-from ..clip.kinds import BODY, body_contacts
+from ..clip.kinds import BODY, KINDS, body_contacts
 from ..motion import RATE, Saved, even_times, sample_runs, samples_at
 from . import checks
 from .bounds import Row
@@ -147,7 +139,7 @@ def _checks(
 ) -> Iterator[Check]:
     figure, context = clip.figure, clip.context
     fixed = Fixed(figure, np.array([key.fixed for key in clip.keys]))
-    feet, parts = feet_of(figure, context.points), list(_parts(clip))
+    feet = feet_of(figure, context.points)
     for kind, contacts in targets.items():
         if contacts:
             yield checks.displacements(kind, contacts, _groups(contacts, feet), fixed)
@@ -163,8 +155,8 @@ def _checks(
     if context.schedule.turns:
         yield checks.turns(context.schedule.turns, path_of(timeline), fixed)
     soles = frozenset(point.name for point in context.points)
-    yield checks.penetrations(_obstacle_contacts(clip, parts), soles, feet, fixed)
-    rests = [rest for part in parts if isinstance(part, Attachment) for rest in part.resting]
+    yield checks.penetrations(_obstacle_contacts(clip), soles, feet, fixed)
+    rests = [rest for contacts in _penalties(clip, "hover") for rest in contacts.resting]
     if rests and context.surfaces:
         yield checks.hovering(rests, context.surfaces, _groups(rests, feet), fixed)
     joints = joint_ranges(figure)
@@ -183,25 +175,22 @@ def _checks(
     )
     yield from (check for check in optional if check is not None)
     if context.bends:
-        limited = any(isinstance(part, BendLimits) for part in parts)
-        yield checks.bends(bend_limits(clip), fixed, None if limited else np.inf)
-    yield from (checks.speeds(figure, part) for part in parts if isinstance(part, Speed))
+        limits = next(_penalties(clip, "twist"), None)
+        yield checks.bends(limits or BendLimits(context.bends), fixed, np.inf if limits is None else None)
+    yield from (checks.speeds(figure, limit) for limit in _penalties(clip, "speed"))
 
 
-def bend_limits(clip: Clip) -> BendLimits:
-    """Return the limits of the clip's knees and elbows, or the defaults."""
-    return next((part for part in _parts(clip) if isinstance(part, BendLimits)), BendLimits(clip.context.bends))
-
-
-def _parts(clip: Clip) -> Iterator[Penalty]:
-    """Yield the soft constraints. Of a `Sum`, yield its parts instead."""
+def _penalties(clip: Clip, violation: str) -> Iterator[Any]:
+    """Yield the clip's soft constraints that a kind of violation measures, see `KINDS`. Of a `Sum`, yield its parts."""
+    terms = {kind.term(part) for kind in KINDS.values() for part in kind.parts if violation in part.violations}
     for penalty, _ in clip.penalties:
-        yield from penalty.parts if isinstance(penalty, Sum) else (penalty,)
+        if penalty.name in terms:
+            yield from penalty.parts if isinstance(penalty, Sum) else (penalty,)
 
 
-def _obstacle_contacts(clip: Clip, parts: Sequence[Penalty]) -> tuple[Collision, ...]:
+def _obstacle_contacts(clip: Clip) -> tuple[Collision, ...]:
     """Return soles and body with the surfaces that they must avoid, whether or not the clip penalises it."""
-    contacts = [part for part in parts if isinstance(part, Collision)]
+    contacts = list(_penalties(clip, "penetration"))
     if clip.has_recording:  # whose own contacts have the corners of bodies only
         contacts = [part for part in contacts if part.name != BODY]
     names = {part.name for part in contacts}
@@ -254,17 +243,13 @@ def _contacts(clip: Clip, timeline: Timeline) -> list[Contact]:
 
 
 def _stances(clip: Clip, timeline: Timeline) -> list[Contact]:
-    """Return the stances inferred from keyframes.
+    """Return the stances of soles inferred from keyframes, with unspecified entries from the motion.
 
     Frames of a recording are samples, not poses: a foot that lands between two of them is near its place in both.
     """
     shortest = Thresholds.of(clip.figure).far_apart if is_imported(clip, timeline) else 0.0
-    return [stance for stance in keyframe_stances(clip, timeline) if stance.last - stance.first > shortest]
-
-
-def keyframe_stances(clip: Clip, timeline: Timeline) -> tuple[Contact, ...]:
-    """Return stances of soles inferred from keyframes, with unspecified entries from the motion."""
     states = path_of(timeline).at(np.array([key.time for key in clip.keys]))
     frames = [replace(key, state=state) for key, state in zip(clip.keys, states, strict=True)]
     keys = Timeline(tuple(frames), np.zeros((2, timeline.width)))
-    return replace(clip.context.schedule, keys=keys).stances
+    stances = replace(clip.context.schedule, keys=keys).stances
+    return [stance for stance in stances if stance.last - stance.first > shortest]

@@ -23,6 +23,7 @@ from dynsplines import Clip, Keyframe, Motion, UserError, build, inbetween, load
 from dynsplines.cli import list_penalties
 from dynsplines.clip import load as clip
 from dynsplines.clip.kinds import KINDS, Kind, Part
+from dynsplines.measure.bounds import BOUNDS
 from dynsplines.measure.report import report, tables
 from dynsplines.motion import save
 from dynsplines.solver.figure.kinematics import Samples
@@ -163,8 +164,13 @@ def test_a_number_scales_all_parts_a_table_sets_some_and_options_alone_leave_the
     assert some == default | {"collision.body": 7, "upright.bodies": 30}
 
 
+def test_every_kind_of_violation_measures_a_part_except_that_of_the_search():
+    named = {each for kind in KINDS.values() for part in kind.parts for each in part.violations}
+    assert named | {"search"} == set(BOUNDS)
+
+
 def test_a_custom_penalty_becomes_a_kind_by_one_record(monkeypatch, capsys):
-    record = Kind("calm", (Part(0.2, "speed of all links", lambda context, options: Calm()),))
+    record = Kind("calm", (Part(0.2, "speed of all links", (), lambda context, options: Calm()),))
     monkeypatch.setitem(KINDS, "calm", record)
     assert weights()["calm"] == 0.2
     assert weights('kind = "calm"\nweight = 3')["calm"] == 3
