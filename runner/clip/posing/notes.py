@@ -145,7 +145,7 @@ def _metres(length: float) -> str:
 
 def on_tables(figure: Figure, rows: Sequence[KeyframeTable], keys: Timeline) -> tuple[str, ...]:
     """Return the notes on a clip's keyframe tables, for its raw timeline."""
-    return (*_ambiguities(figure, rows), *_lost_turns(figure, rows, keys))
+    return (*_ambiguities(figure, rows), *_lost_turns(figure, rows, keys), *_longer_turns(figure, rows, keys))
 
 
 def _ambiguities(figure: Figure, rows: Sequence[KeyframeTable]) -> list[str]:
@@ -166,6 +166,32 @@ def _lost_turns(figure: Figure, rows: Sequence[KeyframeTable], keys: Timeline) -
     """Return a note on every rotation of a keyframe that the raw timeline does not reach by the turn specified."""
     names = list(dict.fromkeys(name for row in rows for name in _rotations(figure, row)))
     return [line for name in names for line in _notes(figure, name, rows, keys)]
+
+
+def _longer_turns(figure: Figure, rows: Sequence[KeyframeTable], keys: Timeline) -> Iterator[str]:
+    """Yield a note on every pair of keyframes between which a free body turns the longer way, unless they are written
+    with this turn."""
+    for i in figure.tables.free_links.tolist():
+        columns = quaternion_columns(figure.links[i])
+        assert columns is not None
+        quaternions = figure.to_qpos(keys.states)[:, columns]
+        for first, last in pairwise(np.flatnonzero(keys.fixed[:, columns].all(axis=1)).tolist()):
+            cosine = float(quaternions[first] @ quaternions[last])
+            written = [
+                _notation(table)
+                for k in (first, last)
+                for link, table in _rotations(figure, rows[k]).values()
+                if link == i
+            ]
+            a, b = written if len(written) == 2 else (None, None)
+            is_written = a is not None and b is not None and a[0] == b[0] and np.abs(a[1] - b[1]).max() > 180
+            if cosine < 0 and not is_written:
+                angle = np.degrees(2 * np.arccos(max(cosine, -1.0)))
+                yield (
+                    f"keyframe {last + 1} (t = {keys.times[last]:g} s): '{figure.links[i].name}' turns by {angle:.0f} "
+                    f"degrees from keyframe {first + 1}, because this changes its speed less than {360 - angle:.0f} "
+                    "degrees the other way; to choose the way, add a keyframe in between"
+                )
 
 
 def _rotations(figure: Figure, row: KeyframeTable) -> dict[str, tuple[int | None, RotationTable]]:

@@ -145,6 +145,17 @@ def test_keyframes_between_as_the_note_advises_make_turns_of_any_angle() -> None
     assert turned(spin) == pytest.approx(540, abs=1)
 
 
+@pytest.mark.parametrize(
+    ("headings", "way", "is_noted"), [((-100, 70), -290, True), ((-100, -290), -290, False), ((-100, 0, 70), 70, False)]
+)
+def test_a_turn_the_longer_way_is_reported_unless_it_is_written(headings, way: int, is_noted: bool) -> None:
+    problem = read_human(*(f"root.rotation = {{heading = {angle}}}" for angle in (0, *headings)))
+    assert [note[:68] for note in problem.notes] == is_noted * [
+        "keyframe 3 (t = 2 s): 'root' turns by 190 degrees from keyframe 2, b"
+    ]
+    assert turned(problem) == pytest.approx(way, abs=1)
+
+
 def test_rotations_of_joints_and_bodies_and_turns_from_rest_are_reported_too() -> None:
     assert "euler [0, -200, 0]" in read_human("", "joints.right_shoulder = {euler = [0, -200, 0]}").notes[0]
     assert "rotvec [0, 0, 270]" in read_human("", "joints.spine = {rotvec = [0, 0, 270]}").notes[0]
