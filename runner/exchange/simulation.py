@@ -148,13 +148,13 @@ def _least(sampled: Sampled) -> Array:
         return out
     root = figure.root.link
     gain = STANDING * dynamics.weight(figure, root) * dynamics.height(figure, root)
-    for link in _standing(figure, {point.link for point in points}):
+    for link in _legs(figure, {point.link for point in points}):
         joint = figure.links[link].joint
         out[joint] = gain / GIVE**2 if model.jnt_type[joint] == JointKind.SLIDE else gain
     return out
 
 
-def _standing(figure: Figure, feet: set[int]) -> set[int]:
+def _legs(figure: Figure, feet: set[int]) -> set[int]:
     """Return the links from the feet up to the root, without it."""
     out: set[int] = set()
     for foot in feet:

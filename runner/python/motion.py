@@ -567,7 +567,7 @@ class Motion:
     @as_python_warnings()
     def _repr_html_(self) -> str:
         """Return a player of the motion before and after, for notebooks: a page without external content."""
-        from ..exchange.format.html import page
+        from ..exchange.formats.html import page
 
         inside = html.escape(page(Sampled.of(self.saved)))
         style = "width: 100%; height: 480px; border: 0"

@@ -195,7 +195,7 @@ class Gait:
     @property
     def _is_level(self) -> bool:
         """Whether the ground below the lowest sole point has the same height at all keyframes; steps are no cycle."""
-        places, heights = self._standing
+        places, heights = self._soles_at_keys
         lowest = heights.argmin(axis=0), np.arange(heights.shape[1])
         return float(np.ptp((places[2] - heights)[lowest])) < self.limits.same_spot
 
@@ -211,14 +211,14 @@ class Gait:
         return float(lengths.sum()) / float(self.keys.times[-1] - self.keys.times[0])
 
     @cached_property
-    def _standing(self) -> tuple[Array, Array]:
+    def _soles_at_keys(self) -> tuple[Array, Array]:
         """Positions (3, p, K) and heights (p, K) [m] of the sole points at keyframes."""
         return self._soles(self.keys.states)
 
     @cached_property
     def _hips(self) -> float:
         """The height [m] of the root above the soles."""
-        return float(np.median(self._root[:, 2] - self._standing[0][2].min(axis=0)))
+        return float(np.median(self._root[:, 2] - self._soles_at_keys[0][2].min(axis=0)))
 
     @property
     def usual_period(self) -> float:
@@ -234,7 +234,7 @@ class Gait:
         qpos[:, over] = self._plain[1][:, over]
         places, heights = self._soles(self.figure.to_state(qpos))
         speed = np.linalg.norm(np.gradient(places[:2], times, axis=2), axis=0)
-        low = heights < self.limits.hovers + np.quantile(self._standing[1].min(axis=0), LOWEST)
+        low = heights < self.limits.hovers + np.quantile(self._soles_at_keys[1].min(axis=0), LOWEST)
         slowest = np.where(low, speed, np.inf).min(axis=0)
         down = np.isfinite(slowest)
         return float(slowest[down].mean() / self._travel) if down.any() else np.inf

@@ -35,7 +35,7 @@ def align_to_ground(recorded: Track, stances: Sequence[Contact], surfaces: Seque
     points = _points(stances)
     places = _places(recorded, points)
     height, _ = height_over(surfaces, places, np.array([point.radius for point in points]))
-    standing = _standing(recorded.times, stances, points)
+    standing = _during(recorded.times, stances, points)
     lift = -float(np.median(height[standing])) if standing.any() else 0.0
     return recorded if abs(lift) < Thresholds.of(recorded.figure).tiny else recorded.move([0, 0, lift])
 
@@ -57,7 +57,7 @@ def _level(recorded: Track, stances: Sequence[Contact], link: int) -> Track:
     points = _points(stances)
     if columns is None or figure.links[link].kind is JointKind.FREE or len(points) < 2:
         return recorded
-    flat = _standing(recorded.times, stances, points).all(axis=0)
+    flat = _during(recorded.times, stances, points).all(axis=0)
     if flat.sum() < ENOUGH:
         return recorded
     vertical = [samples.links.rotation[2, :, link] for samples in _runs(figure, recorded.bridged[flat])]
@@ -92,7 +92,7 @@ def _points(stances: Sequence[Contact]) -> list[Point]:
     return list({id(one.point): one.point for one in stances}.values())
 
 
-def _standing(times: Array, stances: Sequence[Contact], points: Sequence[Point]) -> Mask:
+def _during(times: Array, stances: Sequence[Contact], points: Sequence[Point]) -> Mask:
     """Return the mask (n, T) of times within any of the stances of each point."""
     intervals = [tuple((one.first, one.last) for one in stances if one.point is point) for point in points]
     return np.array([within(stood, times) for stood in intervals])

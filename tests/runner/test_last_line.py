@@ -18,7 +18,7 @@ from dynsplines import Keyframe, build, solving
 from dynsplines.batch.inputs import sources
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.format import csv_table
+from dynsplines.exchange.formats import csv_table
 
 Ended = Callable[..., tuple[int, str]]
 

@@ -19,7 +19,7 @@ from dynsplines import models
 from dynsplines.clip.table import MapTable
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats, gaps
-from dynsplines.exchange.format import bvh
+from dynsplines.exchange.formats import bvh
 from dynsplines.exchange.motion_import import import_recording
 from dynsplines.exchange.skeleton import bvh_file, hierarchy, maps, retarget
 from dynsplines.exchange.skeleton.bvh_file import Joint, Skeleton

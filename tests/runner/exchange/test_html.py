@@ -14,7 +14,7 @@ from oracles import kinematics
 
 from dynsplines import models
 from dynsplines.exchange import formats
-from dynsplines.exchange.format import html
+from dynsplines.exchange.formats import html
 from dynsplines.motion import Sampled
 
 HUMAN = mujoco.MjModel.from_xml_string(models.figure_text("human"))

@@ -13,7 +13,7 @@ from motions import exported_scene as exported
 from texts import read_data
 
 from dynsplines import inbetween, load, recordings, solving
-from dynsplines.exchange.format.simulate import note, simulate
+from dynsplines.exchange.formats.simulate import note, simulate
 from dynsplines.exchange.simulation import Simulation
 from dynsplines.motion import Sampled
 

@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
-from dynsplines.exchange.format import mimickit
+from dynsplines.exchange.formats import mimickit
 from dynsplines.exchange.motion_import import import_recording
 from dynsplines.motion import Sampled, Saved
 from dynsplines.solver.array import Array

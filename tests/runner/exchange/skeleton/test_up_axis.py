@@ -10,7 +10,7 @@ from oracles import kinematics
 from scipy.spatial.transform import Rotation
 
 from dynsplines import models
-from dynsplines.exchange.format import bvh
+from dynsplines.exchange.formats import bvh
 from dynsplines.exchange.skeleton import bvh_file, retarget
 from dynsplines.exchange.skeleton.bvh_file import Skeleton
 from dynsplines.exchange.skeleton.captured_skeleton import CapturedSkeleton, vertical

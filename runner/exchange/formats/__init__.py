@@ -1,4 +1,4 @@
-"""The file formats by name; `export` writes a motion in one of them, `recording` reads one."""
+"""The formats of other programs, one per module; `export` writes a motion in one of them, `recording` reads one."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from typing import Any
 
 import mujoco
 
-from ..errors import GIVE_FORMAT, UserError, unknown
-from ..motion import Sampled, Saved
-from ..system import size_limit
-from ..system.output import Replacement, check_target
-from ..system.quantity import positive
-from . import layouts
-from .array_reader import names_in
-from .recording import Recording, median_step
+from ...errors import GIVE_FORMAT, UserError, unknown
+from ...motion import Sampled, Saved
+from ...system import size_limit
+from ...system.output import Replacement, check_target
+from ...system.quantity import positive
+from .. import layouts
+from ..array_reader import names_in
+from ..recording import Recording, median_step
 
 OF_MOTIONS = {"format_version", "frame_state"}  # names of arrays that only this program's motions have
 CONVERTIBLE = (".glb", ".gltf", ".vrm", ".fbx", ".usd", ".usda", ".usdc")  # animations that Blender converts to BVH
@@ -272,4 +272,4 @@ def _recognises(form: Format, source: Path) -> bool:
 
 
 def _module(form: Format) -> Any:
-    return import_module(f".format.{form.module}", __package__)
+    return import_module(f".{form.module}", __package__)
