@@ -157,7 +157,7 @@ def _velocities(samples: Samples, links: Index, positions: Array) -> Array:
 
 
 def missing_support(motion: Measurement) -> Iterator[Violation]:
-    """Yield forces and moments of trees on a free root that contacts cannot supply, and trees out of balance.
+    """Yield forces and moments of trees on a free root that contacts cannot supply, and imbalance, even below bounds.
 
     The accelerations of a recording as imported are noise, so that only its balance is checked.
     """
@@ -206,7 +206,7 @@ def _of_tree(
         amount = np.where(explained, 0.0, amount)
         mean = _average(amount, t, window)
         worst, bound = int(mean.argmax()), BOUNDS[kind].most
-        if mean[worst] > bound:
+        if mean[worst] > 0:
             seconds = (t[1] - t[0]) * np.count_nonzero(amount > bound)
             row = row_of(kind, figure.links[root].name, texts[kind].format(seconds))
             yield row.violation(float(mean[worst]), float(t[worst]))

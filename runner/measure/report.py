@@ -33,7 +33,8 @@ from dynsplines.solver.tolerances import TINY
 
 from ..clip.build import Clip
 from ..motion import Saved, samples_at
-from .bounds import BOUNDS, Violation, with_unit
+from .bounds import BOUNDS, Row, Violation, row_of, with_unit
+from .ground import missing_support
 from .measurement import Measurement
 from .violation import by_name, plain, violations_of
 
@@ -164,7 +165,7 @@ def _support(clip: Clip, samples: Samples) -> dict[str, float]:
 
 def _sides(measurements: Sequence[Measurement]) -> list[dict[str, Any]]:
     """Return the largest amount of each kind of violation that any of the motions has, for each motion."""
-    sides = [side.largest() for side in measurements]
+    sides = [_largest(side) for side in measurements]
     kinds, out = [kind for kind in BOUNDS if any(kind in side for side in sides)], list[dict[str, Any]]()
     for side in sides:
         amounts = {kind: {"amount": 0.0, "unit": BOUNDS[kind].unit} for kind in kinds}
@@ -175,12 +176,19 @@ def _sides(measurements: Sequence[Measurement]) -> list[dict[str, Any]]:
     return out
 
 
+def _largest(motion: Measurement) -> dict[str, tuple[Row, float, float]]:
+    """Return `Measurement.largest` and the largest missing forces and moments and imbalance, if positive."""
+    missing = sorted(missing_support(motion), key=lambda each: each.amount)
+    rows = {each.kind: (row_of(each.kind, each.name, ""), each.amount, each.time or 0.0) for each in missing}
+    return motion.largest() | rows
+
+
 def compare(before: Measurement, after: Measurement) -> Table:
     """Return a table of the kinds of violations before or after, with the largest amount of each on both sides."""
     table, sides = Table("", "before", "after", box=None, pad_edge=False), list[dict[str, float]]()
     violations = [violations_of(side) for side in (before, after)]
     for side, listed in zip((before, after), violations, strict=True):
-        amounts = {kind: float(values.max()) for kind, values in side.by_kind().items()}
+        amounts = {kind: amount for kind, (_, amount, _) in _largest(side).items()}
         for violation in listed:
             amounts[violation.kind] = max(amounts.get(violation.kind, 0.0), violation.amount)
         sides.append(amounts)

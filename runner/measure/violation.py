@@ -39,7 +39,7 @@ def violations_of(motion: Measurement, stop: Stop = Stop.CONVERGED) -> tuple[Vio
     on_ground = list(floating_and_sliding(motion))
     aloft = {violation.name for violation in on_ground if violation.kind in ("aloft", "float")}
     violations += on_ground
-    violations += [violation for violation in missing_support(motion) if violation.name not in aloft]
+    violations += [v for v in missing_support(motion) if v.severity > 1 and v.name not in aloft]
     if stop in (Stop.MAX_EVALUATIONS, Stop.NO_PROGRESS):
         row = row_of("search", stop.name.lower(), f"the search ended early: {stop.value}")
         violations.append(row.violation(row.bound))

@@ -24,6 +24,7 @@ from texts import read_data
 from dynsplines import recordings, solving
 from dynsplines.errors import UserError
 from dynsplines.measure import chart
+from dynsplines.measure.bounds import BOUNDS
 from dynsplines.measure.chart import draw
 from dynsplines.measure.measurement import Measurement
 from dynsplines.measure.report import report, rows, tables
@@ -79,6 +80,16 @@ def test_a_box_that_stands_is_carried_by_the_floor_and_one_of_which_nothing_is_k
     data = side(unsolved(tmp_path, [(0, 0, 0, 1), (3, 0, 0, 1)]))
     assert data["support"] == {}
     assert "penetration" not in data["largest"]
+
+
+@pytest.mark.slow
+def test_forces_and_moments_that_are_missing_are_reported_below_their_bounds_too():
+    clip, motion = shipped.loaded("run_and_step"), shipped.solved("run_and_step")
+    data = report(clip, motion)
+    assert not {"unsupported", "toppling"} & {each["kind"] for each in data["violations"]}
+    before, after = (data[side]["largest"] for side in ("before", "after"))
+    assert 0.05 < after["unsupported"]["amount"] < BOUNDS["unsupported"].most < before["unsupported"]["amount"]
+    assert 0.05 < after["toppling"]["amount"] < BOUNDS["toppling"].most and after["toppling"]["name"] == "root"
 
 
 def test_a_foot_that_wanders_between_two_planted_keyframes_slides_as_far_as_it_does(tmp_path):
