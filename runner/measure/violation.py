@@ -25,6 +25,7 @@ from .ground import floating_and_sliding, missing_support
 from .measurement import Measurement, feet_of
 
 MAX_LINES = 10  # most violations that are printed
+FEW = 3  # number of violations of one kind that are printed before others of this kind
 
 
 def violations(clip: Clip, motion: Saved) -> tuple[Violation, ...]:
@@ -56,7 +57,10 @@ def is_recording(saved: Saved) -> bool:
 
 
 def lines(violations: Sequence[Violation], file: object = None) -> list[str]:
-    """Return the worst violations for the terminal, one per line, and the number of the others."""
+    """Return the worst violations for the terminal, one per line, and the number of the others.
+
+    The worst few of each kind come before the others of a kind with many violations.
+    """
     counts: dict[tuple[str, int], int] = {}
     first: list[Violation] = []
     for violation in violations:
@@ -66,8 +70,10 @@ def lines(violations: Sequence[Violation], file: object = None) -> list[str]:
             if counts[place] > 1:
                 continue
         first.append(violation)
+    kinds = [violation.kind for violation in first]
+    selected = sorted(range(len(first)), key=lambda i: kinds[:i].count(kinds[i]) >= FEW)[:MAX_LINES]
     out = []
-    for violation in first[:MAX_LINES]:
+    for violation in (first[i] for i in sorted(selected)):
         others = counts.get((violation.kind, violation.keyframe or 0), 1) - 1
         out.append(f"violation: {violation.text}" + (f"; {others} more like it there" if others else ""))
     more = len(first) - MAX_LINES

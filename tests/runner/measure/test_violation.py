@@ -574,6 +574,12 @@ def test_of_many_lines_the_worst_are_reported_and_the_rest_counted():
     assert lines[10:] == ["... and 4 more: dynsplines report it.npz"]
     assert violation.lines(many[:10]) == lines[:10]
     assert violation.lines([]) == []
+    two = [replace(each, kind="speed", amount=4.0 - i, text=f"{i} is fast") for i, each in enumerate(many[:2])]
+    assert violation.lines([*many, *two]) == [
+        *lines[:8],
+        *(f"violation: {i} is fast" for i in range(2)),
+        "... and 6 more",
+    ]
 
 
 # of motions in files
