@@ -27,27 +27,28 @@ def body_name(model: mujoco.MjModel, body: int) -> str:
 
 @dataclass(frozen=True, eq=False)
 class Robot:
-    """A model with one free joint, and hinges and slides otherwise.
+    """The tree of a model's root, with hinges and slides otherwise.
 
     bodies  the root first; joints  hinges and slides; root  first column of the root in qpos
+    objects  names of free objects, which are not part of it
     """
 
     model: mujoco.MjModel
     bodies: list[int]
     joints: list[int]
     root: int
+    objects: list[str]
 
     @classmethod
     def of(cls, model: mujoco.MjModel, form: str) -> Robot:
         """Return the robot of a model without ball joints; raises UserError that names the format for other models."""
-        kinds = model.jnt_type.tolist()
-        if kinds.count(JointKind.FREE) != 1:
-            many = kinds.count(JointKind.FREE) or "none"
+        root = root_of(model)
+        if root is None or root.rivals:
+            many = "none" if root is None else len(root.rivals) + 1
             raise UserError(f"the format '{form}' is for a figure with one free joint, its root; this one has {many}")
-        free = kinds.index(JointKind.FREE)
-        root = int(model.jnt_bodyid[free])
-        bodies = [body for body in range(model.nbody) if model.body_rootid[body] == root]
-        joints = [joint for joint in range(model.njnt) if joint != free]
+        bodies = [body for body in range(model.nbody) if model.body_rootid[body] == root.body]
+        free = np.flatnonzero(model.jnt_type == JointKind.FREE).tolist()
+        joints = [joint for joint in range(model.njnt) if joint not in free]
         refuse_balls(model, joints, form)
         outside = next((joint for joint in joints if int(model.jnt_bodyid[joint]) not in bodies), None)
         if outside is not None:
@@ -55,7 +56,13 @@ class Robot:
             raise UserError(
                 f"the format '{form}' holds one figure on a free root; the joint '{name}' is of another body"
             )
-        return cls(model, bodies, joints, int(model.jnt_qposadr[free]))
+        objects = [body_name(model, int(model.jnt_bodyid[joint])) for joint in free if joint != root.joint]
+        return cls(model, bodies, joints, int(model.jnt_qposadr[root.joint]), objects)
+
+    @property
+    def notes(self) -> list[str]:
+        """A note on the objects, if there are any."""
+        return [f"the format has no objects: {', '.join(self.objects)} left out"] if self.objects else []
 
     @property
     def joint_names(self) -> list[str]:

@@ -30,8 +30,8 @@ from ..robot import Robot, configurations, needs_figure
 NAME = "gmr"
 
 
-def write(sampled: Sampled, path: Path) -> None:
-    """Write in double precision; raises UserError for a figure that is not a robot on a free root."""
+def write(sampled: Sampled, path: Path) -> list[str]:
+    """Write in double precision, and return notes; raises UserError for a figure that is not a robot on a free root."""
     robot = Robot.of(sampled.model, NAME)
     bodies = Bodies.of(sampled.model, sampled.qpos, sampled.qvel)
     root = sampled.qpos[:, robot.root : robot.root + 7]
@@ -45,6 +45,7 @@ def write(sampled: Sampled, path: Path) -> None:
         "link_body_list": robot.body_names,
     }
     plain_pickle.dump(entries, path)
+    return robot.notes
 
 
 def recognises(path: Path) -> bool:

@@ -39,8 +39,13 @@ OF_DATA = ("xpos", "xquat", "cvel", "subtree_com", "site_xpos", "site_xmat")
 
 
 def write(sampled: Sampled, path: Path) -> None:
-    """Write in double precision."""
-    model = Robot.of(sampled.model, NAME).model
+    """Write in double precision; raises UserError for a figure that is not a robot on a free root, or with objects."""
+    robot, model = Robot.of(sampled.model, NAME), sampled.model
+    if robot.objects:
+        raise UserError(
+            f"the format '{NAME}' is for one figure, not for '{robot.objects[0]}'; export mjlab, which omits it, and "
+            "import that file with the figure alone"
+        )
     arrays = {
         "qpos": sampled.qpos,
         "qvel": sampled.qvel,

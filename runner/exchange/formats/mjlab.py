@@ -29,8 +29,8 @@ from ..robot import Robot, configurations, needs_figure
 NAME = "mjlab"
 
 
-def write(sampled: Sampled, path: Path) -> None:
-    """Write in double precision; raises UserError for a figure that is not a robot on a free root."""
+def write(sampled: Sampled, path: Path) -> list[str]:
+    """Write in double precision, and return notes; raises UserError for a figure that is not a robot on a free root."""
     robot = Robot.of(sampled.model, NAME)
     bodies = Bodies.of(sampled.model, sampled.qpos, sampled.qvel)
     arrays = {
@@ -45,6 +45,7 @@ def write(sampled: Sampled, path: Path) -> None:
         "body_names": np.array(robot.body_names),
     }
     write_arrays(path, arrays)
+    return robot.notes
 
 
 def recognises(path: Path) -> bool:

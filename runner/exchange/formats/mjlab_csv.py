@@ -24,13 +24,13 @@ NAME = "mjlab-csv"
 
 
 def write(sampled: Sampled, path: Path) -> list[str]:
-    """Write the table; every number has the digits that reproduce it exactly. Return a note."""
+    """Write the table; every number has the digits that reproduce it exactly. Return notes."""
     robot = Robot.of(sampled.model, NAME)
     root = sampled.qpos[:, robot.root : robot.root + 7]
     rows = np.column_stack([root[:, :3], np.roll(root[:, 3:], -1, axis=1), sampled.qpos[:, robot.columns]])
     with path.open("w", encoding="utf-8") as stream:
         stream.writelines(",".join(map(repr, row)) + "\n" for row in rows.tolist())
-    return [f"the file contains no rate: {sampled.fps:g} samples a second"]
+    return [f"the file contains no rate: {sampled.fps:g} samples a second", *robot.notes]
 
 
 def read(path: Path, model: mujoco.MjModel | None, fps: float | None) -> Recording:

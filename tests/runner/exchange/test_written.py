@@ -14,7 +14,7 @@ from scipy.spatial.transform import Rotation
 from dynsplines.errors import UserError
 from dynsplines.exchange import formats
 from dynsplines.exchange.formats import mimickit
-from dynsplines.exchange.motion_import import import_recording
+from dynsplines.exchange.motion_import import import_recording, read_recording
 from dynsplines.motion import Sampled, Saved
 from dynsplines.solver.array import Array
 
@@ -232,6 +232,22 @@ def test_figures_without_a_free_root_are_refused(kind: str, tmp_path: Path):
     with pytest.raises(UserError, match=f"'{kind}' is for a figure with one free joint, its root; this one has none"):
         formats.export(fixed, kind, tmp_path / f"out{formats.writer(kind).ending}")
     assert not list(tmp_path.glob("out*"))
+
+
+@pytest.mark.parametrize("kind", ["mjlab", "mjlab-csv", "gmr"])
+def test_carried_objects_are_left_out_with_a_note(kind: str, tmp_path: Path):
+    crate = '<body name="crate"><freejoint/><geom size=".1" mass="1"/></body></worldbody>'
+    for name, model in (("alone", motions.ROBOT), ("carries", motions.ROBOT.replace("</worldbody>", crate))):
+        (tmp_path / f"{name}.xml").write_text(model)
+    saved, alone = (motions.motion_of(str(tmp_path / f"{name}.xml")) for name in ("carries", "alone"))
+    target, notes = motions.exported(saved, kind, tmp_path)
+    assert "the format has no objects: crate left out" in notes
+    back = read_recording(target, figure=str(tmp_path / "alone.xml"), kind=kind, fps=saved.fps)
+    wanted = motions.samples(saved).qpos[:, : alone.figure.model.nq]
+    motions.same_poses(alone.figure.model, wanted, back.qpos)
+    read_recording(target, figure=str(tmp_path / "carries.xml"), kind=kind, fps=saved.fps)
+    with pytest.raises(UserError, match="for one figure, not for 'crate'; export mjlab"):
+        motions.exported(saved, "locomujoco", tmp_path)
 
 
 @pytest.mark.parametrize("kind", ["mjlab", "mjlab-csv", "gmr", "locomujoco"])
