@@ -136,7 +136,8 @@ class Problem:
     @cached_property
     def raw(self) -> Timeline:
         """The timeline of the spline through the keyframes alone. Raises TimelineError if the keyframes are invalid."""
-        return raw_timeline(self.figure, list(self.keys), self.ends, self.end_slope, self.travel, self.turn)
+        slope = np.zeros((2, self.figure.width)) if self.end_slope is None else self.end_slope
+        return raw_timeline(self.figure, list(self.keys), self.ends, slope, self.travel, self.turn)
 
     @cached_property
     def plain_objective(self) -> Objective:

@@ -23,7 +23,8 @@ from ..errors import UserError
 from ..motion import Saved
 from ..scene.assets import Scene
 from ..scene.model_notes import model_notes
-from .context import Context
+from .contacts import schedule_of
+from .context import Context, knees_and_elbows
 from .kinds import KINDS, Options
 from .parse import Parsed, table_of
 from .table import ClipTable, SolveTable
@@ -142,18 +143,16 @@ def build(source: Parsed, scene: Scene, figure: Figure, keys: Sequence[Frame], f
     Raises:
         UserError: For keyframes that form no timeline, and for tables that do not fit the figure.
     """
-    table, solve = source.table, source.table.solve
-    slope = np.zeros((2, figure.width)) if solve.ends.startswith("clamped") else None
-    turn = radians(solve.turn)
-    problem = Problem(figure, tuple(keys), (), source.settings, solve.ends, slope, solve.travel, turn)
+    table, problem = source.table, source.problem(figure, keys)
     _check_problem(problem, source.where)
     surfaces = static_surfaces(figure.model)
-    context = Context.of(figure, problem.raw, surfaces, source.where, table.contact, table.grasp)
+    schedule = schedule_of(figure, problem.raw, surfaces, source.where, table.contact, table.grasp)
+    context = Context(schedule, source.where, tuple(knees_and_elbows(figure)))
     resting: tuple[str, ...] = ()
     stationary = context.is_stationary_at_ends
-    if "ends" not in solve.model_fields_set and any(stationary):
+    if "ends" not in table.solve.model_fields_set and any(stationary):
         ends, note = AT_REST[stationary]
-        problem = replace(problem, ends=ends, end_slope=np.zeros((2, figure.width)))
+        problem = replace(problem, ends=ends)
         context, resting = context.with_schedule(keys=problem.raw), (note + FREE_NOTE,)
     context, penalties, notes = constraints(context, source.options)
     problem = replace(problem, penalties=penalties)
@@ -277,11 +276,6 @@ def around(saved: Saved) -> SolveTable:
     seam = Seam.of(saved.figure, saved.timeline)
     turn = {"turn": float(np.degrees(seam.headings[0]))} if seam.headings[0] else {}
     return SolveTable.without_checks(travel=tuple(seam.travel[roots[:, 0]].tolist()), **turn)
-
-
-def radians(degrees: float | None) -> float | None:
-    """Return an angle in radians; None for None."""
-    return None if degrees is None else float(np.radians(degrees))
 
 
 def with_custom_penalties(clip: Clip, added: CustomPenalties) -> Clip:

@@ -30,9 +30,7 @@ from dynsplines.solver.tolerances import NEGLIGIBLE
 from ..errors import UserError, list_names, unknown
 from ..scene.compose import compile_model, figure_spec
 from ..scene.roles import roles
-from .contacts import schedule_of
 from .posing.places import Places
-from .table import ContactTable, GraspTable
 
 STEP = 0.2  # [1] shortest displacement of a foot in a step, relative to the height of the figure
 KNEES, ELBOWS = ("knee", "shin"), ("elbow", "forearm", "farm")
@@ -52,20 +50,6 @@ class Context:
     schedule: ContactSchedule
     where: str
     bends: tuple[Bend, ...] = ()
-
-    @classmethod
-    def of(
-        cls,
-        figure: Figure,
-        keys: Timeline,
-        surfaces: tuple[Surface, ...],
-        where: str,
-        tables: Sequence[ContactTable] = (),
-        grasp_tables: Sequence[GraspTable] = (),
-    ) -> Context:
-        """Return the inputs that keyframes and tables specify, without those that [[penalty]] tables change."""
-        schedule = schedule_of(figure, keys, surfaces, where, tables, grasp_tables)
-        return cls(schedule, where, tuple(knees_and_elbows(figure)))
 
     def with_schedule(self, **changes: Any) -> Context:
         """Return the same inputs with changed fields of the schedule of contacts."""

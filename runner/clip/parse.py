@@ -11,11 +11,14 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TypeVar
 
+import numpy as np
 from pydantic import ValidationError
 
 from dynsplines import models
+from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.quadrature import Quadrature
-from dynsplines.solver.problem import Settings
+from dynsplines.solver.figure.figure import Figure
+from dynsplines.solver.problem import Problem, Settings
 from dynsplines.solver.refine.subdivision import CRITERIA, FEW
 from dynsplines.solver.search.descent import check_method
 from dynsplines.solver.tolerances import ROUNDING
@@ -78,6 +81,12 @@ class Parsed:
         """Return the clip with another [solve] table, for keyframes at times (K,) [s]."""
         table = self.table.model_copy(update={"solve": solve})
         return replace(self, table=table, settings=settings_of(solve, times, self.where))
+
+    def problem(self, figure: Figure, keys: Sequence[Frame]) -> Problem:
+        """Return the problem of keyframes without soft constraints."""
+        solve = self.table.solve
+        turn = None if solve.turn is None else float(np.radians(solve.turn))
+        return Problem(figure, tuple(keys), (), self.settings, solve.ends, None, solve.travel, turn)
 
 
 def options_of(entries: Sequence[PenaltyTable], where: str) -> dict[str, Options]:

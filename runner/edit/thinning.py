@@ -21,7 +21,7 @@ from dynsplines.solver.edit.thin import Recorded, refine, thin
 
 from .. import motion, recordings, solving
 from ..clip import text as clip_text
-from ..clip.build import around, radians
+from ..clip.build import around
 from ..clip.load import of_motion
 from ..clip.parse import SHORTEST
 from ..errors import UserError
@@ -106,7 +106,7 @@ def recorded_of(saved: Saved, distance: float, angle: float) -> Recorded:
     times, figure = _instants(saved, keys), saved.figure
     qpos = figure.to_qpos(path_of(saved.timeline).at(times))
     back = around(saved)
-    travel, turn = back.travel, radians(back.turn)
+    travel, turn = back.travel, None if back.turn is None else float(np.radians(back.turn))
     return Recorded(figure, times, qpos, distance, angle, saved.timeline.ends, travel, turn)
 
 

@@ -28,8 +28,20 @@ from dynsplines.solver.surface.surface import DEEP
 HANGING = 0.15  # largest height above the ground, relative to the figure's, of a standing one, as in rest poses
 
 
+def put_down(keys: Sequence[Frame], schedule: ContactSchedule, before: ContactSchedule) -> list[Frame]:
+    """Return the keyframes of a schedule, with standing ones of the first root with feet moved onto the ground.
+
+    Args:
+        before: The contacts of the keyframes before feet were posed, with the stances of the soles.
+    """
+    root = free_root(schedule.figure, schedule.points)
+    if root is None or not schedule.surfaces or schedule.keys.known[:, schedule.figure.links[root].qpos + 2].all():
+        return list(keys)
+    return _Grounding(schedule, root).put_down(keys, before)
+
+
 @dataclass(frozen=True, eq=False)
-class Grounding:
+class _Grounding:
     """Places the tree of one root.
 
     Attributes:
@@ -40,22 +52,8 @@ class Grounding:
     schedule: ContactSchedule
     root: int
 
-    @classmethod
-    def of(cls, schedule: ContactSchedule) -> Grounding | None:
-        """Return the grounding of the first root with feet; None without one, without ground, and if every keyframe
-        sets its height."""
-        root = free_root(schedule.figure, schedule.points)
-        if root is None or not schedule.surfaces:
-            return None
-        out = cls(schedule, root)
-        return None if schedule.keys.known[:, out._height].all() else out
-
     def put_down(self, keys: Sequence[Frame], before: ContactSchedule) -> list[Frame]:
-        """Return the keyframes, with standing ones moved onto the ground.
-
-        Args:
-            before: The contacts of the keyframes before feet were posed, with the stances of the soles.
-        """
+        """Return the keyframes, with standing ones moved onto the ground, see `put_down`."""
         timeline, surfaces, soles = self.schedule.keys, self.schedule.surfaces, self._soles
         body = hanging(self.figure, self.root, body_points(self.figure))
         points = KeyframePoints.of(self.figure, timeline, (*soles, *body), surfaces)

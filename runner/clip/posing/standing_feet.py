@@ -18,7 +18,6 @@ from dynsplines.solver.array import Array, Mask
 from dynsplines.solver.contacts import Contact, ContactSchedule, Interval
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Frame, Timeline, TimelineError
-from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.penalty import BendLimits
 from dynsplines.solver.posing import (
@@ -38,7 +37,7 @@ from ..contacts import schedule_of
 from ..kinds import posing_limits
 from ..parse import Parsed
 from ..table import ContactTable
-from .grounding import Grounding
+from .grounding import put_down
 
 STARTS = 4  # most starting poses
 BALANCE = 100.0  # [1/m] weight of the preference of balance, relative to 1 rad of a limb joint
@@ -130,14 +129,6 @@ class Stander:
         bends, flights = posing_limits(figure, source.options)
         return cls(figure, source, static_surfaces(figure.model), bends, flights)
 
-    def timeline(self, keys: Sequence[Frame]) -> Timeline:
-        """Return the keyframes' timeline, for a loop with its seam; raises TimelineError."""
-        slope, solve = np.zeros((2, self.figure.width)), self.source.table.solve
-        if solve.ends != "periodic":  # loading the clip reports an invalid travel or turn
-            return raw_timeline(self.figure, list(keys), solve.ends, slope)
-        turn = None if solve.turn is None else float(np.radians(solve.turn))
-        return raw_timeline(self.figure, list(keys), solve.ends, slope, solve.travel, turn)
-
     def pose_feet(self, keys: Sequence[Frame]) -> list[Frame]:
         """Pose the free entries of partial keyframes as far as they are certain."""
         if all(key.is_key for key in keys):
@@ -149,17 +140,17 @@ class Stander:
         is_loop = schedule.keys.ends == "periodic"  # whose last keyframe is the first
         unposed = [k for k, key in enumerate(keys) if not key.is_key][: len(keys) - is_loop]
         posed = [self._pose(key, schedule, k) if k in unposed else key for k, key in enumerate(keys)]
-        return _put_down(posed, replace(schedule, keys=self.timeline(posed)), schedule)
+        return put_down(posed, replace(schedule, keys=self.source.problem(self.figure, posed).raw), schedule)
 
     def _grounded(self, keys: Sequence[Frame], but: int = -1) -> tuple[Sequence[Frame], ContactSchedule]:
         """Return the keyframes with standing ones on the ground, but for one, and their contacts. Feet have stances
         only in keyframes of known heights. Raises TimelineError."""
-        schedule = self._schedule(self.timeline(keys))
-        grounded = _put_down(keys, schedule, schedule)
+        schedule = self._schedule(keys)
+        grounded = put_down(keys, schedule, schedule)
         grounded = [keys[k] if k == but else key for k, key in enumerate(grounded)]
         if all(one is key for one, key in zip(grounded, keys, strict=True)):
             return keys, schedule
-        return grounded, self._schedule(self.timeline(grounded))
+        return grounded, self._schedule(grounded)
 
     def feet_goals(self, keys: Sequence[Frame], k: int, goals: Sequence[Goal]) -> tuple[Timeline, list[Goal]]:
         """Return the keyframes' timeline, and goals of feet in a stance at keyframe k, for limbs without goals.
@@ -178,9 +169,9 @@ class Stander:
             for goal in group
         ]
 
-    def _schedule(self, timeline: Timeline) -> ContactSchedule:
+    def _schedule(self, keys: Sequence[Frame]) -> ContactSchedule:
         """Return the contacts of the clip, whose keyframes may be few of those of a recording."""
-        table = self.source.table
+        table, timeline = self.source.table, self.source.problem(self.figure, keys).raw
         tables = list(_during(table.contact, *timeline.times[[0, -1]].tolist()))
         schedule = schedule_of(self.figure, timeline, self.surfaces, self.source.where, tables, table.grasp)
         return replace(schedule, specified_flights=self.flights)
@@ -220,12 +211,6 @@ class Stander:
                 return pose.qpos, pose.fixed & free
             del goals[int(np.argmax(pose.missed))]
         return home, np.zeros(self.figure.width, bool)
-
-
-def _put_down(keys: Sequence[Frame], schedule: ContactSchedule, before: ContactSchedule) -> list[Frame]:
-    """Return the keyframes of a schedule with standing ones moved onto the ground, see `Grounding.put_down`."""
-    grounding = Grounding.of(schedule)
-    return list(keys) if grounding is None else grounding.put_down(keys, before)
 
 
 def _during(tables: Sequence[ContactTable], first: float, last: float) -> Iterator[ContactTable]:

@@ -10,6 +10,7 @@ from motions import FIGURE, FINE, GROUND, PERIOD, SOLES, TIME, WALK, gait
 
 from dynsplines import Keyframe, build, load
 from dynsplines.clip.build import Clip, constraints
+from dynsplines.clip.contacts import schedule_of
 from dynsplines.clip.context import Context
 from dynsplines.clip.parse import options_of
 from dynsplines.clip.table import PenaltyTable
@@ -79,7 +80,9 @@ def test_a_clip_has_the_cycle_by_itself_or_as_asked_and_not_with_weight_0():
     keys = gait(WALK, 0.42).keys
 
     def periods(*entries: PenaltyTable) -> list[float]:
-        _, penalties, _ = constraints(Context.of(FIGURE, keys, GROUND, "walk"), options_of(entries, "walk"))
+        _, penalties, _ = constraints(
+            Context(schedule_of(FIGURE, keys, GROUND, "walk"), "walk"), options_of(entries, "walk")
+        )
         return [penalty.gait_cycle.period for penalty, _ in penalties if isinstance(penalty, Cycle)]
 
     assert periods() == pytest.approx([PERIOD], rel=0.05)

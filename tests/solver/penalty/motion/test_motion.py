@@ -12,6 +12,7 @@ from scipy.interpolate import CubicSpline
 from scipy.spatial.transform import Rotation, Slerp
 
 from dynsplines.clip.build import constraints
+from dynsplines.clip.contacts import schedule_of
 from dynsplines.clip.context import Context
 from dynsplines.solver import penalty
 from dynsplines.solver import quaternion as quat
@@ -174,7 +175,7 @@ def test_the_poses_of_a_cycle_cost_nothing(cycled):
 @pytest.mark.slow
 def test_a_walk_with_few_keyframes_is_nearer_to_the_real_one_and_goes_through_them():
     keys = [Frame.key(TIME[k], WALK[k]) for k in range(0, TIME.size, 280)][:5]
-    _, penalties, _ = constraints(Context.of(FIGURE, gait(WALK, 0.7).keys, GROUND, "walk"), {})
+    _, penalties, _ = constraints(Context(schedule_of(FIGURE, gait(WALK, 0.7).keys, GROUND, "walk"), "walk"), {})
     off = {}
     for some in (penalties, [(p, w) for p, w in penalties if p.name != "cycle"]):
         motion = inbetween(Problem(FIGURE, keys, some, Settings(frames=8, tolerance=1e-2)))
