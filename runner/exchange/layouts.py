@@ -11,7 +11,7 @@ import mujoco
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
-from dynsplines.solver.array import Array, Index
+from dynsplines.solver.array import Array
 from dynsplines.solver.figure.figure import JointKind
 from dynsplines.solver.figure.root import root_of
 
@@ -99,31 +99,30 @@ def check_radians(model: mujoco.MjModel, qpos: Array, where: object) -> None:
             )
 
 
-def check_upright(model: mujoco.MjModel | None, recorded: Recording, form: str, where: object) -> None:
-    """Raise UserError if only the documentation of a format states which axis is up or the order of the root's
-    quaternions, and the root is far from upright in most samples."""
+def doubtful_tilt(model: mujoco.MjModel | None, recorded: Recording, form: str) -> str | None:
+    """Return a line if only the documentation of a format states which axis is up or the order of the root's
+    quaternions, and the root is far from upright in most samples; None otherwise."""
     if recorded.assumed_layout is None:
-        return
+        return None
     if model is None:
         assert recorded.scene is not None, "a reader returns a figure or requires one"
         model = recorded.scene.model()
     root = root_of(model)
     if root is None:
-        return
+        return None
     start = int(model.jnt_qposadr[root.joint]) + 3
     turned = quat.product(recorded.qpos[:, start : start + 4], quat.conjugate(model.qpos0[start : start + 4]))
     tilt = float(np.median(np.arccos(np.clip(quat.rotate(turned, np.array([0, 0, 1.0]))[:, 2], -1, 1))))
-    if tilt > FALLEN:
-        raise UserError(
-            f"{where}: the root is tilted by {np.degrees(tilt):.0f}° with {recorded.assumed_layout}, as the format "
-            f"{form} has it; convert the file, or give --from {form} if that is right"
-        )
+    if tilt <= FALLEN:
+        return None
+    return f"the root is tilted by {np.degrees(tilt):.0f}° with {recorded.assumed_layout}, as the format {form} has it"
 
 
 def disagreement(model: mujoco.MjModel, qpos: Array, bodies: BodyPoses) -> tuple[float, float]:
     """Return the largest distance [m] and angle [rad] of recorded body poses from those of the figure at qpos (T, nq).
 
-    Each recorded body is compared with the figure's body that is nearest to it over all samples. So the order of the
+    Recorded bodies are compared with those of their names. If the figure lacks half of the names, or there are none,
+    each recorded body is compared with the figure's body that is nearest to it over all samples. So the order of the
     bodies does not matter, nor whether the world is among them. If the figure has fewer bodies, each of them is
     compared with its nearest recorded body instead.
     """
@@ -135,22 +134,19 @@ def disagreement(model: mujoco.MjModel, qpos: Array, bodies: BodyPoses) -> tuple
         back = quat.inverse(rotation[:, root.body])[:, None]
         position = quat.rotate(back, position - position[:, [root.body]])
         rotation = quat.product(back, rotation)
-    columns = _matching_bodies(model, bodies)
-    away = np.linalg.norm(bodies.position[rows][:, columns, None] - position[:, None], axis=-1).max(axis=0)
+    recorded, turned = bodies.position[rows], None if bodies.rotation is None else bodies.rotation[rows]
+    ids = {model.body(body).name: body for body in range(model.nbody)}
+    named = [(column, ids[name]) for column, name in enumerate(bodies.names or ()) if name in ids]
+    if len(bodies.names or ()) == recorded.shape[1] < 2 * len(named):
+        columns, own = np.array(named).T
+        distance = np.linalg.norm(recorded[:, columns] - position[:, own], axis=-1)
+        angle = np.zeros(1) if turned is None else quat.angle_between(turned[:, columns], rotation[:, own])
+        return float(distance.max()), float(angle.max())
+    away = np.linalg.norm(recorded[:, :, None] - position[:, None], axis=-1).max(axis=0)
     angle = np.zeros_like(away)
-    if bodies.rotation is not None:
-        angle = quat.angle_between(bodies.rotation[rows][:, columns, None], rotation[:, None]).max(axis=0)
+    if turned is not None:
+        angle = quat.angle_between(turned[:, :, None], rotation[:, None]).max(axis=0)
     if away.shape[0] > away.shape[1]:
         away, angle = away.T, angle.T
     nearest = np.arange(len(away)), np.argmin(np.maximum(away / CLOSE, angle / ALIGNED), axis=1)
     return float(away[nearest].max()), float(angle[nearest].max())
-
-
-def _matching_bodies(model: mujoco.MjModel, bodies: BodyPoses) -> Index:
-    """Return the recorded bodies whose names the figure has, or all of them if these are less than half."""
-    everything = np.arange(bodies.position.shape[1])
-    if bodies.names is None or len(bodies.names) != everything.size:
-        return everything
-    names = {model.body(body).name for body in range(model.nbody)}
-    matching = np.flatnonzero([name in names for name in bodies.names])
-    return matching if 2 * matching.size > everything.size else everything

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -226,9 +226,12 @@ def recording(
         raise UserError(f"{source}: it has its own times, {1 / step:.4g} samples per second; --fps does not apply")
     if model is not None:
         layouts.check_radians(model, result.qpos, source)
+    tilt = layouts.doubtful_tilt(model, result, form.name)
+    if tilt is None:
+        return result
     if kind is None and by_ending(source) is None:
-        layouts.check_upright(model, result, form.name, source)
-    return result
+        raise UserError(f"{source}: {tilt}; convert the file, or give --from {form.name} if that is right")
+    return replace(result, notes=(*result.notes, f"{tilt}; convert the file unless that is right"))
 
 
 def _write_only(name: str) -> str:
