@@ -19,7 +19,7 @@ from ..surface.heights import FAR
 from ..surface.points import Point, places_of
 from .contact import Interval
 from .keyframe_points import KeyframePoints
-from .stances import is_grounded
+from .stances import is_grounded, is_near
 from .thresholds import Thresholds
 
 # height of the centre of mass above the ground of a stretched figure on its toes, relative to that at rest or in a
@@ -87,7 +87,7 @@ class Air:
         low = feet.heights.min(axis=0)
         ground = np.take_along_axis(_bottoms(figure, feet), lowest[None], axis=0)[0] - low
         centre = _centre(body.samples, root)
-        touches = low < body.limits.near_surface
+        touches = is_near(feet).any(axis=0)
         rest = Samples.of_qpos(figure)
         tall = _centre(rest, root)[0] - _bottoms(figure, KeyframePoints(rest, body.keys, tuple(soles))).min()
         tiptoe = ground + STRETCHED * max(tall, (centre - ground)[touches].max(initial=0.0))

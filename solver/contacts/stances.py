@@ -16,7 +16,6 @@ import numpy as np
 
 from ..array import Array, Index, Mask, segments_at
 from ..figure.algebra import perpendicular
-from ..figure.figure import Figure
 from ..surface import Plane
 from ..surface.points import Point
 from ..tolerances import ROUNDING
@@ -173,7 +172,7 @@ class Steps:
             return cls(times, stepping, placing)
         first, last = np.array([stance.first for stance in standing]), np.array([stance.last for stance in standing])
         feet = np.array([stance.point.link for stance in standing])
-        is_same_leg = same_leg(soles.figure)
+        is_same_leg = path | path.T  # one link carries the other
         strides = stride_segments(soles)
         for k, segment in enumerate(segments_at(key_times, times[:-1]).tolist()):
             stands = np.unique(feet[(first <= times[k]) & (times[k + 1] <= last)])
@@ -185,9 +184,3 @@ class Steps:
     def at(self, links: Index, t: Array) -> Mask:
         """Return which of the links (l,) belong to a leg that takes a step at times t (S,) [s], (l, S)."""
         return self.stepping[np.ix_(links, segments_at(self.times, t))]
-
-
-def same_leg(figure: Figure) -> Mask:
-    """Return which pairs of links are in one chain, one carrying the other, (L, L)."""
-    path = figure.tables.path > 0
-    return path | path.T
