@@ -85,7 +85,7 @@ DIFFERENT = {
     "degrees": {"joint_pos": DEGREES[:, 7:]},
     "xyzw": {"body_quat_w": np.roll(TURN[:, 1:], -1, -1)},
     "breadth first": {"joint_pos": QPOS[:, 7:][:, BREADTH], "joint_names": None},
-    "names of bodies in another order": {"body_names": BODIES[:0:-1]},
+    "names of the other side": {"body_names": [*BODIES[1:3], *BODIES[6:], *BODIES[3:6]]},
     "the world first, without names": {"body_pos_w": PLACE, "body_quat_w": TURN, "body_names": None},
 }
 
