@@ -34,7 +34,7 @@ from ..system import signals
 from ..system.output import check_target
 from ..system.progress import Progress, silent
 from .cleaning import Cleaned, clean, displacements
-from .repairs import repair
+from .repairs import outliers, repair
 
 SLOWER = 0.95  # [1] factor on the speed limit of joints, because soft constraints are exceeded a little
 FAR = 0.05  # [m] displacement in 95 % of the time above which stances are in doubt: most for captured motion is 2.7 cm
@@ -199,7 +199,8 @@ def _clean(
 
 
 def _notes(result: Cleaned) -> Iterator[str]:
-    """Yield the stances of every point, first those of soles, and notes on stances and displacements to check."""
+    """Yield the stances of every point, first those of soles, and notes on what to check."""
+    yield from (f"note: {note}" for note in outliers(result.recorded))
     if not result.rests:
         yield "note: no stance was detected, so feet may slip"
     names = [point.name for point in (*result.context.points, *(rest.point for rest in result.rests))]

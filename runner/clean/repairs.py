@@ -5,18 +5,20 @@ An implausible sample is discarded, and the motion there is interpolated from th
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index, Mask
-from dynsplines.solver.curve.recording import UNLIKE, groups, places
+from dynsplines.solver.curve.recording import UNLIKE, Track, between, groups, places
 from dynsplines.solver.figure.figure import Figure
 
 from ..errors import UserError, list_names
 from ..exchange import gaps
 from ..exchange.recording import Recording, median_step
+from ..measure.bounds import with_unit
 
 FEWEST = 5  # least number of samples of a motion
 LONGEST_GAP = 2.0  # [s] longest gap that is interpolated
@@ -53,6 +55,23 @@ def repair(figure: Figure, recording: Recording) -> tuple[Recording, Mask]:
     return replace(recording, time=time, qpos=qpos, notes=tuple(notes)), known
 
 
+def outliers(track: Track) -> Iterator[str]:
+    """Yield a note on samples far from the smoothed recording, such as several successive ones that jump."""
+    off, far = between(track.figure, track.bridged, track.states, track.known > 0), np.zeros(track.times.size, bool)
+    worst: list[tuple[float, str, str]] = []
+    for columns in track.groups:
+        is_place, noise = track.is_place[columns[0]], track.noise[columns[0]] * (1 + track.is_half[columns[0]])
+        away, bound = np.linalg.norm(off[:, columns], axis=1), max(WAY if is_place else TURN, UNLIKE * noise)
+        far |= away > bound
+        if away.max() > bound:
+            most = with_unit(away.max(), "m") if is_place else with_unit(np.degrees(away.max()), "degrees")
+            worst.append((float(away.max() / bound), _name(track.figure, columns), most))
+    if worst:
+        _, names, amounts = zip(*sorted(worst, reverse=True), strict=True)
+        whose = list_names(dict.fromkeys(names))
+        yield f"{whose}: smoothing changes samples by up to {amounts[0]}, at {gaps.intervals(track.times, far)}"
+
+
 def _name(figure: Figure, columns: Index) -> str:
     """Return the quoted name of the link that a group of columns belongs to."""
     link = next(link for link in reversed(figure.links[1:]) if link.qpos <= columns[0])
@@ -75,11 +94,11 @@ def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Mask
         if columns.size == 4:
             fine = fine & (np.linalg.norm(np.where(known[:, columns], qpos[:, columns], 0.0), axis=1) > 1e-6)
         known[:, columns] = np.reshape(fine, (-1, 1))
-    bad = np.flatnonzero(~known.all(axis=1))
-    if bad.size:
+    bad = ~known.all(axis=1)
+    if bad.any():
         joints = [_name(figure, columns) for columns in groups(figure) if not known[:, columns].all()]
         notes.append(
-            f"{bad.size} samples of {list_names(joints)} hold no numbers, first at {time[bad[0]]:.3f} s: interpolated"
+            f"{bad.sum()} samples of {list_names(joints)} hold no numbers, at {gaps.intervals(time, bad)}: interpolated"
         )
     np.copyto(qpos, np.asarray(figure.model.qpos0), where=~known)
     return known
@@ -126,6 +145,6 @@ def _jumps(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[st
     if has_jump.any():
         whose = sorted({_name(figure, columns) for columns in groups(figure) if out[:, columns].any()})
         notes.append(
-            f"{list_names(whose)}: {int(has_jump.sum())} samples jump, first at {time[has_jump][0]:.3f} s: interpolated"
+            f"{list_names(whose)}: {has_jump.sum()} samples jump, at {gaps.intervals(time, has_jump)}: interpolated"
         )
     return out

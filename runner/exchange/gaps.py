@@ -13,7 +13,7 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 
-from dynsplines.solver.array import Array, Mask
+from dynsplines.solver.array import Array, Mask, runs
 from dynsplines.solver.figure.figure import JointKind
 
 from ..errors import UserError
@@ -73,10 +73,16 @@ def without_missing(recording: Recording, where: object) -> Recording:
     is_present = ~np.any(missing, axis=0)
     if is_present.size != recording.time.size:
         raise UserError(f"{where}: some of its numbers are not finite, and no single samples can be removed")
-    count, first = int(np.sum(~is_present)), float(recording.time[~is_present][0])
+    count, times = int(np.sum(~is_present)), intervals(recording.time, ~is_present)
     many = "samples lack" if count > 1 else "sample lacks"
-    notes = (*recording.notes, f"{count} {many} some or all numbers, first at {first:.3f} s: left out as a whole")
+    notes = (*recording.notes, f"{count} {many} some or all numbers, at {times}: left out as a whole")
     return replace(recording, time=recording.time[is_present], qpos=recording.qpos[is_present], notes=notes)
+
+
+def intervals(time: Array, which: Mask) -> str:
+    """Return the times (T,) [s] of selected samples as text, those of successive samples as intervals."""
+    ends = [(float(time[first]), float(time[end - 1])) for first, end in runs(which)]
+    return ", ".join(f"{first:.3f}" + f"-{last:.3f}" * (last > first) for first, last in ends) + " s"
 
 
 def initial_pose(model: mujoco.MjModel, time: Array, qpos: Array) -> int:

@@ -1,5 +1,6 @@
 """Cleaning a run that ships, made bad: soles stand still on the ground, and the motion is nearer to the true one."""
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
@@ -15,7 +16,7 @@ from texts import read_data
 from dynsplines import recordings, solving
 from dynsplines.clean import cleaning
 from dynsplines.clean.cleaning import Cleaned
-from dynsplines.clean.repairs import repair
+from dynsplines.clean.repairs import outliers, repair
 from dynsplines.clip.load import figure_of
 from dynsplines.clip.tracking.problem import tracking_context
 from dynsplines.errors import UserError
@@ -24,6 +25,7 @@ from dynsplines.motion import even_times, samples_at
 from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Contact
+from dynsplines.solver.curve.recording import Track
 from dynsplines.solver.curve.spline import Path
 from dynsplines.solver.figure.figure import Figure, quaternion_columns
 from dynsplines.solver.figure.kinematics import Samples
@@ -213,16 +215,19 @@ FAULTS = {  # times, qpos, rows and columns that are not known afterwards, notes
         ("60 samples come twice, first at 0.000 s: left out",)),
     "no numbers in one joint": (
         TIMES, changed([10, 11, 12], ELBOW + 1, np.nan), [10, 11, 12], JOINT,
-        ("3 samples of 'left_elbow' hold no numbers, first at 0.333 s: interpolated",)),
+        ("3 samples of 'left_elbow' hold no numbers, at 0.333-0.400 s: interpolated",)),
     "a quaternion of zeros": (
         TIMES, changed(20, JOINT, 0), [20], JOINT,
-        ("1 samples of 'left_elbow' hold no numbers, first at 0.667 s: interpolated",)),
+        ("1 samples of 'left_elbow' hold no numbers, at 0.667 s: interpolated",)),
     "missing": (
         TIMES[MISSING], motion()[MISSING], slice(30, 40), slice(None),
         ("gap from 0.967 to 1.333 s: interpolated",)),
     "a sample off": (
         TIMES, changed(25, 2, motion()[25, 2] + 0.3), [25], slice(0, 3),
-        ("'root': 1 samples jump, first at 0.833 s: interpolated",)),
+        ("'root': 1 samples jump, at 0.833 s: interpolated",)),
+    "two samples off": (
+        TIMES, changed([25, 40], 2, motion()[[25, 40], 2] + 0.3), [25, 40], slice(0, 3),
+        ("'root': 2 samples jump, at 0.833, 1.333 s: interpolated",)),
     "a pose at the start": (
         np.arange(-1, 60) / 30, np.vstack([POSE, motion()]), (), (), (STARTS.format(0),)),
     "a pose held at the start": (
@@ -242,6 +247,14 @@ def test_a_fault_is_reported_and_repaired_and_nothing_else_changes(fault):
     assert np.isfinite(found.qpos).all()
     same = found.qpos[known], motion()[known]
     np.testing.assert_allclose(np.abs(same[0]), np.abs(same[1]), atol=1e-12)
+
+
+def test_successive_samples_far_from_the_smoothed_recording_are_named():
+    recorded, _ = mended(TIMES, changed([25, 26], 2, motion()[25:27, 2] + 0.3))
+    assert recorded.notes == ()
+    (note,) = outliers(Track.of(FIGURE, recorded.time, recorded.qpos))
+    assert re.fullmatch(r"'root': smoothing changes samples by up to \d+ mm, at 0\.8[0-9. ,-]+ s", note), note
+    assert not list(outliers(Track.of(FIGURE, TIMES, motion())))
 
 
 @pytest.mark.parametrize(
