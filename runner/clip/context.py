@@ -13,6 +13,7 @@ from mujoco import mjtGeom
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import ContactSchedule
+from dynsplines.solver.contacts.stances import is_grounded
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.curve.frame import Timeline
 from dynsplines.solver.figure.dynamics import height
@@ -189,7 +190,7 @@ class Context:
         places = Samples.still(self.figure, keys.states).links.x[:, feet]
         moves = displacements(places).min(axis=0, initial=np.inf)
         gaps, whole = np.diff(keys.times), keys.fixed.all(axis=1)
-        stands = whole & schedule.is_low
+        stands = whole & is_grounded(schedule.soles)
         strides = moves > STEP * height(self.figure, schedule.root)
         lost = (gaps >= limits.far_apart) & strides & stands[:-1] & stands[1:]
         for first, last in schedule.flights:

@@ -14,7 +14,6 @@ from pydantic import Discriminator, Field, Tag
 
 from dynsplines import models
 from dynsplines.solver.contacts import Interval, surfaces_on
-from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.contacts.stances import low_swing_segments
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure, JointKind
@@ -331,14 +330,14 @@ def _grasp(context: Context, options: Options) -> Penalty | None:
 def _no_slip(context: Context, options: Options) -> Penalty | None:
     if not context.points:
         return None
-    at_keys = KeyframePoints.of(context.figure, context.keys, context.points)
-    reach = options.reach or at_keys.limits.slip_reach
-    return Skate(context.points, context.surfaces, reach, context.keys.times, low_swing_segments(at_keys))
+    soles = context.schedule.soles
+    reach = options.reach or soles.limits.slip_reach
+    return Skate(context.points, context.surfaces, reach, context.keys.times, low_swing_segments(soles))
 
 
 def _hover(context: Context, options: Options) -> Penalty | None:
     schedule, limits = context.schedule, Thresholds.of(context.figure)
-    if not schedule.is_grounded or not (context.points or context.figure.tables.free_links.size):
+    if not schedule.is_grounded.any() or not (context.points or context.figure.tables.free_links.size):
         return None
     reach = options.reach or limits.away
     return HoverPenalty(schedule.low_points, context.surfaces, reach, 2 * limits.tiny, schedule.grounded_intervals)

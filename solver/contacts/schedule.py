@@ -64,7 +64,7 @@ class ContactSchedule:
     @cached_property
     def stances(self) -> tuple[Contact, ...]:
         """The stances inferred from keyframes, without those that contradict specified contacts."""
-        inferred = stances(self._soles)
+        inferred = stances(self.soles)
         return tuple(stance for stance in inferred if not any(contact.overlaps(stance) for contact in self.on_ground))
 
     @cached_property
@@ -80,12 +80,12 @@ class ContactSchedule:
     @cached_property
     def resting_objects(self) -> tuple[Contact, ...]:
         """The stances of grasped objects before and after holds."""
-        return resting_objects(self._soles, self.objects, self.grasps)
+        return resting_objects(self.soles, self.objects, self.grasps)
 
     @cached_property
     def steps(self) -> Steps:
         """The legs that take a step while another leg stands."""
-        return Steps.of(self._soles, (*self.stances, *self.on_ground))
+        return Steps.of(self.soles, (*self.stances, *self.on_ground))
 
     @cached_property
     def footings(self) -> tuple[Contact, ...]:
@@ -111,14 +111,14 @@ class ContactSchedule:
         if self.root is None:
             return ()
         contacts = [(contact.first, contact.last) for contact in self.on_ground]
-        body = self._soles.with_points((*self._tree_soles.points, *self._tree_body))
+        body = self.soles.with_points((*self._tree_soles.points, *self._tree_body))
         air = Air.of(self.root, body, self._tree_soles.points, contacts)
         return () if air is None else tuple(air.falls())
 
-    @property
-    def is_grounded(self) -> bool:
-        """Whether the figure is on the ground in any keyframe."""
-        return bool(self._is_down.any())
+    @cached_property
+    def is_grounded(self) -> Mask:
+        """Whether any of `low_points` is on the ground in each keyframe, (K,)."""
+        return is_grounded(self.soles.with_points(self.low_points))
 
     @property
     def grounded_intervals(self) -> tuple[Interval, ...]:
@@ -131,13 +131,13 @@ class ContactSchedule:
         keys, blur, intervals = self.keys.times, Thresholds.of(self.figure).lift_off, list[Interval]()
         for begin, end in () if self.specified_flights is not None else self.flights:
             before, after = np.searchsorted(keys, begin) - 1, np.searchsorted(keys, end, side="right")
-            if before >= 0 and self._is_down[before]:
+            if before >= 0 and self.is_grounded[before]:
                 intervals.append((float(keys[before]), begin - blur))
-            if after < keys.size and self._is_down[after]:
+            if after < keys.size and self.is_grounded[after]:
                 intervals.append((end + blur, float(keys[after])))
         if self.root is not None and self.points:
             first = self.figure.links[self.root].qpos
-            is_open, down = ~self.keys.fixed[:, first + 2], self._is_down
+            is_open, down = ~self.keys.fixed[:, first + 2], self.is_grounded
             travel = np.linalg.norm(np.diff(self.keys.states[:, first : first + 2], axis=0), axis=1)
             is_slow = travel < Thresholds.of(self.figure).travels * np.diff(keys)
             for k in np.flatnonzero((is_open[:-1] | is_open[1:]) & down[:-1] & down[1:] & is_slow).tolist():
@@ -155,6 +155,11 @@ class ContactSchedule:
         return gait.likeliest() if self.period is None else gait.with_period(self.period)
 
     @cached_property
+    def soles(self) -> KeyframePoints:
+        """The sole points at the keyframes."""
+        return KeyframePoints.of(self.figure, self.keys, self.points, self.surfaces)
+
+    @cached_property
     def low_points(self) -> tuple[Point, ...]:
         """The points on soles and body, without grasped objects. A keyframe is grounded if the lowest one is."""
         points = self.exclude_grasped((*self.points, *body_points(self.figure)))
@@ -167,7 +172,7 @@ class ContactSchedule:
         for contact in self.on_ground:
             if contact.is_placed and not any(contact.point.coincides(other) for other in points):
                 points.append(contact.point)
-        return self._soles.with_points(points)
+        return self.soles.with_points(points)
 
     def rest(self, i: int, k: int) -> Array | None:
         """Return the position (3,) [m] where one of `resting_points` rests at keyframe k, which leaves it free.
@@ -185,29 +190,14 @@ class ContactSchedule:
         is_set = any(self.keys.fixed[k, self.figure.links[link].columns].any() for link in limb)
         return None if is_set or i >= len(self.points) else planted_place(self.resting_points, i, k)
 
-    @property
-    def is_low(self) -> Mask:
-        """For each keyframe, whether any sole point is on the ground, (K,)."""
-        return is_grounded(self._soles)
-
     def exclude_grasped(self, points: Sequence[Point]) -> tuple[Point, ...]:
         """Return the points that do not belong to grasped objects."""
         return tuple(point for point in points if point.link not in self.grasped)
 
     @cached_property
-    def _soles(self) -> KeyframePoints:
-        """`points` at the keyframes."""
-        return KeyframePoints.of(self.figure, self.keys, self.points, self.surfaces)
-
-    @cached_property
-    def _is_down(self) -> Mask:
-        """For each keyframe, whether any of `low_points` is on the ground, (K,)."""
-        return is_grounded(self._soles.with_points(self.low_points))
-
-    @cached_property
     def _tree_soles(self) -> KeyframePoints:
         """The sole points in the kinematic tree of `root`, at the keyframes."""
-        return self._soles.with_points(() if self.root is None else hanging(self.figure, self.root, self.points))
+        return self.soles.with_points(() if self.root is None else hanging(self.figure, self.root, self.points))
 
     @property
     def _tree_body(self) -> tuple[Point, ...]:
