@@ -23,9 +23,7 @@ from ..curve.spline import natural_end_slopes, path_of
 from ..figure.dynamics import STANDARD_GRAVITY
 from ..figure.figure import Figure
 from ..figure.kinematics import Samples
-from ..surface import Surface
-from ..surface.heights import heights
-from ..surface.points import Point, places_of
+from .keyframe_points import KeyframePoints
 from .pose_vectors import PoseVectors
 from .thresholds import Thresholds
 
@@ -93,16 +91,21 @@ class GaitCycle:
 
 @dataclass(frozen=True, eq=False)
 class Gait:
-    """A figure that travels over surfaces, with its keyframes and the points of its soles."""
+    """A figure that travels over surfaces, given by the points of its soles at keyframes."""
 
-    figure: Figure
-    keys: Timeline
-    points: tuple[Point, ...]
-    surfaces: tuple[Surface, ...]
+    soles: KeyframePoints
+
+    @property
+    def figure(self) -> Figure:
+        return self.soles.figure
+
+    @property
+    def keys(self) -> Timeline:
+        return self.soles.keys
 
     @property
     def limits(self) -> Thresholds:
-        return Thresholds.of(self.figure)
+        return self.soles.limits
 
     def infer(self) -> GaitCycle | None:
         """Return the cycle of the keyframes if it is unambiguous.
@@ -133,7 +136,7 @@ class Gait:
             return self
         frames = self.keys.frames[first : len(self.keys.frames) - last]
         ends = natural_end_slopes(np.array([f.time for f in frames]), np.array([f.state for f in frames]))
-        return replace(self, keys=Timeline(frames, ends))
+        return Gait(KeyframePoints.of(self.figure, Timeline(frames, ends), self.soles.points, self.soles.surfaces))
 
     @property
     def _cycle_of_all(self) -> GaitCycle | None:
@@ -188,16 +191,16 @@ class Gait:
     @cached_property
     def _may_walk(self) -> bool:
         """Whether the figure has feet, ground and one root, and travels."""
-        if not self.points or not self.surfaces or self.figure.tables.free_links.size != 1:
+        if not self.soles.points or not self.soles.surfaces or self.figure.tables.free_links.size != 1:
             return False
         return self._hips > 0 and self._travel > self.limits.fast
 
     @property
     def _is_level(self) -> bool:
         """Whether the ground below the lowest sole point has the same height at all keyframes; steps are no cycle."""
-        places, heights = self._soles_at_keys
+        heights = self.soles.heights
         lowest = heights.argmin(axis=0), np.arange(heights.shape[1])
-        return float(np.ptp((places[2] - heights)[lowest])) < self.limits.same_spot
+        return float(np.ptp((self.soles.centres[2] - heights)[lowest])) < self.limits.same_spot
 
     @property
     def _root(self) -> Array:
@@ -211,14 +214,9 @@ class Gait:
         return float(lengths.sum()) / float(self.keys.times[-1] - self.keys.times[0])
 
     @cached_property
-    def _soles_at_keys(self) -> tuple[Array, Array]:
-        """Positions (3, p, K) and heights (p, K) [m] of the sole points at keyframes."""
-        return self._soles(self.keys.states)
-
-    @cached_property
     def _hips(self) -> float:
         """The height [m] of the root above the soles."""
-        return float(np.median(self._root[:, 2] - self._soles_at_keys[0][2].min(axis=0)))
+        return float(np.median(self._root[:, 2] - self.soles.centres[2].min(axis=0)))
 
     @property
     def usual_period(self) -> float:
@@ -232,18 +230,12 @@ class Gait:
         times, qpos = gait_cycle.times, gait_cycle.qpos(self.figure.width)
         over = slice(*(self.figure.tables.position_columns[0, 0] + np.array([0, 2])))
         qpos[:, over] = self._plain[1][:, over]
-        places, heights = self._soles(self.figure.to_state(qpos))
-        speed = np.linalg.norm(np.gradient(places[:2], times, axis=2), axis=0)
-        low = heights < self.limits.hovers + np.quantile(self._soles_at_keys[1].min(axis=0), LOWEST)
+        soles = replace(self.soles, samples=Samples.still(self.figure, self.figure.to_state(qpos)))
+        speed = np.linalg.norm(np.gradient(soles.centres[:2], times, axis=2), axis=0)
+        low = soles.heights < self.limits.hovers + np.quantile(self.soles.heights.min(axis=0), LOWEST)
         slowest = np.where(low, speed, np.inf).min(axis=0)
         down = np.isfinite(slowest)
         return float(slowest[down].mean() / self._travel) if down.any() else np.inf
-
-    def _soles(self, states: Array) -> tuple[Array, Array]:
-        """Return positions (3, p, T) and heights (p, T) [m] of the sole points."""
-        samples = Samples.still(self.figure, states)
-        centres, _ = places_of(self.points, samples)
-        return centres, heights(self.surfaces, centres, np.zeros(len(self.points)))[0]
 
 
 def _refine(poses: PoseVectors, tried: Array, gain: Array, i: int) -> float:

@@ -149,7 +149,7 @@ class ContactSchedule:
         """The gait cycle of the keyframes; None if they form none."""
         if self.has_cycle is False:
             return None
-        gait = Gait(self.figure, self.keys, self.points, self.surfaces)
+        gait = Gait(self.soles)
         if self.has_cycle is None:
             return gait.infer()
         return gait.likeliest() if self.period is None else gait.with_period(self.period)

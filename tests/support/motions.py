@@ -22,6 +22,7 @@ from dynsplines.scene.compose import compose, figure_spec
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts.gait import Gait
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.figure.figure import Figure
@@ -335,7 +336,7 @@ TIME, WALK = walk(FIGURE, SOLES, PERIOD, 3.5)
 def gait(qpos: np.ndarray, every: float) -> Gait:
     """Keyframes of a fine motion, so far apart [s]."""
     keys = [Frame.key(TIME[k], qpos[k]) for k in range(0, TIME.size, round(every * FINE))]
-    return Gait(FIGURE, raw_timeline(FIGURE, keys), SOLES, GROUND)
+    return Gait(KeyframePoints.of(FIGURE, raw_timeline(FIGURE, keys), SOLES, GROUND))
 
 
 # A biped of hinges that walks on the spot of the floor it stands on, with feet that rest while they stand.

@@ -16,6 +16,7 @@ from dynsplines.clip.parse import options_of
 from dynsplines.clip.table import PenaltyTable
 from dynsplines.solver import quaternion as quat
 from dynsplines.solver.contacts.gait import SLIP, Gait
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.spline import path_of
@@ -73,7 +74,7 @@ def test_a_figure_that_stays_where_it_is_or_climbs_tells_none():
     still[:, 0] = 0.0
     assert gait(still, 0.42).infer() is None
     slope = Plane("slope", np.zeros(3), np.array([-0.1, 0, 1]) / np.hypot(0.1, 1))
-    assert Gait(FIGURE, up.keys, SOLES, (slope,)).infer() is None
+    assert Gait(KeyframePoints.of(FIGURE, up.keys, SOLES, (slope,))).infer() is None
 
 
 def test_a_clip_has_the_cycle_by_itself_or_as_asked_and_not_with_weight_0():
@@ -99,13 +100,13 @@ def test_a_pose_to_set_out_from_stands_outside_the_cycle():
         before[:3, columns] = quat.from_rotation_vector(np.array([1.2, 0, 0]))
     first = [Frame.key(TIME[0], before[0])]
     keys = [Frame.key(TIME[k], WALK[k]) for k in range(3, TIME.size, round(0.42 * FINE))]
-    seen = Gait(FIGURE, raw_timeline(FIGURE, first + keys), SOLES, GROUND)
+    seen = Gait(KeyframePoints.of(FIGURE, raw_timeline(FIGURE, first + keys), SOLES, GROUND))
     gait_cycle = seen.infer()
     assert gait_cycle is not None
     assert abs(gait_cycle.period / PERIOD - 1) < 0.05
     assert gait_cycle.times[0] == TIME[3]
     assert seen._cycle_of_all is None or seen._cycle_of_all.gain < gait_cycle.gain - 0.2
-    whole = Gait(FIGURE, raw_timeline(FIGURE, keys), SOLES, GROUND).infer()
+    whole = Gait(KeyframePoints.of(FIGURE, raw_timeline(FIGURE, keys), SOLES, GROUND)).infer()
     assert whole is not None
     assert whole.times[0] == TIME[3]
 

@@ -26,6 +26,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array, Index
 from dynsplines.solver.contacts import Contact
 from dynsplines.solver.contacts.gait import Gait
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.recording import Track
@@ -273,7 +274,7 @@ def prior(figure: Figure, rng: np.random.Generator) -> Case:
 
 def cycle(figure: Figure, rng: np.random.Generator) -> Case:
     keys = [Frame.key(0.3 * k, qpos) for k, qpos in enumerate(figure.to_qpos(random_samples(figure, rng, 6).y))]
-    gait_cycle = Gait(figure, raw_timeline(figure, keys), (), ()).with_period(0.7)
+    gait_cycle = Gait(KeyframePoints.of(figure, raw_timeline(figure, keys), (), ())).with_period(0.7)
     assert gait_cycle is not None
     some = rng.choice(gait_cycle.times.size, 5, replace=False)
     return Cycle(figure, gait_cycle), at_times(random_samples(figure, rng), gait_cycle.times[some])

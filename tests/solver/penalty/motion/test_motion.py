@@ -19,6 +19,7 @@ from dynsplines.solver import quaternion as quat
 from dynsplines.solver.array import Array
 from dynsplines.solver.contacts import Steps
 from dynsplines.solver.contacts.gait import Gait
+from dynsplines.solver.contacts.keyframe_points import KeyframePoints
 from dynsplines.solver.curve.frame import Frame, Timeline
 from dynsplines.solver.curve.raw import raw_timeline
 from dynsplines.solver.curve.recording import Track
@@ -150,7 +151,7 @@ def cycled(request, rng) -> penalty.Cycle:
     text, coordinates = request.param
     figure = figure_of(text, coordinates)
     keys = [Frame.key(0.3 * k, qpos) for k, qpos in enumerate(figure.to_qpos(random_samples(figure, rng, 6).y))]
-    gait_cycle = Gait(figure, raw_timeline(figure, keys), (), ()).with_period(0.7)
+    gait_cycle = Gait(KeyframePoints.of(figure, raw_timeline(figure, keys), (), ())).with_period(0.7)
     assert gait_cycle is not None and gait_cycle.trust.max() > 0
     return penalty.Cycle(figure, gait_cycle)
 
