@@ -94,7 +94,7 @@ def _numbers(figure: Figure, qpos: Array, time: Array, notes: list[str]) -> Mask
         if columns.size == 4:
             fine = fine & (np.linalg.norm(np.where(known[:, columns], qpos[:, columns], 0.0), axis=1) > 1e-6)
         known[:, columns] = np.reshape(fine, (-1, 1))
-    bad = ~known.all(axis=1)
+    bad = np.asarray(~known.all(axis=1))
     if bad.any():
         joints = [_name(figure, columns) for columns in groups(figure) if not known[:, columns].all()]
         notes.append(
@@ -141,7 +141,7 @@ def _jumps(figure: Figure, time: Array, qpos: Array, known: Mask, notes: list[st
         far = (off > np.maximum(bound, UNLIKE * np.median(off))) & (apart < BESIDE * off)
         far &= known[:-2, columns[0]] & known[1:-1, columns[0]] & known[2:, columns[0]]
         out[1:-1, columns] = far[:, None]
-    has_jump = out.any(axis=1)
+    has_jump = np.asarray(out.any(axis=1))
     if has_jump.any():
         whose = sorted({_name(figure, columns) for columns in groups(figure) if out[:, columns].any()})
         notes.append(
