@@ -71,7 +71,7 @@ class Draw:
         links = {point.link for point in named}
         return cls(
             figure,
-            posing_limits(figure, {})[0],
+            posing_limits(figure, {}),
             (*named, *(point for point in soles if point.link not in links)),
         )
 

@@ -13,7 +13,7 @@ import numpy as np
 from pydantic import Discriminator, Field, Tag
 
 from dynsplines import models
-from dynsplines.solver.contacts import Interval, surfaces_on
+from dynsplines.solver.contacts import surfaces_on
 from dynsplines.solver.contacts.stances import low_swing_segments
 from dynsplines.solver.contacts.thresholds import Thresholds
 from dynsplines.solver.figure.figure import Figure, JointKind
@@ -516,17 +516,9 @@ KINDS = {
 }  # fmt: skip
 
 
-def posing_limits(
-    figure: Figure, listed: Mapping[str, Options]
-) -> tuple[BendLimits | None, tuple[Interval, ...] | None]:
-    """Return the parts of a clip's listed kinds that its poses respect.
-
-    They are the limits of knees and elbows, or None if their penalty is off, and the flights (first, last) [s] that the
-    clip specifies; None to infer them.
-    """
-    limits, flight = (listed.get(kind, Options()) for kind in ("limits", "flight"))
+def posing_limits(figure: Figure, listed: Mapping[str, Options]) -> BendLimits | None:
+    """Return the limits of knees and elbows of a clip's listed kinds, or None if their penalty is off."""
+    limits = listed.get("limits", Options())
     names = limits.bend_joints
     bends = tuple(bend for bend in knees_and_elbows(figure) if names is None or bend.name in names)
-    is_limited = bends and KINDS["limits"].weights(limits)["bend"] > 0
-    flights = None if flight.intervals is None else tuple(flight.intervals)
-    return bend_limits(bends, limits) if is_limited else None, flights
+    return bend_limits(bends, limits) if bends and KINDS["limits"].weights(limits)["bend"] > 0 else None

@@ -91,7 +91,7 @@ class Poser:
 
     def __init__(self, figure: Figure, penalties: Sequence[PenaltyTable], full_keyframes: Array) -> None:
         self.figure = figure
-        self.bends: BendLimits | None = posing_limits(figure, options_of(penalties, "clip"))[0]
+        self.bends: BendLimits | None = posing_limits(figure, options_of(penalties, "clip"))
         self.soles: tuple[Point, ...] = sole_points(figure, np.reshape(full_keyframes, (-1, figure.width)))
         self.footing = Footing(figure, self.soles, static_surfaces(figure.model))
         self.data = mujoco.MjData(figure.model)

@@ -126,7 +126,8 @@ class Stander:
     @classmethod
     def of(cls, source: Parsed, figure: Figure) -> Stander:
         """Return the object that poses the feet of a clip."""
-        bends, flights = posing_limits(figure, source.options)
+        bends, flight = posing_limits(figure, source.options), source.options.get("flight")
+        flights = None if flight is None or flight.intervals is None else tuple(flight.intervals)
         return cls(figure, source, static_surfaces(figure.model), bends, flights)
 
     def pose_feet(self, keys: Sequence[Frame]) -> list[Frame]:

@@ -146,7 +146,7 @@ def test_random_drags_keep_soles_joints_and_balance(human, seed):
 
 def flexion(pulls: Pulls, qpos) -> dict[str, float]:
     """Return the flexion of knees and elbows [degrees]."""
-    bends, _ = posing_limits(pulls.figure, {})
+    bends = posing_limits(pulls.figure, {})
     assert bends is not None
     angles = bends.angles(Samples.of_qpos(pulls.figure, qpos))
     return {joint.name: float(np.degrees(angle)) for joint, angle in zip(bends.joints, angles[0, :, 0], strict=True)}

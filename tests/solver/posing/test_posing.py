@@ -136,7 +136,7 @@ def test_stiff_one_sided_residuals_are_bounds(rng):
 
 
 HUMAN = {c: Figure(mujoco.MjModel.from_xml_string(models.figure_text("human")), c) for c in ("world", "joint")}
-BENDS, _ = posing_limits(HUMAN["world"], {"limits": Options(least_bend=2.0)})
+BENDS = posing_limits(HUMAN["world"], {"limits": Options(least_bend=2.0)})
 SITES = [f"{side}_{part}" for side in ("left", "right") for part in ("heel", "toe", "hand", "wrist")]
 ARM = read_data("arm_with_rod.xml")
 
