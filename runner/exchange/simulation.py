@@ -155,11 +155,11 @@ def _least(sampled: Sampled) -> Array:
 
 
 def _legs(figure: Figure, feet: set[int]) -> set[int]:
-    """Return the links from the feet up to the root, without it."""
+    """Return the links from the feet up to the root."""
     out: set[int] = set()
     for foot in feet:
         link = foot
-        while link and figure.links[link].kind is not JointKind.FREE:
+        while link:
             out.add(link)
             link = figure.links[link].parent
     return out

@@ -99,7 +99,7 @@ def _quantities(clip: Clip, objective: Objective, timeline: Timeline, samples: S
 
 def _skate(clip: Clip, samples: Samples) -> dict[str, dict[str, float]]:
     """Return the horizontal distance that each contact point travels while close to its surface, and its mean speed."""
-    if not clip.context.points or not clip.context.surfaces:
+    if not clip.context.surfaces:
         return {}
     centres, radii = places_of(clip.context.points, samples)
     height, _ = heights(clip.context.surfaces, centres, radii)

@@ -54,6 +54,9 @@ def test_what_was_not_found_is_reported_first(tmp_path):
     assert progress.out.getvalue().splitlines() == [
         "note: no feet found, nor a site named heel or toe: no contact points"
     ]
+    rows = "".join(f"[[keyframe]]\ntime = {time}\njoints.swing = 0\n" for time in (0, 1))
+    hinges = recordings.load(str(written(tmp_path, f'figure = "hinge.xml"\n{rows}', "swing.toml")))
+    assert not [note for note in hinges.notes if "limits on bending" in note]
 
 
 def test_an_interrupted_solve_keeps_the_best_path(problem):

@@ -47,6 +47,8 @@ def test_rotations_compose_and_turn_vectors_as_scipys_do(p, q, v):
     np.testing.assert_allclose(
         quat.rotate(quat.product(p, q), v), (scipy_rotation(p) * scipy_rotation(q)).apply(v), atol=1e-12
     )
+    with np.errstate(invalid="ignore", divide="ignore"):
+        assert np.isnan(quat.rotate(0 * q, v)).all()  # as of arrays
 
 
 @few

@@ -11,6 +11,7 @@ from rekeyed import with_keys
 
 from dynsplines import Keyframe, build, inbetween, recordings
 from dynsplines.clip.build import Clip
+from dynsplines.clip.posing.grounding import _beside
 from dynsplines.clip.posing.places import Places, sole_points, sphere_at
 from dynsplines.solver.array import Array
 from dynsplines.solver.curve.frame import Frame
@@ -492,3 +493,13 @@ def test_named_bodies_are_as_high_as_their_lowest_point_at_rest_and_named_geoms_
     figure = figure_of({"left": (0, 0)}, BOX)
     radii = {name: Places(figure).named_point(name, "test").radius for name in ("left_ankle", "left_shin", "left_sole")}
     assert radii == pytest.approx({"left_ankle": 0.04, "left_shin": 0.32, "left_sole": 0.01})
+
+
+@pytest.mark.parametrize(
+    ("k", "in_loop", "otherwise"), [(0, [3, 1], [1]), (2, [1, 3], [1, 3]), (4, [3, 1], [3]), (1, [3, 3], [3])]
+)
+def test_keyframes_beside_one_are_across_the_end_of_a_loop(k, in_loop, otherwise):
+    sets_height = np.array([False, True, False, True, False])
+    assert _beside(sets_height, k, loop=True) == in_loop
+    assert _beside(sets_height, k, loop=False) == otherwise
+    assert _beside(~sets_height & sets_height, k, loop=True) == []

@@ -115,6 +115,20 @@ def table(path, rows):
     return path
 
 
+@pytest.mark.parametrize("names", [BODIES, [*BODIES[:3], *BODIES[6:], *BODIES[3:6]], None])
+def test_bodies_of_gmr_are_those_of_their_names(names, tmp_path):
+    """Those of the other side are refused."""
+    local = Rotation.from_quat(QPOS[:, 3:7].repeat(9, axis=0), scalar_first=True).inv()
+    entries = {"fps": 50, "root_pos": QPOS[:, :3], "root_rot": QPOS[:, [4, 5, 6, 3]], "dof_pos": QPOS[:, 7:]}
+    entries |= {"local_body_pos": local.apply((PLACE - PLACE[:, [1]]).reshape(-1, 3)).reshape(PLACE.shape)}
+    (tmp_path / "a.pkl").write_bytes(pickle.dumps(entries | ({} if names is None else {"link_body_list": names})))
+    if names is None or names == BODIES:
+        assert_same(read(tmp_path / "a.pkl")[0].qpos, QPOS)
+        return
+    with pytest.raises(UserError, match="its body poses differ"):
+        read(tmp_path / "a.pkl")
+
+
 @pytest.mark.parametrize("name", ["a.csv", "a.txt", "a.tsv"])
 def test_tables_without_names_need_a_format(name, tmp_path):
     path = table(tmp_path / name, QPOS)

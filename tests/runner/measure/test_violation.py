@@ -24,6 +24,7 @@ from dynsplines.edit import edits
 from dynsplines.exchange import formats
 from dynsplines.measure import violation
 from dynsplines.measure.bounds import BOUNDS, WHIP_SHARE, Violation
+from dynsplines.measure.ground import missing_support
 from dynsplines.measure.measurement import Measurement
 from dynsplines.motion import Sampled
 from dynsplines.solver import quaternion as quat
@@ -277,6 +278,29 @@ def test_of_an_imported_recording_the_balance_is_measured_but_no_force(text, exp
     formats.export(saved, "csv", tmp_path / "a.csv")
     found = kinds(import_motion(tmp_path / "a.csv", figure="human").violations)
     assert found & {"unbalanced", "unsupported", "toppling"} == expected
+
+
+SLIDING = keys(*(f"root.position = [{x}, 0, 0.1]\n{REST}" for x in (0, 0.5, 0)), times=0.3 * np.arange(3))
+LIMB = '<body name="{0}" pos="0 0 .2"><joint name="{0}" axis="0 1 0"/>{1}</body>'
+TREE = "<mujoco><worldbody><body pos='0 0 .1'><freejoint/>{}</body></worldbody><equality>{}</equality></mujoco>"
+SOLID, MASS = '<geom size=".1" mass="1"/>', '<inertial pos="0 0 0" mass="1" diaginertia=".1 .1 .1"/>'
+TIE = '<connect body1="a" {} anchor="0 0 0"/>'
+
+
+@pytest.mark.parametrize(
+    ("part", "limbs", "tie", "is_measured"),
+    [
+        (SOLID, ("a", "b"), "", True),
+        (SOLID, ("a", "b"), TIE.format('body2="b"'), True),
+        (SOLID, ("a", "b"), TIE.format(""), False),  # the world may carry it
+        (SOLID, (), "", False),
+        (MASS, ("a",), "", False),
+    ],
+)
+def test_support_is_measured_of_limbed_trees_that_no_loop_ties_to_others(part, limbs, tie, is_measured):
+    problem = read(SLIDING, TREE.format(part + "".join(LIMB.format(limb, part) for limb in limbs), tie))
+    raw = problem.problem.raw
+    assert any(missing_support(Measurement.of(problem, raw, raw))) == is_measured
 
 
 def unposed(problem: Clip) -> Clip:
