@@ -12,7 +12,6 @@ from texts import read_cases
 from dynsplines import recordings
 from dynsplines.batch import solving
 from dynsplines.batch.inputs import InputSource, sources, task_of
-from dynsplines.batch.task import BatchOptions
 from dynsplines.errors import UserError
 from dynsplines.motion import load
 
@@ -102,19 +101,6 @@ def test_a_clip_that_is_wrong_or_lacks_its_figure_goes_as_it_is(tmp_path: Path):
         path = tmp_path / "a.toml"
         path.write_text(text, encoding="utf-8")
         assert task_of(InputSource(path, PurePosixPath("a")), {}).files == {"a.toml": text.encode()}
-
-
-def test_the_digest_changes_with_clip_figure_and_options_alone(tmp_path: Path):
-    path = written(tmp_path)
-    source = InputSource(path, PurePosixPath("tiny"))
-    first = task_of(source, {}).digest
-    assert first == task_of(source, {}).digest
-    assert first != task_of(source, {}, BatchOptions(to="csv")).digest
-    figure = tmp_path / "tiny.xml"
-    figure.write_text(figure.read_text(encoding="utf-8").replace('mass="4"', 'mass="5"'), encoding="utf-8")
-    second = task_of(source, {}).digest
-    path.write_text(changed("fps = 20", "fps = 21"), encoding="utf-8")
-    assert len({first, second, task_of(source, {}).digest}) == 3
 
 
 def test_elsewhere_a_clip_is_solved_as_it_is_here(tmp_path: Path):

@@ -91,7 +91,8 @@ def test_a_clip_a_figure_or_an_option_that_changes_is_done_again(out: Path):
     end(out, "tiny")
     end(out, "other")
     assert left(out) == []
-    assert left(out, BatchOptions(report=True)) == left(out, BatchOptions(fps=7.0)) == ["tiny", "other"]
+    for other in (BatchOptions(report=True), BatchOptions(fps=7.0), BatchOptions(to="csv")):
+        assert left(out, other) == ["tiny", "other"]
     (out.parent / "tiny.toml").write_text(CLIP.replace("fps = 20", "fps = 21"), encoding="utf-8")
     assert left(out) == ["tiny"]
     end(out, "tiny")
