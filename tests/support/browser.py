@@ -23,6 +23,11 @@ WATCH = """new Promise((done) => {{ const end = performance.now() + 1e3 * {secon
   look(); }})"""
 PATIENCE = 240.0  # [s] of a machine that may have much else to do
 COMMAND = "import sys; from dynsplines.__main__ import main; sys.argv[0] = 'dynsplines'; main()"
+MARKS = [
+    pytest.mark.slow,
+    pytest.mark.filterwarnings("ignore::ResourceWarning"),
+    pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning"),
+]
 
 
 def chromium() -> str:

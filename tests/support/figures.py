@@ -20,7 +20,15 @@ from dynsplines.solver.contacts import Contact
 from dynsplines.solver.curve.frame import Frame
 from dynsplines.solver.figure.figure import Figure
 from dynsplines.solver.figure.kinematics import Samples
-from dynsplines.solver.penalty import Bend, BendLimits, CovariantAcceleration, Penalty, RootAcceleration, UnitMagnitude
+from dynsplines.solver.penalty import (
+    Bend,
+    BendLimits,
+    CovariantAcceleration,
+    Penalty,
+    RootAcceleration,
+    Support,
+    UnitMagnitude,
+)
 from dynsplines.solver.surface import Plane
 from dynsplines.solver.surface.points import Point, places_of
 
@@ -233,6 +241,18 @@ def stance_of(link: int, first: float, last: float) -> Contact:
 def contact_on(point: Point, first: float, last: float, normal: Array) -> Contact:
     """A contact with a plane of a normal (3,)."""
     return Contact(point, first, last, surface=Plane("ground", np.zeros(3), normal))
+
+
+def support_of(figure: Figure, rng: np.random.Generator) -> Support:
+    """Footings on the first and the last link of the root's tree, one on a slope, with a flight besides."""
+    inside, slope = np.flatnonzero(figure.tables.path[:, 1]), rng.normal(size=3)
+    ends, places = (int(inside[0]), int(inside[-1])), rng.normal(size=(3, 3))
+    footings = (
+        contact_on(Point("a", ends[0], places[0]), 0.0, 1.0, UP),
+        contact_on(Point("b", ends[1], places[1]), 0.6, 1.6, slope / np.linalg.norm(slope)),
+        contact_on(Point("c", ends[1], places[2]), 0.6, 1.2, UP),
+    )
+    return Support.of(figure, 1, footings, ((0.7, 0.9), (1.9, 2.2)))
 
 
 # A mesh as a file's bytes.

@@ -1,6 +1,6 @@
 """Independent references: MuJoCo, SciPy, exact paths, dense matrices."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -37,10 +37,13 @@ def mujoco_forces(samples: Samples) -> np.ndarray:
     figure = samples.figure
     model = figure.model
     model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT) | int(mujoco.mjtDisableBit.mjDSBL_CONSTRAINT)
-    data = mujoco.MjData(model)
-    out = []
-    for qpos, qvel, qacc in zip(figure.to_qpos(samples.y), *velocities(samples), strict=True):
-        data.qpos[:], data.qvel[:], data.qacc[:] = qpos, qvel, qacc
+    return _inverse(model, figure.to_qpos(samples.y), *velocities(samples))
+
+
+def _inverse(model: mujoco.MjModel, *motion: Array) -> Array:
+    """(T, nv) by mj_inverse of positions, velocities and accelerations."""
+    data, out = mujoco.MjData(model), []
+    for data.qpos[:], data.qvel[:], data.qacc[:] in zip(*motion, strict=True):
         mujoco.mj_inverse(model, data)
         out.append(data.qfrc_inverse.copy())
     return np.array(out)
@@ -57,16 +60,28 @@ def kinematics(model: mujoco.MjModel, qpos: Array | None = None, data: mujoco.Mj
     return data
 
 
+def distance_of_ball(model: mujoco.MjModel, name: str, centre: Array, reach: float = 10.0) -> float:
+    """Signed distance [m] of the surface of the ball at a centre from the named geom, at most `reach` away."""
+    data = kinematics(model, np.append(centre, model.qpos0[3:]))
+    return mujoco.mj_geomDistance(model, data, model.geom("ball").id, model.geom(name).id, reach, None)
+
+
+def differences(model: mujoco.MjModel, qpos: Array, values: Callable[[Array], Array], h: float = 1e-6) -> Array:
+    """(k, nv): how values of a pose change along every velocity."""
+    columns = []
+    for direction in np.eye(model.nv):
+        ends = np.array(qpos), np.array(qpos)
+        for end, way in zip(ends, (h, -h), strict=True):
+            mujoco.mj_integratePos(model, end, direction, way)
+        columns.append((values(ends[0]) - values(ends[1])) / (2 * h))
+    return np.array(columns).T
+
+
 def inverse_dynamics(model, at, rows=slice(None)):
     """(T, nv) by mj_inverse of a motion's samples, without contacts."""
     model.opt.disableflags |= int(mujoco.mjtDisableBit.mjDSBL_CONTACT)
     model.opt.enableflags = 0
-    data, out = mujoco.MjData(model), []
-    for qpos, qvel, qacc in zip(at.qpos[rows], at.qvel[rows], at.qacc[rows], strict=True):
-        data.qpos, data.qvel, data.qacc = qpos, qvel, qacc
-        mujoco.mj_inverse(model, data)
-        out.append(data.qfrc_inverse.copy())
-    return np.array(out)
+    return _inverse(model, at.qpos[rows], at.qvel[rows], at.qacc[rows])
 
 
 def tracks(model: mujoco.MjModel, qpos: Array, names: Sequence[str]) -> Array:

@@ -12,11 +12,7 @@ from texts import read_data
 
 from dynsplines.studio.document import open_document
 
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.filterwarnings("ignore::ResourceWarning"),
-    pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning"),
-]
+pytestmark = browsers.MARKS
 
 CLIP = read_data("dancer.toml")
 TIMES = "studio.model.document.keys.map((key) => key.time)"

@@ -5,15 +5,10 @@ from time import monotonic
 
 import browser as browsers
 import numpy as np
-import pytest
 from browser import Tab
 from texts import read_data
 
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.filterwarnings("ignore::ResourceWarning"),
-    pytest.mark.filterwarnings("ignore::pytest.PytestUnraisableExceptionWarning"),
-]
+pytestmark = browsers.MARKS
 
 MOST_EDITS = 18
 MOST_SECONDS = 420

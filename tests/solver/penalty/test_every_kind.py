@@ -10,11 +10,11 @@ from figures import (
     FLOOR,
     SLOPE,
     UP,
-    contact_on,
     figure_named,
     plane_below,
     random_points,
     stance_of,
+    support_of,
     two_points,
     with_armature,
 )
@@ -56,7 +56,6 @@ from dynsplines.solver.penalty import (
     Skate,
     Speed,
     Sum,
-    Support,
     Torque,
     TrackingPenalty,
     UnitMagnitude,
@@ -151,18 +150,6 @@ def skate(normal: Array) -> Kind:
 def hover(figure: Figure, rng: np.random.Generator) -> Case:
     samples = random_samples(figure, rng, 6)
     return HoverPenalty(two_points(figure), (plane_below(samples),), reach=0.8, blend=0.2), samples
-
-
-def support(figure: Figure, rng: np.random.Generator) -> Case:
-    """Footings on the first and the last link of the root's tree, one on a slope, with a flight besides."""
-    inside, slope = np.flatnonzero(figure.tables.path[:, 1]), rng.normal(size=3)
-    ends, places = (int(inside[0]), int(inside[-1])), rng.normal(size=(3, 3))
-    footings = (
-        contact_on(Point("a", ends[0], places[0]), 0.0, 1.0, UP),
-        contact_on(Point("b", ends[1], places[1]), 0.6, 1.6, slope / np.linalg.norm(slope)),
-        contact_on(Point("c", ends[1], places[2]), 0.6, 1.2, UP),
-    )
-    return Support.of(figure, 1, footings, ((0.7, 0.9), (1.9, 2.2))), timed(figure, rng, 9)
 
 
 def planted(figure: Figure, rng: np.random.Generator) -> Case:
@@ -302,7 +289,7 @@ KINDS: dict[str, Kind] = {
     "skate": skate(UP),
     "skate on a slope": skate(TILTED),
     "hover": hover,
-    "support": support,
+    "support": lambda figure, rng: (support_of(figure, rng), timed(figure, rng, 9)),
     "flight": flight(0.0),
     "flight with a moment": flight(0.7),
     "planted": planted,

@@ -6,7 +6,7 @@ import mujoco
 import numpy as np
 import pytest
 from figures import figure_of
-from oracles import kinematics
+from oracles import differences, kinematics
 from random_models import random_qpos
 from scipy.optimize import minimize, nnls
 from scipy.spatial import ConvexHull, Delaunay
@@ -104,17 +104,6 @@ def test_derivatives_are_differences(human, rng):
     stiff = np.vstack([corners.T, np.full(len(corners), 1e4)])  # convex combinations
     _, distance = nnls(stiff, [*data.subtree_com[1, :2], 1e4])
     assert np.linalg.norm(over[2].residual(model, data)) == pytest.approx(distance, rel=1e-6)
-
-
-def differences(model: mujoco.MjModel, qpos, value) -> np.ndarray:
-    """The derivative of value(qpos) (k,) with respect to the degrees of freedom, (k, nv)."""
-    columns = []
-    for direction in np.eye(model.nv):
-        ends = [np.array(qpos), np.array(qpos)]
-        for end, side in zip(ends, (STEP, -STEP), strict=True):
-            mujoco.mj_integratePos(model, end, direction, side)
-        columns.append((value(ends[0]) - value(ends[1])) / (2 * STEP))
-    return np.transpose(columns)
 
 
 def test_excesses_over_ranges_are_signed_and_their_derivatives_are_differences(rng):

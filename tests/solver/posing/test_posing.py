@@ -1,6 +1,6 @@
 """Poses by position: least squares, round trips through MuJoCo's kinematics, what stays, ranges, bends, misses."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 
 import figures
 import mujoco
@@ -9,7 +9,7 @@ import pytest
 from figures import EVERY_JOINT, LEG, MIXED, figure_of, link_named
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from oracles import SiteGoal, kinematics
+from oracles import SiteGoal, differences, kinematics
 from scipy.optimize import lsq_linear, minimize
 from scipy.spatial.transform import Rotation
 from texts import read_data
@@ -29,17 +29,6 @@ def somewhere(model: mujoco.MjModel, rng: np.random.Generator, size: float = 1.0
     qpos = np.array(model.qpos0)
     mujoco.mj_integratePos(model, qpos, size * rng.normal(size=model.nv), 1.0)
     return qpos
-
-
-def differences(model: mujoco.MjModel, qpos: Array, values: Callable[[Array], Array], h: float = 1e-6) -> Array:
-    """(k, nv): how values of a pose change along every velocity."""
-    columns = []
-    for direction in np.eye(model.nv):
-        ends = np.array(qpos), np.array(qpos)
-        for end, way in zip(ends, (h, -h), strict=True):
-            mujoco.mj_integratePos(model, end, direction, way)
-        columns.append((values(ends[0]) - values(ends[1])) / (2 * h))
-    return np.array(columns).T
 
 
 def assert_rows(goal: posing.Goal, model: mujoco.MjModel, qpos: Array, atol: float = 1e-7) -> None:

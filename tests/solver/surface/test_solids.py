@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from gradients import taylor_slope
 from motions import raw_violations
-from oracles import kinematics, tells_height_fields
+from oracles import distance_of_ball, kinematics, tells_height_fields
 from scipy.optimize import nnls
 from scipy.spatial.transform import Rotation
 from texts import read_data
@@ -30,14 +30,6 @@ SOLIDS = [name for name in SURFACES if name != "crate"]
 GROUND = SURFACES["ground"]
 
 
-def distance_by_mujoco(name: str, centre: Array, model: mujoco.MjModel = MODEL, reach: float = 10.0) -> float:
-    """Signed distance [m] of the ball's centre from the named geom, the ball's surface at most `reach` away."""
-    data = mujoco.MjData(model)
-    data.qpos[:3] = centre
-    mujoco.mj_kinematics(model, data)
-    return mujoco.mj_geomDistance(model, data, model.geom("ball").id, model.geom(name).id, reach, None) + 0.15
-
-
 def about(name: str, rng: np.random.Generator, count: int) -> Array:
     """Points (3, count, 1) about a geom, inside and outside."""
     box = MODEL.geom_aabb[MODEL.geom(name).id]
@@ -56,7 +48,7 @@ def signed(surface: Surface, points: Array) -> Array:
 @pytest.mark.parametrize("name", CONVEX)
 def test_distances_inside_and_outside_are_mujocos_and_the_cheap_bound_is_no_longer(name, rng):
     points = about(name, rng, 60)
-    expected = np.array([distance_by_mujoco(name, p) for p in points[:, :, 0].T])
+    expected = np.array([0.15 + distance_of_ball(MODEL, name, p) for p in points[:, :, 0].T])
     assert expected.min() < -0.01
     assert expected.max() > 0.01
     surface = SURFACES[name]
@@ -146,7 +138,7 @@ def test_spheres_whose_centres_are_over_a_height_field_are_as_deep_as_mujoco_com
     points = about("ground", rng, 600)
     over = GROUND.height(points)[:, 0]
     points = points[:, np.isfinite(over) & (over > 0)]
-    expected = [distance_by_mujoco("ground", p, reach=0.4) for p in points[:, :, 0].T]
+    expected = [0.15 + distance_of_ball(MODEL, "ground", p, reach=0.4) for p in points[:, :, 0].T]
     np.testing.assert_allclose(np.minimum(signed(GROUND, points), 0.55), expected, atol=1e-6)
     assert np.count_nonzero(np.array(expected) < 0.15) > 40
 

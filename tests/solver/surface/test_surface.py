@@ -4,6 +4,7 @@ import mujoco
 import numpy as np
 import pytest
 from gradients import taylor_slope
+from oracles import distance_of_ball
 from scipy.spatial.transform import Rotation
 from texts import read_data
 
@@ -37,14 +38,7 @@ def scene() -> tuple[mujoco.MjModel, dict]:
 
 def mujoco_depth(model: mujoco.MjModel, name: str, centre: np.ndarray) -> float:
     """How deep the ball at this place is in the named geom, by MuJoCo; 0 outside."""
-    return max(-mujoco_distance(model, name, centre), 0.0)
-
-
-def mujoco_distance(model: mujoco.MjModel, name: str, centre: np.ndarray) -> float:
-    data = mujoco.MjData(model)
-    data.qpos[:3] = centre
-    mujoco.mj_forward(model, data)
-    return mujoco.mj_geomDistance(model, data, model.geom("ball").id, model.geom(name).id, 10, None)
+    return max(-distance_of_ball(model, name, centre), 0.0)
 
 
 def depth_at(surface, centre: np.ndarray, radius: float = 0.15) -> float:

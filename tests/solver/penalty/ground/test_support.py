@@ -5,7 +5,7 @@ from dataclasses import replace
 import mujoco
 import numpy as np
 import pytest
-from figures import WOOD, contact_on, figure_of
+from figures import WOOD, contact_on, figure_of, support_of
 from gradients import assembled, curvature_of, shifted
 from oracles import mujoco_forces
 from random_models import at_times, random_samples
@@ -27,24 +27,9 @@ TABLE = """<mujoco><option gravity="0 0 -10"/><worldbody><body pos="0 0 1"><free
 <inertial mass="3" pos="0 0 0" diaginertia=".2 .3 .4"/></body></worldbody></mujoco>"""
 
 
-def standing(figure: Figure, rng: np.random.Generator) -> Support:
-    """Footings on the first and the last link of the root's tree, one on a slope, with a flight besides."""
-    slope = rng.normal(size=3)
-    slope /= np.linalg.norm(slope)
-    inside = np.flatnonzero(figure.tables.path[:, 1])
-    first, last = int(inside[0]), int(inside[-1])
-    places = rng.normal(size=(3, 3))
-    footings = (
-        contact_on(Point("a", first, places[0]), 0.0, 0.5, UP),
-        contact_on(Point("b", last, places[1]), 0.3, 0.8, slope),
-        contact_on(Point("c", last, places[2]), 0.3, 0.6, slope),
-    )
-    return Support.of(figure, 1, footings, ((0.35, 0.45), (0.95, 1.1)))
-
-
 def test_it_is_what_the_best_forces_in_the_friction_pyramids_leave(figure, rng):
-    samples = at_times(random_samples(figure, rng, 5), np.array([0.1, 0.32, 0.4, 0.7, 0.9]))
-    support = standing(figure, rng)
+    samples = at_times(random_samples(figure, rng, 5), np.array([0.2, 0.64, 0.8, 1.4, 1.8]))
+    support = support_of(figure, rng)
     wrench, expected = RootWrench(samples, 1), []
     for s, names in enumerate(["a", "abc", "", "b", None]):
         columns = []
