@@ -127,7 +127,7 @@ class Clip:
         return replace(self, problem=replace(self.problem, **changes))
 
     def __repr__(self) -> str:
-        """ "<Clip run_and_step: 2.20 s, 13 keyframes (10 partial), 18 penalties, 39 DOF>" """
+        """ "<Clip run_and_step: 2.20 s, 13 keyframes (10 partial), 17 penalties, 39 DOF>" """
         seconds, partial = self.keys[-1].time - self.keys[0].time, sum(not key.is_key for key in self.keys)
         partial_note = f" ({partial} partial)" if partial else ""
         loop = ", loop" if self.ends == "periodic" else ""

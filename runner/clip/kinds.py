@@ -48,7 +48,6 @@ from dynsplines.solver.penalty import (
     closures,
     couplings,
     joint_ranges,
-    leans,
     overshoot,
 )
 from dynsplines.solver.surface import Box, Plane, Surface
@@ -417,17 +416,11 @@ def _speed(context: Context, options: Options) -> Penalty | None:
     return Speed(float(np.radians(options.speed or 0.0))) if context.figure.tables.rotary_links.size else None
 
 
-def _trunk(context: Context, options: Options) -> Penalty | None:
-    if not options.bodies and (options.bodies is not None or options.axis is not None):
-        raise UserError(f"{context.where}: penalty 'upright' needs bodies = [...], the bodies to keep upright")
-    roots = [link for link in context.figure.tables.free_links.tolist() if link not in context.schedule.grasped]
-    tilts = leans(context.figure, context.keys, roots)
-    return Upright(tilts) if tilts else None
-
-
-def _bodies(context: Context, options: Options) -> Penalty | None:
+def _upright(context: Context, options: Options) -> Penalty:
     movable, links = moving_bodies(context.figure), list[int]()
-    for name in options.bodies or ():
+    if not options.bodies:
+        raise UserError(f"{context.where}: penalty 'upright' needs bodies = [...], the bodies to keep upright")
+    for name in options.bodies:
         if name not in movable:
             raise UserError(f"{context.where}: penalty 'upright': {unknown('body', name, movable)}")
         links.append(movable[name])
@@ -492,10 +485,8 @@ KINDS = {
             Part(300.0, "violation of <equality> constraints", ("coupled", "coupled travel", "torn"), _equality),
         )),
         Kind("upright", (
-            Part(1.0, "change of the tilt of a root from posing, near keyframes that leave it free", (),
-                 _trunk, "trunk"),
-            Part(30.0, "tilt of listed bodies, such as a head or a tray", (), _bodies, "bodies", "bodies"),
-        ), ("bodies", "axis")),
+            Part(30.0, "tilt of listed bodies, such as a head or a tray", (), _upright),
+        ), ("bodies", "axis"), is_default=False),
         Kind("flight", (
             Part(6.0, "force on the figure during flights, except gravity", ("float",), _flight),
         ), ("intervals", "angular")),

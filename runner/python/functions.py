@@ -66,7 +66,7 @@ class Keyframe:
         >>> arm_forward = Keyframe(0.5, joints={"left_shoulder": {"rotvec": [0, -90, 0]}}, others="previous")
         >>> squat = Keyframe(1.0, root={"position": [0, 0, 0.7]})  # the solver chooses the joints
         >>> build("human", [rest, arm_forward, squat], name="exercise")
-        <Clip exercise: 1.00 s, 3 keyframes (1 partial), 15 penalties, 39 DOF>
+        <Clip exercise: 1.00 s, 3 keyframes (1 partial), 14 penalties, 39 DOF>
     """
 
     time: float

@@ -29,9 +29,7 @@ from .joints.joint_range import joint_ranges as joint_ranges
 from .joints.overshoot import holds as holds
 from .joints.overshoot import overshoot as overshoot
 from .joints.self_contact import SelfContact as SelfContact
-from .joints.upright import Lean as Lean
 from .joints.upright import Upright as Upright
-from .joints.upright import leans as leans
 from .motion.acceleration import CovariantAcceleration as CovariantAcceleration
 from .motion.acceleration import PeakAcceleration as PeakAcceleration
 from .motion.acceleration import RootAcceleration as RootAcceleration

@@ -57,7 +57,7 @@ def test_every_name_is_there_and_listed():
 def test_what_ships_is_listed_and_loads():
     assert "run_and_step" in clips()
     assert "human" in figures()
-    assert repr(load("run_and_step")) == "<Clip run_and_step: 2.20 s, 13 keyframes (10 partial), 18 penalties, 39 DOF>"
+    assert repr(load("run_and_step")) == "<Clip run_and_step: 2.20 s, 13 keyframes (10 partial), 17 penalties, 39 DOF>"
 
 
 @pytest.mark.slow

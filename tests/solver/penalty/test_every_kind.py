@@ -45,7 +45,6 @@ from dynsplines.solver.penalty import (
     Flight,
     HoverPenalty,
     JointRange,
-    Lean,
     PeakAcceleration,
     Penalty,
     Posture,
@@ -234,11 +233,6 @@ def upright(figure: Figure, rng: np.random.Generator) -> Case:
     return Upright.of(figure, bodies), random_samples(figure, rng, 5)
 
 
-def leaning(figure: Figure, rng: np.random.Generator) -> Case:
-    leans = Lean(1, np.array([0.6, 0.0, 0.8]), 0.5, 0.5), Lean(last(figure), np.array([0.0, -1.0, 0.0]), 0.2, 1.0)
-    return Upright(leans), at_times(random_samples(figure, rng, 4), np.array([0, 0.5, 0.5, 1]))
-
-
 def tracking(figure: Figure, rng: np.random.Generator) -> Case:
     times = np.linspace(0, 2, 61)
     states = figure.to_state(figure.model.qpos0 + 0.3 * np.sin(3 * times[:, None] + rng.uniform(0, 6, figure.width)))
@@ -302,7 +296,6 @@ KINDS: dict[str, Kind] = {
     "range": joint_range,
     "overshoot": overshoot,
     "upright": upright,
-    "upright at a time": leaning,
     "tracking": tracking,
     "prior": prior,
     "sum": added(contact(FLOOR), plain(Torque()), bends(allowed=False), contact(SLOPE)),

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 import mujoco
 import numpy as np
 import pytest
-from figures import BALL_TREE, DOWN, ELBOW, EVERY_JOINT, KNEE, SMOOTHNESS, UP, figure_of, limb, limits
+from figures import BALL_TREE, DOWN, ELBOW, EVERY_JOINT, KNEE, SMOOTHNESS, figure_of, limb, limits
 from gradients import penalty_slope, shifted
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
@@ -217,23 +217,6 @@ def test_inside_the_limits_it_is_exactly_zero_without_gradient_and_outside_the_s
     assert values[0] == 0
     gradient = np.abs(cotangent.gradients()[0]).max(axis=1)
     np.testing.assert_array_equal(gradient > 0, [False, True, True, True, True, True, False])
-
-
-def turned(figure: Figure, qpos: Array, link: int, axis: Array) -> Array:
-    """An axis of a link in the world, by MuJoCo's kinematics."""
-    data = kinematics(figure.model, qpos)
-    return data.body(figure.links[link].body).xmat.reshape(3, 3) @ axis
-
-
-def test_it_is_about_keyframes_whose_roots_turn_was_posed_and_keeps_what_points_up_there():
-    figure = figure_of(BALL_TREE, "world")
-    qpos, free = np.array(figure.model.qpos0), np.zeros(figure.width, bool)
-    qpos[3:7] = [np.cos(0.2), 0, np.sin(0.2), 0]
-    free[3:7] = True
-    keys = [Frame.key(0.0, qpos), Frame(1.0, qpos, ~free, free), Frame.key(2.0, qpos, ~free), Frame.key(3.0, qpos)]
-    (lean,) = kinds.leans(figure, raw_timeline(figure, keys), figure.tables.free_links.tolist())
-    assert (lean.link, lean.first, lean.last) == (int(figure.tables.free_links[0]), 0.5, 1.5)
-    np.testing.assert_allclose(turned(figure, qpos, lean.link, lean.axis), UP, atol=1e-12)
 
 
 @pytest.mark.parametrize("axis", [None, (0.3, -0.2, 1.0)])
