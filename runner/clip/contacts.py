@@ -237,14 +237,14 @@ def _check_hands(samples: Samples, keys: Timeline, grasps: Sequence[Contact], wh
         is_fixed = sets_poses(figure, keys.fixed, [one.point.link], [other.point.link])[0]
         inside = [k for k in np.flatnonzero(is_fixed).tolist() if all(g.covers(keys.times[k]) for g in (one, other))]
         apart = np.linalg.norm(hands[:, i] - hands[:, j], axis=0)[inside]
-        held = apart[0] if apart.size else 0.0
+        distance = apart[0] if apart.size else 0.0
         if one.places is not None and other.places is not None:
-            held = np.linalg.norm(one.places[0] - other.places[0])
-        for k in np.flatnonzero(np.abs(apart - held) > Thresholds.of(figure).same_spot)[:1].tolist():
+            distance = np.linalg.norm(one.places[0] - other.places[0])
+        for k in np.flatnonzero(np.abs(apart - distance) > Thresholds.of(figure).same_spot)[:1].tolist():
             raise UserError(
                 f"{where}: keyframe {inside[k] + 1} (t = {keys.times[inside[k]]:g} s) has '{one.point.name}' and "
                 f"'{other.point.name}' {apart[k]:.3f} m apart, but they grasp '{figure.body_name(one.on)}' "
-                f"{held:.3f} m apart; free an arm in this keyframe, or end a grasp before it"
+                f"{distance:.3f} m apart; free an arm in this keyframe, or end a grasp before it"
             )
 
 

@@ -136,11 +136,11 @@ def disagreement(model: mujoco.MjModel, qpos: Array, bodies: BodyPoses) -> tuple
         rotation = quat.product(back, rotation)
     recorded, turned = bodies.position[rows], None if bodies.rotation is None else bodies.rotation[rows]
     ids = {model.body(body).name: body for body in range(model.nbody)}
-    named = [(column, ids[name]) for column, name in enumerate(bodies.names or ()) if name in ids]
-    if len(bodies.names or ()) == recorded.shape[1] < 2 * len(named):
-        columns, own = np.array(named).T
-        distance = np.linalg.norm(recorded[:, columns] - position[:, own], axis=-1)
-        angle = np.zeros(1) if turned is None else quat.angle_between(turned[:, columns], rotation[:, own])
+    pairs = [(column, ids[name]) for column, name in enumerate(bodies.names or ()) if name in ids]
+    if len(bodies.names or ()) == recorded.shape[1] < 2 * len(pairs):
+        columns, numbers = np.array(pairs).T
+        distance = np.linalg.norm(recorded[:, columns] - position[:, numbers], axis=-1)
+        angle = np.zeros(1) if turned is None else quat.angle_between(turned[:, columns], rotation[:, numbers])
         return float(distance.max()), float(angle.max())
     away = np.linalg.norm(recorded[:, :, None] - position[:, None], axis=-1).max(axis=0)
     angle = np.zeros_like(away)

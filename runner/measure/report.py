@@ -179,7 +179,7 @@ def _sides(measurements: Sequence[Measurement]) -> list[dict[str, Any]]:
 def _largest(motion: Measurement) -> dict[str, tuple[Row, float, float]]:
     """Return `Measurement.largest` and the largest missing forces and moments and imbalance, if positive."""
     missing = sorted(missing_support(motion), key=lambda each: each.amount)
-    rows = {each.kind: (row_of(each.kind, each.name, ""), each.amount, each.time or 0.0) for each in missing}
+    rows = {lack.kind: (row_of(lack.kind, lack.name, ""), lack.amount, lack.time or 0.0) for lack in missing}
     return motion.largest() | rows
 
 
