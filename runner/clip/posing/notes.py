@@ -177,6 +177,8 @@ def _longer_turns(figure: Figure, rows: Sequence[KeyframeTable], keys: Timeline)
         quaternions = figure.to_qpos(keys.states)[:, columns]
         for first, last in pairwise(np.flatnonzero(keys.fixed[:, columns].all(axis=1)).tolist()):
             cosine = float(quaternions[first] @ quaternions[last])
+            if cosine >= 0:
+                continue
             written = [
                 _notation(table)
                 for k in (first, last)
@@ -185,7 +187,7 @@ def _longer_turns(figure: Figure, rows: Sequence[KeyframeTable], keys: Timeline)
             ]
             a, b = written if len(written) == 2 else (None, None)
             is_written = a is not None and b is not None and a[0] == b[0] and np.abs(a[1] - b[1]).max() > 180
-            if cosine < 0 and not is_written:
+            if not is_written:
                 angle = np.degrees(2 * np.arccos(max(cosine, -1.0)))
                 yield (
                     f"keyframe {last + 1} (t = {keys.times[last]:g} s): '{figure.links[i].name}' turns by {angle:.0f} "
