@@ -339,7 +339,7 @@ def _hover(context: Context, options: Options) -> Penalty | None:
     if not schedule.is_grounded.any() or not (context.points or context.figure.tables.free_links.size):
         return None
     reach = options.reach or limits.away
-    return HoverPenalty(schedule.low_points, context.surfaces, reach, 2 * limits.tiny, schedule.grounded_intervals)
+    return HoverPenalty(schedule.low_points, context.surfaces, reach, limits.float_blend, schedule.grounded_intervals)
 
 
 def _equality(context: Context, options: Options) -> Penalty | None:

@@ -118,7 +118,7 @@ class PoseVectors:
         mean_height = float(poses[:, heights].mean()) if heights.size else 0.0
         root = np.flatnonzero(np.isin(tables.quaternion_links, tables.free_links))
         links, hinges, limits = tables.quaternion_links, tables.hinge_columns, Thresholds.of(figure)
-        drawn = PoseMap(heading, links, root, columns, means, hinges, heights, mean_height, 1 / limits.object_arm)
+        drawn = PoseMap(heading, links, root, columns, means, hinges, heights, mean_height, limits.height_turn)
         rows = drawn.vectors(poses)
         return None if np.ptp(rows, axis=0).max() < SINGLE else cls(drawn, times, rows, len(poses) // len(qpos), limits)
 

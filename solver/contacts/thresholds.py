@@ -68,10 +68,12 @@ class Thresholds:
     # A gait cycle; `smooth` are correlation times of other motion: the first beside a cycle, all without one
     any_period: tuple[float, float] = field(default=(0.3, 3.0), metadata={"time": 1})  # without travel
     smooth: tuple[float, ...] = field(default=(0.15, 0.25, 0.5, 1.0), metadata={"time": 1})
+    height_turn: float = _of(5.0, -1, 0)  # [rad/m] rotation of a joint as large as a metre of height
 
     # The cost of contacts
     settling: float = _seconds(0.05)  # a speed costs as much as the distance covered in this time
     slip_reach: float = _metres(0.033)  # height at which the cost of slipping has fallen to 1/e
+    float_blend: float = _metres(0.002)  # difference of heights over which points share the role of the lowest
 
     # What counts as none
     tiny: float = _metres(0.001)  # distance or depth

@@ -45,7 +45,7 @@ class HoverPenalty(Penalty):
     points: tuple[Point, ...]
     surfaces: tuple[Surface, ...]
     reach: float = Thresholds.away
-    blend: float = 2 * Thresholds.tiny
+    blend: float = Thresholds.float_blend
     landed: tuple[Interval, ...] = ()
 
     name = "grounded"
