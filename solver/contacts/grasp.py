@@ -71,7 +71,7 @@ def resting_objects(
         stays: Mask = np.logical_and.reduce(points.moves < points.limits.tiny) & is_set[:-1] & is_set[1:]
         inferred += [contact_between(points, i, k) for k in np.flatnonzero(stays).tolist() for i in range(3)]
         for k, grasp, hold in _unheld(points, stays, is_set, [grasp for grasp in grasps if grasp.on == link]):
-            if _is_near(points, k, grasp, hold, link):
+            if _is_at_hand(points, k, grasp, hold, link):
                 first, last = sorted((float(keyframes.keys.times[k]), hold))
                 places = points.centres[:, :, k].T.copy()
                 inferred += [Contact.at(p, first, last, at) for p, at in zip(points.points, places, strict=True)]
@@ -107,7 +107,7 @@ def _lies(stays: Mask, beyond: int) -> bool:
     return not 0 <= beyond < stays.size or bool(stays[beyond])
 
 
-def _is_near(points: KeyframePoints, k: int, grasp: Contact, hold: float, link: int) -> bool:
+def _is_at_hand(points: KeyframePoints, k: int, grasp: Contact, hold: float, link: int) -> bool:
     """Return whether the hand is near the object of keyframe k when the hold begins or ends [s], on the spline through
     the keyframes."""
     at, links = np.array([hold]), points.samples.links

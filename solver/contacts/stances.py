@@ -1,4 +1,4 @@
-"""Where a figure stands, inferred from its keyframes: the one place that decides stances, footings and steps.
+"""Where a figure stands, inferred from its keyframes: its stances, footings and steps.
 
 A point is planted between two keyframes if it rests on one spot in both. Then it has a stance, a `Contact`. A segment
 without stances is a flight if nothing can support the figure there, see `flight`. Otherwise its support is unknown,
